@@ -1,0 +1,50 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+
+function(orthocone_warnings target)
+  target_compile_features(${target} PUBLIC cxx_std_17)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Werror)
+endfunction()
+
+# Optimization for targets without deal.II, which empties CMake's own flags of the build types.
+function(orthocone_own_flags target)
+  target_compile_options(${target} PRIVATE $<IF:$<CONFIG:Debug>,-Og,-O3> -g -fPIC)
+  target_compile_definitions(${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:NDEBUG>)
+endfunction()
+
+# deal.II's macro uses the signature of target_link_libraries without keywords, and CMake wants one or the other.
+
+# orthocone_library(NAME [DEALII] [DEPENDS LIBRARY...])
+# The library of source/NAME and include/orthocone/NAME. Its public include path is a view that holds just
+# orthocone/NAME, so that only headers of NAME and of DEPENDS are to be found.
+function(orthocone_library name)
+  cmake_parse_arguments(PARSE_ARGV 1 arg "DEALII" "" "DEPENDS")
+  set(target orthocone_${name})
+  file(GLOB sources CONFIGURE_DEPENDS source/${name}/*.cc)
+  add_library(${target} STATIC ${sources})
+  set(view ${CMAKE_BINARY_DIR}/views/${name})
+  file(MAKE_DIRECTORY ${view}/orthocone)
+  file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR}/include/orthocone/${name} ${view}/orthocone/${name} SYMBOLIC)
+  target_include_directories(${target} PUBLIC ${view})
+  foreach(dependency IN LISTS arg_DEPENDS)
+    target_link_libraries(${target} orthocone_${dependency})
+  endforeach()
+  if(arg_DEALII)
+    deal_ii_setup_target(${target})
+  else()
+    orthocone_own_flags(${target})
+  endif()
+  orthocone_warnings(${target})
+endfunction()
+
+# Compiles version and git revision into one file.
+function(orthocone_add_version target file)
+  execute_process(COMMAND git describe --always --dirty
+    WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}
+    OUTPUT_VARIABLE revision OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
+  if(NOT revision)
+    set(revision "no git revision")
+  endif()
+  set_source_files_properties(${file} PROPERTIES COMPILE_DEFINITIONS
+    "ORTHOCONE_VERSION=\"${PROJECT_VERSION}\";ORTHOCONE_REVISION=\"${revision}\"")
+endfunction()

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/contact/contact_problem.h>
+#include <orthocone/parameters/options.h>
+
+#include <memory>
+
+namespace orthocone
+{
+/// What a solver tells of one load step. All figures are recomputed from the final forces by make_report(), so that
+/// no solver judges itself.
+struct SolverReport
+{
+  bool converged = false;
+  unsigned int iterations = 0;  ///< sweeps and Newton iterations together
+  double residual = 0;          ///< ContactProblem::residual()
+  Eigen::Index worst_node = 0;  ///< node with the largest part of the residual
+  double penetration = 0;       ///< largest -gap (mm), the paper's own measure of convergence
+};
+
+/// Report on `force` as the solution of the present step of `problem`.
+SolverReport make_report(const ContactProblem &problem, const NodeVector &force, unsigned int iterations,
+                         double tolerance);
+
+/// Solver of the contact problem of a load step. Failure is a value of the report, not an exception.
+class ContactSolver
+{
+public:
+  virtual ~ContactSolver() = default;
+
+  /// Improves `force`, on entry the start, until the residual of the problem is within the tolerance.
+  virtual SolverReport solve(NodeVector &force) = 0;
+};
+
+/// The solver that the options name, for all steps of `problem`, which must outlive it. The constructor prepares what
+/// stays the same from step to step. Throws std::invalid_argument if the method needs the dense compliance and the
+/// backend has none.
+std::unique_ptr<ContactSolver> make_contact_solver(const ContactProblem &problem, const ContactSolverOptions &options);
+} // namespace orthocone

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// The contact law of one node as pure functions. Local axes (normal, x, y): x and y are the axes of both ellipses.
+// Forces r act from the plane on the body; displacements are those of the body relative to the plane. Source: Feng,
+// Hjiaj, de Saxce, Mroz, Int. J. Non-Linear Mech. 41 (2006) 936-948, sections 2 and 3; docs/theory.md.
+#pragma once
+
+#include <Eigen/Dense>
+
+namespace orthocone
+{
+/// Semi-axes of the friction ellipse (mu) and of the slip ellipse (p).
+struct OrthotropicFriction
+{
+  double mu_x;
+  double mu_y;
+  double p_x;
+  double p_y;
+};
+
+/// Weights (p_x/mu_x)^2, (p_y/mu_y)^2 by which the slip rule leaves the normal of the cone; both 1 if associated.
+/// This is Q^2 of the paper.
+Eigen::Vector2d slip_weights(const OrthotropicFriction &law);
+
+/// The same law with p scaled so that the larger slip weight is 1. The law does not depend on the length of p, but
+/// the natural map does.
+OrthotropicFriction normalized(const OrthotropicFriction &law);
+
+/// ||r_t||_m = sqrt((r_x/mu_x)^2 + (r_y/mu_y)^2): the normal force at which r_t slips.
+double friction_norm(const OrthotropicFriction &law, double r_x, double r_y);
+
+/// ||v_t||*_m = sqrt((mu_x v_x)^2 + (mu_y v_y)^2), dual to friction_norm().
+double dual_norm(const OrthotropicFriction &law, double v_x, double v_y);
+
+/// Where a point lies with respect to the friction cone K and its polar.
+enum class ConeZone
+{
+  polar,   ///< projects on the apex: the node is open
+  inside,  ///< projects on itself: the node sticks
+  outside, ///< projects on the surface: the node slips
+};
+
+ConeZone cone_zone(const OrthotropicFriction &law, const Eigen::Vector3d &tau);
+
+/// Nearest point of the cone K = { r : ||r_t||_m <= r_n }.
+Eigen::Vector3d project(const OrthotropicFriction &law, const Eigen::Vector3d &tau);
+
+/// Nearest point and the derivative of the projection there. On the surface the derivative is
+/// ray ray^T + stiffness side side^T with orthonormal vectors ray (along the generator) and side (along the cone,
+/// across the generator); `normal` completes them and spans the kernel.
+struct Projection
+{
+  ConeZone zone = ConeZone::polar;
+  Eigen::Vector3d point = Eigen::Vector3d::Zero();
+  Eigen::Vector3d ray = Eigen::Vector3d::Zero();
+  Eigen::Vector3d side = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
+  double stiffness = 0; ///< in (0, 1]
+
+  Eigen::Matrix3d derivative() const;
+};
+
+Projection project_with_derivative(const OrthotropicFriction &law, const Eigen::Vector3d &tau);
+
+/// Modified displacement G(d) = (d_n + ||Q^2 d_t||*_m, Q^2 d_t) of the displacement d relative to the plane since
+/// the last step, with d_n the present gap. The law is: r = project(r - rho G(d)) for any rho > 0.
+Eigen::Vector3d modified_displacement(const OrthotropicFriction &law, const Eigen::Vector3d &d);
+
+/// Derivative of modified_displacement(); at d_t = 0, where there is none, the one with vanishing slope of the norm.
+Eigen::Matrix3d modified_displacement_derivative(const OrthotropicFriction &law, const Eigen::Vector3d &d);
+
+/// Direction in which a node under the tangential force (r_x, r_y) slips, not normalized: -(r_x/p_x^2, r_y/p_y^2).
+Eigen::Vector2d slip_direction(const OrthotropicFriction &law, double r_x, double r_y);
+
+/// Tangential force on the body per unit normal force in steady slip along the direction (d_x, d_y) != 0.
+Eigen::Vector2d sliding_traction(const OrthotropicFriction &law, double d_x, double d_y);
+} // namespace orthocone

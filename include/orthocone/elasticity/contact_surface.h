@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <array>
+#include <vector>
+
+namespace orthocone
+{
+/// A node of the contact surface.
+struct ContactNode
+{
+  std::array<double, 2> position;        ///< x, y in mm; the surface is z = 0
+  double area;                           ///< lumped face weight of the model's faces (mm^2)
+  std::array<unsigned int, 3> dofs;      ///< of u_x, u_y, u_z
+  std::array<bool, 3> is_free;           ///< false where a symmetry plane holds the direction
+};
+
+/// Contact nodes and the faces between them, free of mesh types.
+struct ContactSurface
+{
+  unsigned int degree = 1;
+  std::vector<ContactNode> nodes;
+  std::vector<std::vector<unsigned int>> faces; ///< (degree + 1)^2 nodes a face, lexicographic
+};
+} // namespace orthocone

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/elasticity/discretization.h>
+#include <orthocone/parameters/options.h>
+
+#include <deal.II/lac/sparse_matrix.h>
+
+namespace orthocone
+{
+/// Lame's parameters in MPa.
+struct LameParameters
+{
+  explicit LameParameters(const MaterialOptions &material);
+
+  double lambda;
+  double mu;
+};
+
+/// Stiffness of the free degrees of freedom, n_free() x n_free() (N/mm), of isotropic linear elasticity at small
+/// strain. Only the entries on and below the diagonal are stored.
+class Stiffness
+{
+public:
+  Stiffness(const Discretization &discretization, const MaterialOptions &material);
+
+  const dealii::SparseMatrix<double> &matrix() const { return matrix_; }
+
+private:
+  void make_pattern(const Discretization &discretization);
+  void assemble(const Discretization &discretization, const LameParameters &lame);
+
+  dealii::SparsityPattern pattern_;
+  dealii::SparseMatrix<double> matrix_;
+};
+} // namespace orthocone

@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// Plain option structs, one per section of the parameter file. They are filled once by read_parameters() and
+// handed on as const references. No library header is needed to read them.
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+namespace orthocone
+{
+/// How the upper face is held: clamped (moves as a rigid plate) or guided (u_z prescribed, free sideways).
+enum class TopFace
+{
+  clamped,
+  guided,
+};
+
+/// Part of the cylinder that is modelled.
+enum class ModelKind
+{
+  automatic,
+  full,
+  half,
+  quarter,
+};
+
+/// Contact solvers.
+enum class ContactMethod
+{
+  newton,
+  gauss_seidel,
+  uzawa,
+  feng2006,
+};
+
+/// Section Geometry (mm).
+struct GeometryOptions
+{
+  double radius = 10;
+  double height = 10;
+  TopFace top_face = TopFace::clamped;
+};
+
+/// Section Mesh: an o-grid disc extruded into layers.
+struct MeshOptions
+{
+  ModelKind model = ModelKind::automatic;
+  unsigned int core_cells = 8;        ///< cells along a side of the core block
+  unsigned int rings = 0;             ///< cells from core to rim; 0: as many as core cells
+  unsigned int layers = 4;            ///< cells over the height
+  unsigned int degree = 2;            ///< polynomial degree of FE_Q
+  unsigned int quadrature_points = 0; ///< Gauss points per direction; 0: degree + 1
+  double core_ratio = 0.5;            ///< core corner radius / R
+  double rim_grading = 1;             ///< thickness of a ring / thickness of the next inner ring
+  double layer_grading = 1;           ///< thickness of a layer / thickness of its neighbour towards mid-height
+
+  unsigned int n_rings() const { return rings == 0 ? core_cells : rings; }
+  unsigned int n_quadrature_points() const { return quadrature_points == 0 ? degree + 1 : quadrature_points; }
+};
+
+/// Section Material: isotropic linear elasticity.
+struct MaterialOptions
+{
+  double young_modulus = 210000; ///< MPa
+  double poisson_ratio = 0.3;
+};
+
+/// Section Friction: semi-axes of the friction ellipse (mu) and of the slip ellipse (p), both along axes turned by
+/// `angle` degrees from x to y.
+struct FrictionOptions
+{
+  std::array<double, 2> mu{{0.3, 0.15}};
+  std::array<double, 2> p{{0.3, 0.15}};
+  double angle = 0;
+};
+
+/// One leg of the load program: the top moves on a straight line to `target` (ux, uy, uz in mm) in equal steps.
+struct Leg
+{
+  std::array<double, 3> target{{0, 0, 0}};
+  unsigned int steps = 1;
+};
+
+/// Section Load program: the preload once, then the legs `cycles` times.
+struct LoadOptions
+{
+  std::vector<Leg> preload;
+  std::vector<Leg> legs;
+  unsigned int cycles = 1;
+};
+
+/// Section Contact solver.
+struct ContactSolverOptions
+{
+  ContactMethod method = ContactMethod::newton;
+  double tolerance = 1e-10;              ///< bound of the relative natural-map residual
+  unsigned int maximum_iterations = 5000; ///< sweeps or iterations of one step
+  double relaxation = 1;                  ///< of the sweeps: share of the one-node solution that is taken
+};
+
+/// A point of the contact surface whose history is written.
+struct Probe
+{
+  std::string name;
+  std::array<double, 2> position{{0, 0}}; ///< mm
+};
+
+/// Section Output; intervals in steps, 0 = never.
+struct OutputOptions
+{
+  unsigned int contact_interval = 1;
+  unsigned int volume_interval = 0;
+  std::vector<Probe> probes;
+};
+
+/// The whole parameter file.
+struct Parameters
+{
+  GeometryOptions geometry;
+  MeshOptions mesh;
+  MaterialOptions material;
+  FrictionOptions friction;
+  LoadOptions load;
+  ContactSolverOptions contact_solver;
+  OutputOptions output;
+};
+} // namespace orthocone

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// Values as users write them: numbers, legs, probes, and the words of the enumerations. Every accepted word stands
+// in one table here.
+#pragma once
+
+#include <orthocone/parameters/options.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace orthocone
+{
+/// Table of the words of an enumeration; specialised for each of them.
+template<typename Enum>
+struct Words;
+
+template<>
+struct Words<TopFace>
+{
+  static constexpr std::array<std::pair<TopFace, std::string_view>, 2> table{
+      {{TopFace::clamped, "clamped"}, {TopFace::guided, "guided"}}};
+};
+
+template<>
+struct Words<ModelKind>
+{
+  static constexpr std::array<std::pair<ModelKind, std::string_view>, 4> table{{{ModelKind::automatic, "auto"},
+                                                                                {ModelKind::full, "full"},
+                                                                                {ModelKind::half, "half"},
+                                                                                {ModelKind::quarter, "quarter"}}};
+};
+
+template<>
+struct Words<ContactMethod>
+{
+  static constexpr std::array<std::pair<ContactMethod, std::string_view>, 4> table{
+      {{ContactMethod::newton, "newton"},
+       {ContactMethod::gauss_seidel, "gauss-seidel"},
+       {ContactMethod::uzawa, "uzawa"},
+       {ContactMethod::feng2006, "feng2006"}}};
+};
+
+/// The word of an enumerator.
+template<typename Enum>
+std::string to_word(const Enum value)
+{
+  for (const auto &[enumerator, word] : Words<Enum>::table)
+    if (enumerator == value)
+      return std::string(word);
+  return {};
+}
+
+/// The enumerator of a word, or nothing.
+template<typename Enum>
+std::optional<Enum> from_word(const std::string_view text)
+{
+  for (const auto &[enumerator, word] : Words<Enum>::table)
+    if (word == text)
+      return enumerator;
+  return std::nullopt;
+}
+
+/// All words of an enumeration, separated by " | ".
+template<typename Enum>
+std::string all_words()
+{
+  std::string list;
+  for (const auto &entry : Words<Enum>::table)
+    list += (list.empty() ? "" : " | ") + std::string(entry.second);
+  return list;
+}
+
+/// Shortest text that reads back as the same number.
+std::string to_text(double value);
+
+/// Text without white space at both ends.
+std::string trimmed(const std::string &text);
+
+/// Pieces of `text` between separators, each trimmed.
+std::vector<std::string> split(const std::string &text, char separator);
+
+/// The finite number that the whole text spells, or nothing.
+std::optional<double> parse_number(const std::string &text);
+
+/// The nonnegative whole number that the whole text spells, or nothing.
+std::optional<unsigned int> parse_count(const std::string &text);
+
+/// Numbers separated by `separator` (a blank: any white space); nothing unless there are exactly `n`.
+std::optional<std::vector<double>> parse_numbers(const std::string &text, unsigned int n, char separator);
+
+/// "ux uy uz : steps ; ...", possibly empty; nothing if malformed or if a leg has no steps.
+std::optional<std::vector<Leg>> parse_legs(const std::string &text);
+
+/// "name: x y ; ...", possibly empty; nothing if malformed. Names become file names: letters, digits, '-', '_',
+/// each used once.
+std::optional<std::vector<Probe>> parse_probes(const std::string &text);
+} // namespace orthocone

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/elasticity/condensed_body.h>
+#include <orthocone/simulation/contact_state.h>
+
+namespace orthocone
+{
+/// What users look at, at one node of the contact surface; vectors in global axes (x, y, z).
+struct ContactFields
+{
+  Eigen::Vector3d displacement = Eigen::Vector3d::Zero();      ///< mm
+  Eigen::Vector3d slip = Eigen::Vector3d::Zero();              ///< mm, tangential
+  double accumulated_slip = 0;                                 ///< mm
+  double gap = 0;                                              ///< mm, > 0 open
+  double pressure = 0;                                         ///< MPa
+  Eigen::Vector3d friction_traction = Eigen::Vector3d::Zero(); ///< MPa, of the plane on the body
+  double friction_criterion = -1;                              ///< ||r_t||_m / r_n - 1; -1 without pressure
+  NodeStatus status = NodeStatus::open;
+  Eigen::Vector3d nodal_force = Eigen::Vector3d::Zero(); ///< N, as in the full model
+  double dissipated_energy = 0;                          ///< N/mm, accumulated, per area
+};
+
+/// Number of nodes of the whole body that a node of the model stands for.
+unsigned int n_images(const ContactNode &node, const SymmetryPlanes &planes);
+
+/// Computes the fields of the nodes of a state. Only reads.
+class ContactFieldEvaluator
+{
+public:
+  ContactFieldEvaluator(const ContactSurface &surface, const SymmetryPlanes &planes, const SurfaceAxes &axes,
+                        const OrthotropicFriction &law);
+
+  ContactFields fields(const ContactState &state, unsigned int node) const;
+  std::vector<ContactFields> all_fields(const ContactState &state) const;
+
+  const ContactSurface &surface() const { return surface_; }
+  const SymmetryPlanes &planes() const { return planes_; }
+
+private:
+  const ContactSurface &surface_;
+  SymmetryPlanes planes_;
+  SurfaceAxes axes_;
+  OrthotropicFriction law_;
+};
+} // namespace orthocone

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/contact/contact_problem.h>
+
+namespace orthocone
+{
+/// All that the next step needs to know of the past, and all that output reads. Per node of the model, local axes.
+struct ContactState
+{
+  explicit ContactState(Eigen::Index n_nodes);
+
+  Eigen::Index n_nodes() const { return accumulated_slip.size(); }
+
+  unsigned int step = 0;
+  std::array<double, 3> top{{0, 0, 0}}; ///< mm
+  NodeVector force;                     ///< of the plane on the body, N
+  NodeVector displacement;              ///< relative to the plane (gap, slip), mm
+  Eigen::VectorXd accumulated_slip;     ///< path length of the slip while in contact, mm
+  Eigen::VectorXd dissipated_energy;    ///< N mm
+  std::vector<NodeStatus> status;
+};
+
+/// Enters the solution of a step into the state. Dissipation by the trapezoidal rule -(r_old + r_new)/2 . du_t,
+/// which is exact for proportional loading.
+void advance(ContactState &state, const ContactProblem &problem, const NodeVector &force,
+             const std::array<double, 3> &top);
+} // namespace orthocone

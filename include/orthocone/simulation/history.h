@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// The CSV files of a run. Nothing in them depends on the clock but timing.csv.
+#pragma once
+
+#include <orthocone/contact/contact_solver.h>
+#include <orthocone/parameters/options.h>
+#include <orthocone/simulation/run_folder.h>
+#include <orthocone/simulation/totals.h>
+
+namespace orthocone
+{
+/// history.csv and timing.csv: one row a step.
+class History
+{
+public:
+  History(const RunFolder &folder, ContactMethod method);
+
+  void write(const ContactState &state, const Totals &totals, const SolverReport &report, double seconds);
+
+private:
+  const RunFolder &folder_;
+  ContactMethod method_;
+  double last_total_dissipation_ = 0;
+};
+
+/// probe-NAME.csv: the node nearest to each probe, in the image where the probe lies.
+class ProbeHistories
+{
+public:
+  ProbeHistories(const RunFolder &folder, const std::vector<Probe> &probes, const ContactFieldEvaluator &evaluator);
+
+  void write(const ContactState &state) const;
+
+private:
+  struct Place
+  {
+    std::string file;
+    unsigned int node;
+    Eigen::Vector2d signs; ///< of the image
+  };
+
+  const RunFolder &folder_;
+  const ContactFieldEvaluator &evaluator_;
+  std::vector<Place> places_;
+};
+} // namespace orthocone

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/contact/contact_solver.h>
+#include <orthocone/simulation/load_program.h>
+#include <orthocone/simulation/run_folder.h>
+#include <orthocone/simulation/totals.h>
+
+#include <chrono>
+
+namespace orthocone
+{
+/// Seconds since its construction.
+class Stopwatch
+{
+public:
+  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point start_ = Clock::now();
+};
+
+/// log.txt and what the screen shows: one line a step, in place on a terminal.
+class Log
+{
+public:
+  Log(const RunFolder &folder, bool is_quiet);
+
+  /// A line for the screen and for log.txt.
+  void line(const std::string &text);
+
+  /// Progress after `step` of `n_steps`.
+  void progress(const LoadStep &step, unsigned int n_steps, const Totals &totals, const SolverReport &report);
+
+  /// Ends a line that is shown in place.
+  void finish_progress();
+
+private:
+  const RunFolder &folder_;
+  bool is_quiet_;
+  bool is_terminal_;
+  bool is_in_place_ = false;
+  Stopwatch watch_;
+};
+} // namespace orthocone

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/contact/contact_solver.h>
+#include <orthocone/elasticity/condensed_body.h>
+#include <orthocone/simulation/contact_state.h>
+#include <orthocone/simulation/load_program.h>
+
+#include <map>
+
+namespace orthocone
+{
+/// Remembers forces from which the next step may start: those of the last step, their extrapolation along the leg
+/// (exact while the load is proportional), and those at the same phase of the last cycle (exact once the response is
+/// periodic).
+class StartForces
+{
+public:
+  /// The candidate with the least residual; costs one product with W for each.
+  NodeVector best(const ContactProblem &problem, const ContactState &state, const LoadStep &step) const;
+
+  /// To be called with every solved step.
+  void remember(const NodeVector &before, const NodeVector &after, const LoadStep &step);
+
+private:
+  NodeVector change_;                            ///< of the forces in the last step
+  std::map<unsigned int, NodeVector> of_phase_; ///< forces at each phase of the last cycle
+};
+
+/// Solves load steps one after another. A step that fails is halved, from the state before it, so that the slip
+/// history of the attempt is forgotten.
+class StepSolver
+{
+public:
+  StepSolver(const CondensedBody &body, ContactProblem &problem, const ContactSolverOptions &options);
+
+  /// Advances `state` to the end of `step`. On failure (report.converged is false) `state` is as before.
+  SolverReport solve(ContactState &state, const LoadStep &step);
+
+private:
+  SolverReport solve_to(ContactState &state, const std::array<double, 3> &top, NodeVector force, unsigned int depth);
+  void set_problem(const ContactState &state, const std::array<double, 3> &top);
+
+  const CondensedBody &body_;
+  ContactProblem &problem_;
+  std::unique_ptr<ContactSolver> solver_;
+  StartForces starts_;
+};
+} // namespace orthocone

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/elasticity/stiffness.h>
+#include <orthocone/simulation/contact_fields.h>
+
+#include <string>
+
+namespace orthocone
+{
+/// VTU text of the contact surface of the whole body: the modelled part and its mirror images, so that pictures do not
+/// depend on the model. Lagrange cells for degree > 1.
+std::string contact_vtu(const ContactFieldEvaluator &evaluator, const ContactState &state);
+
+/// VTU text of the modelled part of the body: displacement (mm), stress and von Mises stress (MPa).
+std::string volume_vtu(const Discretization &discretization, const MaterialOptions &material,
+                       const Eigen::VectorXd &displacement);
+} // namespace orthocone

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace orthocone
+{
+/// What the command line asks for.
+struct CommandLine
+{
+  std::string parameter_file;
+  std::vector<std::string> overrides;
+  std::string output_folder; ///< empty: output/<stem of the parameter file>
+  bool check = false;
+  bool defaults = false;
+  bool quiet = false;
+  bool help = false;
+  bool version = false;
+};
+
+/// Throws InputError for what is not understood.
+CommandLine parse_command_line(int argc, const char *const *argv);
+
+std::string usage();
+} // namespace orthocone

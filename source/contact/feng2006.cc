@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "solvers.h"
+
+#include <cmath>
+
+namespace orthocone
+{
+using Eigen::Index;
+using Eigen::Vector3d;
+
+Feng2006::Feng2006(const ContactProblem &problem, const ContactSolverOptions &options)
+    : problem_(problem), options_(options)
+{
+  dense_compliance(problem, "feng2006");
+  for (Index node = 0; node < problem.n_nodes(); ++node)
+    rho_.push_back(1 / problem.compliance().diagonal_block(node).diagonal().minCoeff());
+}
+
+void Feng2006::sweep(NodeVector &force) const
+{
+  const Eigen::MatrixXd &w = *problem_.compliance().dense();
+  const NodeVector &q = problem_.free_displacement();
+  for (Index node = 0; node < problem_.n_nodes(); ++node)
+  {
+    const OrthotropicFriction &law = problem_.given_law(node);
+    const Vector3d d = q.segment<3>(3 * node) + w.middleCols<3>(3 * node).transpose() * force;
+    const Vector3d r = force.segment<3>(3 * node);
+    force.segment<3>(3 * node) = project(law, r - rho_[node] * modified_displacement(law, d));
+  }
+}
+
+SolverReport Feng2006::solve(NodeVector &force)
+{
+  constexpr unsigned int sweeps_between_checks = 5;
+  unsigned int n_sweeps = 0;
+  double residual = problem_.residual(force);
+  while (residual > options_.tolerance && n_sweeps < options_.maximum_iterations && std::isfinite(residual))
+  {
+    for (unsigned int i = 0; i < sweeps_between_checks && n_sweeps < options_.maximum_iterations; ++i, ++n_sweeps)
+      sweep(force);
+    residual = problem_.residual(force);
+  }
+  return make_report(problem_, force, n_sweeps, options_.tolerance);
+}
+} // namespace orthocone

@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// The contact solvers, for the factory and for each other.
+#pragma once
+
+#include <orthocone/contact/contact_solver.h>
+#include <orthocone/contact/one_node.h>
+
+namespace orthocone
+{
+/// Gauss-Seidel sweeps: every node in turn is solved exactly with the forces of the others fixed.
+class GaussSeidel : public ContactSolver
+{
+public:
+  GaussSeidel(const ContactProblem &problem, const ContactSolverOptions &options);
+
+  SolverReport solve(NodeVector &force) override;
+
+  /// One sweep over all nodes, in place.
+  void sweep(NodeVector &force) const;
+
+private:
+  const ContactProblem &problem_;
+  ContactSolverOptions options_;
+  std::vector<OneNodeProblem> nodes_;
+};
+
+/// The paper's Box 3 node by node: one prediction-correction a node and sweep with the literal p and
+/// rho = 1 / min(w_nn, w_xx, w_yy). No convergence is guaranteed: see docs/theory.md.
+class Feng2006 : public ContactSolver
+{
+public:
+  Feng2006(const ContactProblem &problem, const ContactSolverOptions &options);
+
+  SolverReport solve(NodeVector &force) override;
+
+private:
+  void sweep(NodeVector &force) const;
+
+  const ContactProblem &problem_;
+  ContactSolverOptions options_;
+  std::vector<double> rho_;
+};
+
+/// Simultaneous projections with a self-adaptive step: the projection-contraction method of He and Liao (J. Optim.
+/// Theory Appl. 112 (2002) 111-128). Needs products with W only.
+class Uzawa : public ContactSolver
+{
+public:
+  Uzawa(const ContactProblem &problem, const ContactSolverOptions &options);
+
+  SolverReport solve(NodeVector &force) override;
+
+private:
+  NodeVector modified(const NodeVector &force) const;
+  NodeVector predicted(const NodeVector &force, const NodeVector &direction, double factor) const;
+  void iterate(NodeVector &force);
+
+  const ContactProblem &problem_;
+  ContactSolverOptions options_;
+  NodeVector rho_; ///< step of each unknown; the metric of the method is diag(1 / rho)
+  double factor_;  ///< common factor of the steps, kept from one load step to the next
+};
+
+/// Semismooth Newton on the natural map with a backtracking line search, started by exact sweeps and returning to
+/// them from the best iterate whenever it stalls, so that it inherits their robustness.
+class SemismoothNewton : public ContactSolver
+{
+public:
+  SemismoothNewton(const ContactProblem &problem, const ContactSolverOptions &options);
+
+  SolverReport solve(NodeVector &force) override;
+
+private:
+  bool iterate_while_it_pays(NodeVector &force, unsigned int &iterations) const;
+
+  const ContactProblem &problem_;
+  ContactSolverOptions options_;
+  GaussSeidel sweeps_;
+};
+
+/// The dense compliance, or std::invalid_argument naming the method that wants it.
+const Eigen::MatrixXd &dense_compliance(const ContactProblem &problem, const char *method);
+} // namespace orthocone

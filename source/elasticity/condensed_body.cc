@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/elasticity/condensed_body.h>
+
+#include <deal.II/dofs/dof_tools.h>
+
+#include <cmath>
+
+namespace orthocone
+{
+using Eigen::Index;
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+SurfaceAxes::SurfaceAxes(const double angle)
+{
+  constexpr double right_angle = 90;
+  const double quarters = angle / right_angle;
+  double cosine = std::cos(angle * dealii::numbers::PI / 180);
+  double sine = std::sin(angle * dealii::numbers::PI / 180);
+  if (quarters == std::round(quarters))
+  {
+    cosine = std::round(cosine);
+    sine = std::round(sine);
+  }
+  turn_ << cosine, -sine, sine, cosine;
+}
+
+Matrix3d SurfaceAxes::global_in_local() const
+{
+  Matrix3d axes = Matrix3d::Zero();
+  axes.topRightCorner<2, 2>() = turn_;
+  axes(2, 0) = 1;
+  return axes;
+}
+
+CondensedBody::CondensedBody(const Discretization &discretization, const StiffnessFactor &factor,
+                             const SurfaceAxes &axes)
+    : discretization_(discretization), factor_(factor), axes_(axes),
+      compliance_(local_compliance(factor.trailing_inverse()))
+{}
+
+MatrixXd CondensedBody::local_compliance(const MatrixXd &inverse) const
+{
+  const auto &nodes = discretization_.contact_surface().nodes;
+  const Index n_interior = discretization_.n_interior();
+  const Matrix3d turn = axes_.global_in_local();
+  MatrixXd local(3 * nodes.size(), 3 * nodes.size());
+  for (std::size_t j = 0; j < nodes.size(); ++j)
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+    {
+      Matrix3d block = Matrix3d::Zero();
+      for (Index e = 0; e < 3; ++e)
+        for (Index d = 0; d < 3; ++d)
+          if (nodes[i].is_free[d] && nodes[j].is_free[e])
+            block(d, e) = inverse(nodes[i].dofs[d] - n_interior, nodes[j].dofs[e] - n_interior);
+      // Any positive number serves for a held direction; the node's own size keeps the matrix well conditioned.
+      for (Index d = 0; d < 3; ++d)
+        if (i == j && !nodes[i].is_free[d])
+          block(d, d) = block(2, 2);
+      local.block<3, 3>(3 * i, 3 * j) = turn.transpose() * block * turn;
+    }
+  return local;
+}
+
+NodeVector CondensedBody::free_displacement(const std::array<double, 3> &top) const
+{
+  const Vector2d tangential = axes_.to_local({top[0], top[1]});
+  return Vector3d(top[2], tangential[0], tangential[1]).replicate(compliance_.n_nodes(), 1);
+}
+
+VectorXd CondensedBody::volume_displacement(const std::array<double, 3> &top, const NodeVector &force) const
+{
+  const auto &nodes = discretization_.contact_surface().nodes;
+  const Matrix3d turn = axes_.global_in_local();
+  VectorXd right_side = VectorXd::Zero(discretization_.n_free());
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    const Vector3d global = turn * force.segment<3>(3 * static_cast<Index>(i));
+    for (Index d = 0; d < 3; ++d)
+      if (nodes[i].is_free[d])
+        right_side[nodes[i].dofs[d]] = global[d];
+  }
+  VectorXd displacement = VectorXd::Zero(discretization_.n_dofs());
+  displacement.head(discretization_.n_free()) = factor_.solve(right_side);
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    dealii::ComponentMask component(3, false);
+    component.set(d, true);
+    for (const auto dof : dealii::DoFTools::extract_dofs(discretization_.dof_handler(), component))
+      displacement[static_cast<Index>(dof)] += top[d];
+  }
+  return displacement;
+}
+} // namespace orthocone

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/elasticity/mesh.h>
+
+namespace orthocone
+{
+/// Disc of quadrilaterals around the origin, straight-sided: core block and graded rings.
+void make_o_grid_disc(double radius, const MeshOptions &options, const SymmetryPlanes &planes,
+                      dealii::Triangulation<2> &triangulation);
+
+/// Positions from 0 to 1 of `n` intervals, each `grading` times as wide as the one before.
+std::vector<double> graded_positions(unsigned int n, double grading);
+} // namespace orthocone

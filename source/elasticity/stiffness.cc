@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/elasticity/stiffness.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/base/work_stream.h>
+#include <deal.II/fe/fe_values.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+
+#include <Eigen/Dense>
+
+namespace orthocone
+{
+namespace
+{
+constexpr unsigned int dim = 3;
+
+/// Work space of one thread.
+struct Scratch
+{
+  explicit Scratch(const Discretization &discretization)
+      : values(discretization.mapping(), discretization.scalar_fe(),
+               dealii::QGauss<dim>(discretization.n_quadrature_points()),
+               dealii::update_gradients | dealii::update_JxW_values)
+  {}
+  Scratch(const Scratch &other)
+      : values(other.values.get_mapping(), other.values.get_fe(), other.values.get_quadrature(),
+               other.values.get_update_flags())
+  {}
+
+  dealii::FEValues<dim> values;
+  Eigen::MatrixXd products;  ///< integral of d_i N_a d_j N_b at (dim a + i, dim b + j)
+  Eigen::VectorXd gradients; ///< d_i N_a at dim a + i
+};
+
+struct CellMatrix
+{
+  Eigen::MatrixXd matrix; ///< numbered as `products` of Scratch
+  std::vector<dealii::types::global_dof_index> dofs;
+};
+
+/// dofs of a cell, numbered node by node.
+std::vector<dealii::types::global_dof_index> dofs_by_node(const dealii::DoFHandler<dim>::active_cell_iterator &cell)
+{
+  const auto &fe = cell->get_fe();
+  std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
+  std::vector<dealii::types::global_dof_index> sorted(dofs.size());
+  cell->get_dof_indices(dofs);
+  for (unsigned int i = 0; i < dofs.size(); ++i)
+  {
+    const auto [component, node] = fe.system_to_component_index(i);
+    sorted[dim * node + component] = dofs[i];
+  }
+  return sorted;
+}
+
+void integrate_gradient_products(const dealii::Triangulation<dim>::active_cell_iterator &cell, Scratch &scratch)
+{
+  scratch.values.reinit(cell);
+  const unsigned int n_nodes = scratch.values.dofs_per_cell;
+  scratch.gradients.resize(dim * n_nodes);
+  scratch.products.setZero(dim * n_nodes, dim * n_nodes);
+  for (const unsigned int q : scratch.values.quadrature_point_indices())
+  {
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      for (unsigned int i = 0; i < dim; ++i)
+        scratch.gradients[dim * a + i] = scratch.values.shape_grad(a, q)[i];
+    scratch.products.noalias() += (scratch.values.JxW(q) * scratch.gradients) * scratch.gradients.transpose();
+  }
+}
+
+/// Blocks lambda d_i N_a d_j N_b + mu (d_j N_a d_i N_b + delta_ij grad N_a . grad N_b) of the cell matrix.
+void combine(const Eigen::MatrixXd &products, const LameParameters &lame, Eigen::MatrixXd &matrix)
+{
+  matrix.resizeLike(products);
+  for (Eigen::Index b = 0; b < products.cols(); b += dim)
+    for (Eigen::Index a = 0; a < products.rows(); a += dim)
+    {
+      const Eigen::Matrix3d block = products.block<dim, dim>(a, b);
+      matrix.block<dim, dim>(a, b) = lame.lambda * block + lame.mu * block.transpose() +
+                                     lame.mu * block.trace() * Eigen::Matrix3d::Identity();
+    }
+}
+} // namespace
+
+LameParameters::LameParameters(const MaterialOptions &material)
+    : lambda(material.young_modulus * material.poisson_ratio /
+             ((1 + material.poisson_ratio) * (1 - 2 * material.poisson_ratio))),
+      mu(material.young_modulus / (2 * (1 + material.poisson_ratio)))
+{}
+
+Stiffness::Stiffness(const Discretization &discretization, const MaterialOptions &material)
+{
+  make_pattern(discretization);
+  assemble(discretization, LameParameters(material));
+}
+
+void Stiffness::make_pattern(const Discretization &discretization)
+{
+  const unsigned int n_free = discretization.n_free();
+  dealii::DynamicSparsityPattern pattern(n_free);
+  std::vector<dealii::types::global_dof_index> dofs(discretization.fe().n_dofs_per_cell());
+  std::vector<dealii::types::global_dof_index> columns;
+  for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+  {
+    cell->get_dof_indices(dofs);
+    std::sort(dofs.begin(), dofs.end());
+    columns.clear();
+    for (const auto row : dofs)
+    {
+      if (row >= n_free)
+        break;
+      columns.push_back(row);
+      pattern.add_entries(row, columns.begin(), columns.end(), true);
+    }
+  }
+  pattern_.copy_from(pattern);
+  matrix_.reinit(pattern_);
+}
+
+void Stiffness::assemble(const Discretization &discretization, const LameParameters &lame)
+{
+  const auto work = [&](const dealii::DoFHandler<dim>::active_cell_iterator &cell, Scratch &scratch,
+                        CellMatrix &copy) {
+    integrate_gradient_products(cell, scratch);
+    combine(scratch.products, lame, copy.matrix);
+    copy.dofs = dofs_by_node(cell);
+  };
+  const auto add = [&](const CellMatrix &copy) {
+    for (unsigned int i = 0; i < copy.dofs.size(); ++i)
+      for (unsigned int j = 0; j < copy.dofs.size(); ++j)
+        if (copy.dofs[i] < discretization.n_free() && copy.dofs[j] <= copy.dofs[i])
+          matrix_.add(copy.dofs[i], copy.dofs[j], copy.matrix(i, j));
+  };
+  const auto &dof_handler = discretization.dof_handler();
+  dealii::WorkStream::run(dof_handler.begin_active(), dof_handler.end(), work, add, Scratch(discretization),
+                          CellMatrix());
+}
+} // namespace orthocone

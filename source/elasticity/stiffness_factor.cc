@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/elasticity/stiffness_factor.h>
+
+#include <cholmod.h>
+#include <lapacke.h>
+
+#include <algorithm>
+#include <numeric>
+#include <stdexcept>
+#include <string>
+
+namespace orthocone
+{
+namespace
+{
+/// CHOLMOD's settings and memory, with errors as exceptions.
+class Session
+{
+public:
+  Session()
+  {
+    cholmod_start(&common);
+    common.print = 0;
+    common.supernodal = CHOLMOD_SUPERNODAL;
+  }
+  ~Session() { cholmod_finish(&common); }
+  Session(const Session &) = delete;
+  Session &operator=(const Session &) = delete;
+
+  void require_success(const char *const task) const
+  {
+    if (common.status == CHOLMOD_NOT_POSDEF)
+      throw std::runtime_error(std::string(task) + ": the stiffness matrix is not positive definite");
+    if (common.status < CHOLMOD_OK)
+      throw std::runtime_error(std::string(task) + ": CHOLMOD fails with status " + std::to_string(common.status) +
+                               (common.status == CHOLMOD_OUT_OF_MEMORY ? " (out of memory)" : ""));
+  }
+
+  cholmod_common common{};
+};
+
+/// Leading n x n block of the matrix as CHOLMOD's sparse matrix. Its columns are our rows: the upper triangle.
+cholmod_sparse *leading_block(const dealii::SparseMatrix<double> &matrix, const unsigned int n, Session &session)
+{
+  const auto &pattern = matrix.get_sparsity_pattern();
+  std::size_t n_entries = 0;
+  for (unsigned int row = 0; row < n; ++row)
+    n_entries += pattern.row_length(row);
+  constexpr int sorted = 0, packed = 1, upper = 1;
+  cholmod_sparse *const block =
+      cholmod_allocate_sparse(n, n, n_entries, sorted, packed, upper, CHOLMOD_REAL, &session.common);
+  session.require_success("copying the stiffness");
+  auto *const starts = static_cast<int *>(block->p);
+  auto *const rows = static_cast<int *>(block->i);
+  auto *const values = static_cast<double *>(block->x);
+  int next = 0;
+  for (unsigned int row = 0; row < n; ++row)
+  {
+    starts[row] = next;
+    for (auto entry = matrix.begin(row); entry != matrix.end(row); ++entry, ++next)
+    {
+      rows[next] = entry->column();
+      values[next] = entry->value();
+    }
+  }
+  starts[n] = next;
+  return block;
+}
+
+/// Fill-reducing order of the interior unknowns, followed by the others as they are.
+std::vector<int> elimination_order(const dealii::SparseMatrix<double> &matrix, const unsigned int n_interior,
+                                   Session &session)
+{
+  std::vector<int> order(matrix.m());
+  std::iota(order.begin(), order.end(), 0);
+  if (n_interior == 0)
+    return order;
+  cholmod_sparse *interior = leading_block(matrix, n_interior, session);
+  constexpr int postorder = 1;
+  cholmod_metis(interior, nullptr, 0, postorder, order.data(), &session.common);
+  cholmod_free_sparse(&interior, &session.common);
+  session.require_success("ordering the stiffness");
+  return order;
+}
+} // namespace
+
+struct StiffnessFactor::Cholmod
+{
+  ~Cholmod() { cholmod_free_factor(&factor, &session.common); }
+
+  mutable Session session;
+  cholmod_factor *factor = nullptr;
+};
+
+StiffnessFactor::StiffnessFactor(const dealii::SparseMatrix<double> &matrix, const unsigned int n_interior)
+    : cholmod_(std::make_unique<Cholmod>()), n_interior_(n_interior)
+{
+  Session &session = cholmod_->session;
+  std::vector<int> order = elimination_order(matrix, n_interior, session);
+  cholmod_sparse *all = leading_block(matrix, matrix.m(), session);
+  session.common.nmethods = 1;
+  session.common.method[0].ordering = CHOLMOD_GIVEN;
+  cholmod_->factor = cholmod_analyze_p(all, order.data(), nullptr, 0, &session.common);
+  if (cholmod_->factor != nullptr)
+    cholmod_factorize(all, cholmod_->factor, &session.common);
+  cholmod_free_sparse(&all, &session.common);
+  session.require_success("factorizing the stiffness");
+}
+
+StiffnessFactor::~StiffnessFactor() = default;
+
+Eigen::VectorXd StiffnessFactor::solve(const Eigen::VectorXd &right_side) const
+{
+  Session &session = cholmod_->session;
+  Eigen::VectorXd copy = right_side;
+  cholmod_dense view{};
+  view.nrow = view.d = view.nzmax = copy.size();
+  view.ncol = 1;
+  view.x = copy.data();
+  view.xtype = CHOLMOD_REAL;
+  view.dtype = CHOLMOD_DOUBLE;
+  cholmod_dense *solution = cholmod_solve(CHOLMOD_A, cholmod_->factor, &view, &session.common);
+  session.require_success("solving with the stiffness");
+  copy = Eigen::Map<const Eigen::VectorXd>(static_cast<const double *>(solution->x), copy.size());
+  cholmod_free_dense(&solution, &session.common);
+  return copy;
+}
+
+/// Rows and columns from n_interior_ on of the supernodal factor, in elimination order.
+Eigen::MatrixXd StiffnessFactor::trailing_factor() const
+{
+  const cholmod_factor &factor = *cholmod_->factor;
+  const auto *const first_column = static_cast<const int *>(factor.super);
+  const auto *const first_row = static_cast<const int *>(factor.pi);
+  const auto *const first_value = static_cast<const int *>(factor.px);
+  const auto *const rows = static_cast<const int *>(factor.s);
+  const auto *const values = static_cast<const double *>(factor.x);
+  const int n_interior = static_cast<int>(n_interior_);
+  const auto n = static_cast<Eigen::Index>(factor.n) - n_interior;
+  Eigen::MatrixXd trailing = Eigen::MatrixXd::Zero(n, n);
+  for (std::size_t s = 0; s < factor.nsuper; ++s)
+  {
+    const int n_rows = first_row[s + 1] - first_row[s];
+    for (int column = std::max(first_column[s], n_interior); column < first_column[s + 1]; ++column)
+      for (int i = column - first_column[s]; i < n_rows; ++i)
+        trailing(rows[first_row[s] + i] - n_interior, column - n_interior) =
+            values[first_value[s] + static_cast<std::ptrdiff_t>(column - first_column[s]) * n_rows + i];
+  }
+  return trailing;
+}
+
+Eigen::MatrixXd StiffnessFactor::trailing_inverse() const
+{
+  Eigen::MatrixXd inverse = trailing_factor();
+  const auto n = static_cast<lapack_int>(inverse.rows());
+  if (LAPACKE_dpotri(LAPACK_COL_MAJOR, 'L', n, inverse.data(), n) != 0)
+    throw std::runtime_error("condensing the stiffness: the Schur complement is singular");
+  // CHOLMOD may have postponed unknowns among the last ones, but must not have mixed in others.
+  const auto *const order = static_cast<const int *>(cholmod_->factor->Perm) + n_interior_;
+  Eigen::MatrixXd sorted(n, n);
+  for (lapack_int j = 0; j < n; ++j)
+    for (lapack_int i = j; i < n; ++i)
+    {
+      const int row = order[i] - static_cast<int>(n_interior_);
+      const int column = order[j] - static_cast<int>(n_interior_);
+      if (row < 0 || column < 0)
+        throw std::logic_error("condensing the stiffness: interior unknowns among the last ones");
+      sorted(row, column) = sorted(column, row) = inverse(i, j);
+    }
+  return sorted;
+}
+
+double StiffnessFactor::n_entries() const { return static_cast<double>(cholmod_->factor->xsize); }
+} // namespace orthocone

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "command_line.h"
+
+#include <orthocone/parameters/errors.h>
+#include <orthocone/parameters/parameters.h>
+#include <orthocone/simulation/quasi_static_problem.h>
+#include <orthocone/simulation/version.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+using namespace orthocone;
+
+namespace
+{
+int exit_code(const ExitCode code) { return static_cast<int>(code); }
+
+int fail(const ExitCode code, const std::string &message)
+{
+  std::cerr << "orthocone: " << message << std::endl;
+  return exit_code(code);
+}
+
+int print_model(const Parameters &parameters, const ModelChoice &model)
+{
+  const Body body(parameters, model.planes);
+  std::cout << describe_model(parameters, model, body.discretization, load_steps(parameters.load).size()) << std::endl;
+  return exit_code(ExitCode::done);
+}
+
+/// Puts the parameters into the run folder: as the user wrote them, and complete.
+void keep_parameters(const RunFolder &folder, const CommandLine &line, const Parameters &parameters)
+{
+  std::ostringstream verbatim;
+  verbatim << std::ifstream(line.parameter_file, std::ios::binary).rdbuf();
+  const bool is_json = std::filesystem::path(line.parameter_file).extension() == ".json";
+  std::ostringstream complete;
+  write_parameters(parameters, complete);
+  folder.remove_earlier_run();
+  folder.write(is_json ? "input.json" : "input.prm", verbatim.str());
+  folder.write("parameters.prm", complete.str());
+}
+
+int run(const CommandLine &line)
+{
+  const Parameters parameters = read_parameters(line.parameter_file, line.overrides);
+  const ModelChoice model = choose_model(parameters);
+  if (line.check)
+    return print_model(parameters, model);
+  const std::filesystem::path file(line.parameter_file);
+  const RunFolder folder(line.output_folder.empty() ? std::filesystem::path("output") / file.stem()
+                                                    : std::filesystem::path(line.output_folder));
+  keep_parameters(folder, line, parameters);
+  Log log(folder, line.quiet);
+  const auto outcome = QuasiStaticProblem(parameters, model, folder, log).run();
+  return outcome.is_complete ? exit_code(ExitCode::done) : fail(ExitCode::unsolved_step, outcome.message);
+}
+
+int dispatch(const int argc, const char *const *const argv)
+{
+  const CommandLine line = parse_command_line(argc, argv);
+  if (line.help)
+    std::cout << usage();
+  else if (line.version)
+    for (const auto &[name, version] : versions())
+      std::cout << name << " " << version << "\n";
+  else if (line.defaults)
+    write_parameters(Parameters(), std::cout);
+  else
+    return run(line);
+  return exit_code(ExitCode::done);
+}
+} // namespace
+
+int main(const int argc, const char *const *const argv)
+{
+  try
+  {
+    return dispatch(argc, argv);
+  }
+  catch (const InputError &error)
+  {
+    return fail(ExitCode::wrong_input, error.what());
+  }
+  catch (const FileError &error)
+  {
+    return fail(ExitCode::file_error, error.what());
+  }
+  catch (const dealii::ExceptionBase &error)
+  {
+    std::ostringstream text;
+    error.print_info(text);
+    return fail(ExitCode::unsolved_step, text.str());
+  }
+  catch (const std::bad_alloc &)
+  {
+    return fail(ExitCode::unsolved_step, "memory runs out; a coarser mesh or a reduced Mesh/Model needs less");
+  }
+  catch (const std::exception &error)
+  {
+    return fail(ExitCode::unsolved_step, error.what());
+  }
+}

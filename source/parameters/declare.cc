@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "declare.h"
+
+#include "entries.h"
+
+namespace orthocone
+{
+using namespace entries;
+
+namespace
+{
+using dealii::ParameterHandler;
+
+void declare_geometry(GeometryOptions &geometry, ParameterHandler &handler)
+{
+  add_entry(handler, "Shape", "cylinder", Allowed("cylinder", [](const std::string &text) { return text == "cylinder"; }),
+            "Shape of the body; its base z = 0 rests on the rigid plane.", [](const std::string &) {});
+  add_number(handler, "Radius", geometry.radius, positive, "Radius in mm.");
+  add_number(handler, "Height", geometry.height, positive, "Height in mm.");
+  add_choice(handler, "Top face", geometry.top_face,
+             "The upper face moves as a rigid plate (clamped), or has u_z prescribed and is free sideways (guided; "
+             "only in a quarter model, where symmetry holds the body).");
+}
+
+void declare_mesh(MeshOptions &mesh, ParameterHandler &handler)
+{
+  add_choice(handler, "Model", mesh.model,
+             "Part of the cylinder that is modelled; auto takes the smallest that is exact for the scene.");
+  add_count(handler, "Core cells", mesh.core_cells, 1, 200, "Cells along a side of the core block.");
+  add_count(handler, "Rings", mesh.rings, 0, 200, "Cells from core to rim; 0 = as many as core cells.");
+  add_count(handler, "Layers", mesh.layers, 1, 200, "Cells over the height.");
+  add_count(handler, "Degree", mesh.degree, 1, 3, "Polynomial degree of the elements.");
+  add_count(handler, "Quadrature points", mesh.quadrature_points, 0, 10,
+            "Gauss points per direction, more than the degree; 0 = degree + 1.");
+  add_number(handler, "Core ratio", mesh.core_ratio, Range{0, 1}, "Distance of the core's corners from the axis / radius.");
+  add_number(handler, "Rim grading", mesh.rim_grading, Range{0, 10, false, true},
+             "Each ring is this many times as thick as the next inner one; 1 = uniform.");
+  add_number(handler, "Layer grading", mesh.layer_grading, Range{0, 10, false, true},
+             "Each layer is this many times as thick as its neighbour towards mid-height; 1 = uniform.");
+}
+
+void declare_material(MaterialOptions &material, ParameterHandler &handler)
+{
+  add_number(handler, "Young modulus", material.young_modulus, positive, "Young's modulus in MPa.");
+  add_number(handler, "Poisson ratio", material.poisson_ratio, Range{-1, 0.5}, "Poisson's ratio.");
+}
+
+void declare_friction(FrictionOptions &friction, ParameterHandler &handler)
+{
+  add_pair(handler, "Coefficients", friction.mu, positive,
+           "mu_x, mu_y: semi-axes of the friction ellipse, the section of the cone at unit normal force.");
+  add_pair(handler, "Slip potential", friction.p, positive,
+           "p_x, p_y: semi-axes of the slip ellipse; only their ratio matters. Proportional to the coefficients: "
+           "associated friction.");
+  add_number(handler, "Orthotropy angle", friction.angle, any_number,
+             "Degrees from the x axis to the first axis of both ellipses.");
+}
+
+void declare_load(LoadOptions &load, ParameterHandler &handler)
+{
+  add_legs(handler, "Preload", load.preload, "Legs passed through once, before the cycles.");
+  add_legs(handler, "Legs", load.legs,
+           "Legs of a cycle: the upper face moves to (ux, uy, uz) in equal steps, from where it was.");
+  add_count(handler, "Cycles", load.cycles, 0, 1000000, "How many times the legs are passed through.");
+}
+
+void declare_contact_solver(ContactSolverOptions &solver, ParameterHandler &handler)
+{
+  add_choice(handler, "Method", solver.method,
+             "newton: semismooth Newton between exact sweeps; gauss-seidel: sweeps of exact one-node solves; uzawa: "
+             "simultaneous projections with adaptive step; feng2006: the paper's Box 3, node by node.");
+  add_number(handler, "Tolerance", solver.tolerance, Range{1e-14, 1, true, false},
+             "Bound of the natural-map residual relative to the contact forces.");
+  add_count(handler, "Maximum iterations", solver.maximum_iterations, 1, 10000000,
+            "Sweeps or iterations in one load step.");
+  add_number(handler, "Relaxation", solver.relaxation, Range{0, 2},
+             "Relaxation factor of the sweeps of gauss-seidel: 1 takes the one-node solutions as they are.");
+}
+
+void declare_output(OutputOptions &output, ParameterHandler &handler)
+{
+  add_count(handler, "Contact fields", output.contact_interval, 0, 1000000,
+            "Every how many steps the fields on the contact surface are written; 0 = never.");
+  add_count(handler, "Volume fields", output.volume_interval, 0, 1000000,
+            "Every how many steps displacement and stress of the body are written; 0 = never.");
+  add_probes(handler, "Probes", output.probes,
+             "Points of the contact surface whose history is written; the nearest contact node is taken.");
+}
+} // namespace
+
+void declare_parameters(Parameters &parameters, ParameterHandler &handler)
+{
+  const auto section = [&handler](const char *const name, auto declare, auto &options) {
+    handler.enter_subsection(name);
+    declare(options, handler);
+    handler.leave_subsection();
+  };
+  section("Geometry", declare_geometry, parameters.geometry);
+  section("Mesh", declare_mesh, parameters.mesh);
+  section("Material", declare_material, parameters.material);
+  section("Friction", declare_friction, parameters.friction);
+  section("Load program", declare_load, parameters.load);
+  section("Contact solver", declare_contact_solver, parameters.contact_solver);
+  section("Output", declare_output, parameters.output);
+}
+} // namespace orthocone

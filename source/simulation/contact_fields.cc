@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/simulation/contact_fields.h>
+
+namespace orthocone
+{
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+unsigned int n_images(const ContactNode &node, const SymmetryPlanes &planes)
+{
+  return (planes.normal_to_x && node.is_free[0] ? 2 : 1) * (planes.normal_to_y && node.is_free[1] ? 2 : 1);
+}
+
+ContactFieldEvaluator::ContactFieldEvaluator(const ContactSurface &surface, const SymmetryPlanes &planes,
+                                             const SurfaceAxes &axes, const OrthotropicFriction &law)
+    : surface_(surface), planes_(planes), axes_(axes), law_(law)
+{}
+
+ContactFields ContactFieldEvaluator::fields(const ContactState &state, const unsigned int node) const
+{
+  const ContactNode &place = surface_.nodes[node];
+  const Vector3d d = state.displacement.segment<3>(3 * node);
+  const Vector3d r = state.force.segment<3>(3 * node);
+  const Vector2d slip = axes_.to_global(d.tail<2>());
+  const Vector2d friction = axes_.to_global(r.tail<2>());
+  // A node on a plane of symmetry carries in the model only its share of the force.
+  const double share = static_cast<double>(n_images(place, planes_)) / planes_.n_copies();
+  ContactFields fields;
+  fields.displacement << slip, d[0];
+  fields.slip << slip, 0;
+  fields.accumulated_slip = state.accumulated_slip[node];
+  fields.gap = d[0];
+  fields.pressure = r[0] / place.area;
+  fields.friction_traction << friction / place.area, 0;
+  if (state.status[node] != NodeStatus::open)
+    fields.friction_criterion = friction_norm(law_, r[1], r[2]) / r[0] - 1;
+  fields.status = state.status[node];
+  fields.nodal_force << friction / share, r[0] / share;
+  fields.dissipated_energy = state.dissipated_energy[node] / place.area;
+  return fields;
+}
+
+std::vector<ContactFields> ContactFieldEvaluator::all_fields(const ContactState &state) const
+{
+  std::vector<ContactFields> all;
+  for (unsigned int node = 0; node < surface_.nodes.size(); ++node)
+    all.push_back(fields(state, node));
+  return all;
+}
+} // namespace orthocone

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/simulation/history.h>
+
+#include <orthocone/parameters/text.h>
+
+#include <cmath>
+#include <limits>
+
+namespace orthocone
+{
+namespace
+{
+using Eigen::Vector2d;
+
+std::string cell(const double value) { return to_text(value); }
+std::string cell(const unsigned int value) { return std::to_string(value); }
+std::string cell(const std::string &value) { return value; }
+
+template<typename... Values>
+std::string row(const Values &...values)
+{
+  std::string text;
+  ((text += (text.empty() ? "" : ",") + cell(values)), ...);
+  return text + "\n";
+}
+
+const char *word_of(const NodeStatus status)
+{
+  return status == NodeStatus::open ? "open" : status == NodeStatus::stick ? "stick" : "slip";
+}
+
+/// Position of a probe in the modelled part, and the signs that lead back.
+Vector2d signs_of(const Probe &probe, const SymmetryPlanes &planes)
+{
+  return {planes.normal_to_x && probe.position[0] < 0 ? -1 : 1, planes.normal_to_y && probe.position[1] < 0 ? -1 : 1};
+}
+
+unsigned int nearest_node(const ContactSurface &surface, const Vector2d &position)
+{
+  unsigned int nearest = 0;
+  double least = std::numeric_limits<double>::max();
+  for (unsigned int node = 0; node < surface.nodes.size(); ++node)
+  {
+    const auto &place = surface.nodes[node].position;
+    const double distance = std::hypot(place[0] - position[0], place[1] - position[1]);
+    if (distance < least)
+    {
+      least = distance;
+      nearest = node;
+    }
+  }
+  return nearest;
+}
+} // namespace
+
+History::History(const RunFolder &folder, const ContactMethod method) : folder_(folder), method_(method)
+{
+  folder_.append("history.csv", "step,ux,uy,uz,force_x,force_y,force_z,max_slip,max_accumulated_slip,min_pressure,"
+                                "max_pressure,n_open,n_stick,n_slip,stick_area,dissipation,total_dissipation,"
+                                "elastic_energy,method,iterations,residual\n");
+  folder_.append("timing.csv", "step,seconds,iterations\n");
+}
+
+void History::write(const ContactState &state, const Totals &totals, const SolverReport &report, const double seconds)
+{
+  folder_.append("history.csv",
+                 row(state.step, state.top[0], state.top[1], state.top[2], totals.force[0], totals.force[1],
+                     totals.force[2], totals.max_slip, totals.max_accumulated_slip, totals.min_pressure,
+                     totals.max_pressure, totals.n_open, totals.n_stick, totals.n_slip, totals.stick_area,
+                     totals.total_dissipation - last_total_dissipation_, totals.total_dissipation,
+                     totals.elastic_energy, to_word(method_), report.iterations, report.residual));
+  folder_.append("timing.csv", row(state.step, seconds, report.iterations));
+  last_total_dissipation_ = totals.total_dissipation;
+}
+
+ProbeHistories::ProbeHistories(const RunFolder &folder, const std::vector<Probe> &probes,
+                               const ContactFieldEvaluator &evaluator)
+    : folder_(folder), evaluator_(evaluator)
+{
+  for (const Probe &probe : probes)
+  {
+    const Vector2d signs = signs_of(probe, evaluator.planes());
+    const Vector2d position = signs.cwiseProduct(Vector2d(probe.position[0], probe.position[1]));
+    places_.push_back({"probe-" + probe.name + ".csv", nearest_node(evaluator.surface(), position), signs});
+    folder_.append(places_.back().file, "step,uz,slip_x,slip_y,accumulated_slip,force_n,force_x,force_y,pressure,"
+                                        "traction_x,traction_y,status\n");
+  }
+}
+
+void ProbeHistories::write(const ContactState &state) const
+{
+  for (const Place &place : places_)
+  {
+    const ContactFields fields = evaluator_.fields(state, place.node);
+    const Vector2d slip = place.signs.cwiseProduct(fields.slip.head<2>());
+    const Vector2d force = place.signs.cwiseProduct(fields.nodal_force.head<2>());
+    const Vector2d traction = place.signs.cwiseProduct(fields.friction_traction.head<2>());
+    folder_.append(place.file, row(state.step, state.top[2], slip[0], slip[1], fields.accumulated_slip,
+                                   fields.nodal_force[2], force[0], force[1], fields.pressure, traction[0],
+                                   traction[1], std::string(word_of(fields.status))));
+  }
+}
+} // namespace orthocone

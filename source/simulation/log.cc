@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/simulation/log.h>
+
+#include <orthocone/parameters/text.h>
+
+#include <unistd.h>
+
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+namespace orthocone
+{
+Log::Log(const RunFolder &folder, const bool is_quiet)
+    : folder_(folder), is_quiet_(is_quiet), is_terminal_(isatty(STDOUT_FILENO) == 1)
+{}
+
+void Log::line(const std::string &text)
+{
+  finish_progress();
+  folder_.append("log.txt", text + "\n");
+  if (!is_quiet_)
+    std::cout << text << std::endl;
+}
+
+void Log::progress(const LoadStep &step, const unsigned int n_steps, const Totals &totals, const SolverReport &report)
+{
+  const double elapsed = watch_.seconds();
+  const double remaining = elapsed / step.number * (n_steps - step.number);
+  std::ostringstream text;
+  text << "step " << step.number << " of " << n_steps << "  u_z " << to_text(step.top[2]) << " mm  open/stick/slip "
+       << totals.n_open << "/" << totals.n_stick << "/" << totals.n_slip << "  " << report.iterations
+       << " iterations  residual " << std::scientific << std::setprecision(1) << report.residual << std::fixed << "  "
+       << elapsed << " s, " << remaining << " s left";
+  folder_.append("log.txt", text.str() + "\n");
+  if (is_quiet_)
+    return;
+  if (is_terminal_)
+    std::cout << "\r\033[K" << text.str() << std::flush;
+  else
+    std::cout << text.str() << std::endl;
+  is_in_place_ = is_terminal_;
+}
+
+void Log::finish_progress()
+{
+  if (is_in_place_)
+    std::cout << std::endl;
+  is_in_place_ = false;
+}
+} // namespace orthocone

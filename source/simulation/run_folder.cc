@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/simulation/run_folder.h>
+
+#include <orthocone/parameters/errors.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <regex>
+
+namespace orthocone
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+[[noreturn]] void fail(const fs::path &file, const std::string &task, const std::string &cause)
+{
+  throw FileError(file.string() + ": " + task + " (" + cause + ")");
+}
+
+void write_all(const fs::path &file, const std::string &content, const std::ios::openmode mode)
+{
+  errno = 0;
+  std::ofstream stream(file, std::ios::binary | mode);
+  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
+  stream.close();
+  if (!stream)
+    fail(file, "cannot be written", std::strerror(errno != 0 ? errno : EIO));
+}
+} // namespace
+
+RunFolder::RunFolder(const fs::path &path) : path_(path)
+{
+  std::error_code code;
+  if (fs::exists(path_, code) && !fs::is_directory(path_, code))
+    fail(path_, "cannot be the run folder", "a file of this name is in its place; --output DIR takes another one");
+  fs::create_directories(path_, code);
+  if (code)
+    fail(path_, "cannot be created as the run folder", code.message());
+  write(".writable", "");
+  fs::remove(path_ / ".writable", code);
+}
+
+void RunFolder::remove_earlier_run() const
+{
+  const std::regex ours("(contact|volume)(-\\d+\\.vtu|\\.pvd)|probe-.*\\.csv|(history|timing)\\.csv|summary\\.json|"
+                        "(input|parameters)\\.prm|input\\.json|log\\.txt");
+  std::error_code code;
+  for (const auto &entry : fs::directory_iterator(path_))
+    if (entry.is_regular_file() && std::regex_match(entry.path().filename().string(), ours))
+      if (!fs::remove(entry.path(), code))
+        fail(entry.path(), "cannot be removed", code.message());
+}
+
+void RunFolder::write(const std::string &name, const std::string &content) const
+{
+  const fs::path temporary = path_ / (name + ".part");
+  write_all(temporary, content, std::ios::trunc);
+  std::error_code code;
+  fs::rename(temporary, path_ / name, code);
+  if (code)
+    fail(path_ / name, "cannot be written", code.message());
+}
+
+void RunFolder::append(const std::string &name, const std::string &content) const
+{
+  write_all(path_ / name, content, std::ios::app);
+}
+
+std::string RunFolder::path(const std::string &name) const
+{
+  return name.empty() ? path_.string() : (path_ / name).string();
+}
+} // namespace orthocone

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/simulation/step_solver.h>
+
+namespace orthocone
+{
+NodeVector StartForces::best(const ContactProblem &problem, const ContactState &state, const LoadStep &step) const
+{
+  NodeVector start = state.force;
+  double least = problem.residual(start);
+  const auto consider = [&](const NodeVector &candidate) {
+    const double residual = problem.residual(candidate);
+    if (residual < least)
+    {
+      least = residual;
+      start = candidate;
+    }
+  };
+  if (step.step_of_leg > 1)
+    consider(state.force + change_);
+  if (const auto last_cycle = of_phase_.find(step.phase); step.cycle > 1 && last_cycle != of_phase_.end())
+    consider(last_cycle->second);
+  return start;
+}
+
+void StartForces::remember(const NodeVector &before, const NodeVector &after, const LoadStep &step)
+{
+  change_ = after - before;
+  if (step.cycle > 0)
+    of_phase_[step.phase] = after;
+}
+
+StepSolver::StepSolver(const CondensedBody &body, ContactProblem &problem, const ContactSolverOptions &options)
+    : body_(body), problem_(problem), solver_(make_contact_solver(problem, options))
+{}
+
+void StepSolver::set_problem(const ContactState &state, const std::array<double, 3> &top)
+{
+  problem_.set_step(body_.free_displacement(top), state.displacement);
+}
+
+SolverReport StepSolver::solve(ContactState &state, const LoadStep &step)
+{
+  const ContactState before = state;
+  set_problem(state, step.top);
+  const SolverReport report = solve_to(state, step.top, starts_.best(problem_, state, step), 0);
+  if (report.converged)
+  {
+    starts_.remember(before.force, state.force, step);
+    state.step = step.number;
+  }
+  else
+    state = before;
+  return report;
+}
+
+SolverReport StepSolver::solve_to(ContactState &state, const std::array<double, 3> &top, NodeVector force,
+                                  const unsigned int depth)
+{
+  constexpr unsigned int most_halvings = 3;
+  set_problem(state, top);
+  SolverReport report = solver_->solve(force);
+  if (report.converged)
+  {
+    advance(state, problem_, force, top);
+    return report;
+  }
+  if (depth == most_halvings)
+    return report;
+  std::array<double, 3> middle{};
+  for (unsigned int d = 0; d < 3; ++d)
+    middle[d] = 0.5 * (state.top[d] + top[d]);
+  const unsigned int spent = report.iterations;
+  report = solve_to(state, middle, state.force, depth + 1);
+  report.iterations += spent;
+  if (!report.converged)
+    return report;
+  const unsigned int to_middle = report.iterations;
+  report = solve_to(state, top, state.force, depth + 1);
+  report.iterations += to_middle;
+  return report;
+}
+} // namespace orthocone

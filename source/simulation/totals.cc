@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/simulation/totals.h>
+
+#include <algorithm>
+
+namespace orthocone
+{
+namespace
+{
+void count_status(const NodeStatus status, const unsigned int n, const double area, Totals &totals)
+{
+  switch (status)
+  {
+  case NodeStatus::open:
+    totals.n_open += n;
+    break;
+  case NodeStatus::stick:
+    totals.n_stick += n;
+    totals.stick_area += area;
+    break;
+  case NodeStatus::slip:
+    totals.n_slip += n;
+    break;
+  }
+}
+} // namespace
+
+Totals compute_totals(const ContactFieldEvaluator &evaluator, const ContactState &state, const Compliance &compliance)
+{
+  const SymmetryPlanes &planes = evaluator.planes();
+  const unsigned int n_copies = planes.n_copies();
+  Totals totals;
+  totals.min_pressure = std::numeric_limits<double>::max();
+  for (unsigned int node = 0; node < evaluator.surface().nodes.size(); ++node)
+  {
+    const ContactNode &place = evaluator.surface().nodes[node];
+    const ContactFields fields = evaluator.fields(state, node);
+    const unsigned int n = n_images(place, planes);
+    totals.force += n * fields.nodal_force;
+    totals.max_slip = std::max(totals.max_slip, fields.slip.norm());
+    totals.max_accumulated_slip = std::max(totals.max_accumulated_slip, fields.accumulated_slip);
+    totals.min_pressure = std::min(totals.min_pressure, fields.pressure);
+    totals.max_pressure = std::max(totals.max_pressure, fields.pressure);
+    count_status(fields.status, n, n_copies * place.area, totals);
+    totals.total_dissipation += n_copies * state.dissipated_energy[node];
+  }
+  // Forces across a plane of symmetry cancel between the copies.
+  if (planes.normal_to_x)
+    totals.force[0] = 0;
+  if (planes.normal_to_y)
+    totals.force[1] = 0;
+  NodeVector moved;
+  compliance.vmult(moved, state.force);
+  totals.elastic_energy = 0.5 * n_copies * state.force.dot(moved);
+  return totals;
+}
+} // namespace orthocone
