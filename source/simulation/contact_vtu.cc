@@ -81,6 +81,7 @@ Patch make_patch(const ContactSurface &surface, const std::vector<unsigned int> 
                  const std::vector<ContactFields> &fields, const Vector3d &signs)
 {
   Patch patch;
+  patch.reference_cell = dealii::ReferenceCells::Quadrilateral; // its constructor leaves it invalid
   patch.n_subdivisions = surface.degree;
   patch.points_are_available = true;
   const unsigned int n_rows = FieldList(ContactFields()).values.size();

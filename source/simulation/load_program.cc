@@ -9,6 +9,17 @@ namespace orthocone
 {
 namespace
 {
+/// Point between the ends of a leg, with the 15 digits that a user would write: -0.06, not -0.06000000000000001.
+double between(const double start, const double end, const double share)
+{
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%.15g", start + (end - start) * share);
+  const double position = std::strtod(text.data(), nullptr);
+  // The last digits of a difference are rounding: 0.1 - 0.07 is not 0.03.
+  constexpr double rounding = 1e-15;
+  return std::abs(position) < rounding * std::max(std::abs(start), std::abs(end)) ? 0 : position;
+}
+
 /// Appends the steps of `legs`, the first of which starts where the last step ended.
 void append(const std::vector<Leg> &legs, const unsigned int cycle, std::vector<LoadStep> &steps)
 {
@@ -21,7 +32,7 @@ void append(const std::vector<Leg> &legs, const unsigned int cycle, std::vector<
       LoadStep step{leg.target, static_cast<unsigned int>(steps.size()) + 1, k, cycle, phase++};
       if (k < leg.steps)
         for (unsigned int d = 0; d < 3; ++d)
-          step.top[d] = start[d] + (leg.target[d] - start[d]) * k / leg.steps;
+          step.top[d] = between(start[d], leg.target[d], static_cast<double>(k) / leg.steps);
       steps.push_back(step);
     }
     start = leg.target;

@@ -1,0 +1,55 @@
+#!/bin/sh
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+#
+# Installs what is missing, configures and builds. Called by ./run and ./test with a CMake preset (release, debug).
+# Nothing is done twice: installed packages, a configured build folder and compiled files are left alone.
+set -eu
+
+packages="g++ cmake ninja-build git
+  libdeal.ii-dev libsuitesparse-dev libeigen3-dev libopenblas-pthread-dev liblapacke-dev
+  libboost-program-options-dev nlohmann-json3-dev
+  libgtest-dev python3 python3-numpy python3-vtk9 python3-matplotlib"
+
+say() { echo "setup: $*" >&2; }
+
+missing_packages() {
+  for package in $packages; do
+    dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || printf '%s ' "$package"
+  done
+}
+
+install_packages() {
+  missing=$(missing_packages)
+  [ -n "$missing" ] || return 0
+  as_root=
+  if [ "$(id -u)" -ne 0 ]; then
+    command -v sudo >/dev/null 2>&1 || { say "please install as root: apt-get install $missing"; exit 1; }
+    as_root=sudo
+  fi
+  say "installing $missing"
+  $as_root apt-get update -q >&2
+  # shellcheck disable=SC2086
+  $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing >&2
+}
+
+preset=$1
+root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
+cd "$root"
+
+if command -v apt-get >/dev/null 2>&1; then
+  install_packages
+else
+  say "no apt-get here; these Debian packages, or what corresponds to them, must be installed:"
+  # shellcheck disable=SC2086
+  say $packages
+fi
+
+build=build
+[ "$preset" = release ] || build=build/$preset
+if [ ! -f "$build/build.ninja" ]; then
+  say "configuring $build"
+  cmake --preset "$preset" >&2
+fi
+say "building $build (the first time takes some minutes)"
+cmake --build "$build" >&2
