@@ -60,7 +60,7 @@ bool SemismoothNewton::iterate_while_it_pays(NodeVector &force, unsigned int &it
   constexpr double paying_reduction = 0.7; // a sweep costs far less than an iteration that gains less than this
   LineSearch search{force, problem_.displacement(force), 0};
   search.error = problem_.natural_map(search.force, search.displacement).norm();
-  for (unsigned int i = 0; i < most_iterations; ++i)
+  for (unsigned int i = 0; i < most_iterations && iterations < options_.maximum_iterations; ++i)
   {
     const double last_error = search.error;
     const NodeVector change = NewtonSystem(problem_, search.force, search.displacement).solve();
