@@ -68,8 +68,12 @@ BodyMesh::BodyMesh(const GeometryOptions &geometry, const MeshOptions &options, 
       disc, layer_heights(geometry.height, options.layers, options.layer_grading), triangulation_);
   for (const auto &face : triangulation_.active_face_iterators())
     if (face->at_boundary())
+    {
       face->set_boundary_id(boundary_of(face, geometry, planes));
-  triangulation_.set_all_manifold_ids_on_boundary(Boundary::lateral_surface, rim_manifold);
+      // With its edges: set_all_manifold_ids_on_boundary() would pass over those, whose boundary ids are not set.
+      if (face->boundary_id() == Boundary::lateral_surface)
+        face->set_all_manifold_ids(rim_manifold);
+    }
   triangulation_.set_manifold(rim_manifold, dealii::CylindricalManifold<3>(2));
 }
 } // namespace orthocone

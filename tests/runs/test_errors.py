@@ -1,0 +1,193 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""Bad input: what is rejected, with which exit code and sentence, and that a rejected run touches nothing.
+
+Usage: test_errors.py PROGRAM [unittest options]"""
+import json
+import os
+import pathlib
+import re
+import resource
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+import wrong_input as table  # noqa: E402
+
+PROGRAM = ""
+WRONG_INPUT, FILE_ERROR = 2, 4
+NOBODY = 65534
+
+# Words of the libraries beneath, which mean nothing to users.
+LIBRARY_TALK = re.compile(r"Line <|pattern|Boost|boost|assert|[Ee]xception|unspecified|declared|std::|dealii")
+
+
+def content_of(folder):
+    """Everything below a folder: path -> (bytes, time of the last change)."""
+    files = sorted(pathlib.Path(folder).rglob("*"))
+    return {str(file): (file.read_bytes() if file.is_file() else None, file.stat().st_mtime_ns) for file in files}
+
+
+def settings(overrides):
+    return [word for override in overrides for word in ("--set", override)]
+
+
+class ErrorTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        self.folder.chmod(0o777)
+        self.put("good.prm", table.SCENE)
+
+    def put(self, name, text):
+        path = self.folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(text.encode())
+        return path
+
+    def run_program(self, *arguments, folder=".", **options):
+        return subprocess.run([PROGRAM, *arguments], cwd=self.folder / folder, timeout=120, text=True,
+                              capture_output=True, errors="replace", env={**os.environ, "LC_ALL": "C"}, **options)
+
+    def assert_sentence(self, result, code, expression):
+        lines = result.stderr.splitlines()
+        self.assertEqual(result.returncode, code, result.stderr)
+        self.assertIn(len(lines), (1, 2), result.stderr)
+        self.assertTrue(lines[0].startswith("orthocone: "), result.stderr)
+        self.assertRegex(" ".join(lines), "^orthocone: (" + expression + ")")
+        self.assertNotRegex(result.stderr, LIBRARY_TALK)
+        self.assertEqual(result.stdout, "")
+
+    def assert_rejected(self, arguments, code, expression, **options):
+        before = content_of(self.folder)
+        result = self.run_program(*arguments, **options)
+        self.assert_sentence(result, code, expression)
+        self.assertEqual(content_of(self.folder), before, "the rejected run has changed the folder")
+
+    def assert_accepted(self, arguments, model="quarter", **options):
+        before = content_of(self.folder)
+        result = self.run_program(*arguments, "--check", **options)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertRegex(result.stdout, rf"^model +{model}\b")
+        self.assertEqual(content_of(self.folder), before, "--check has changed the folder")
+
+    def run_as_nobody(self, *arguments):
+        """Root may read and write everything, so root has this done by an ordinary user."""
+        try:
+            return self.run_program(*arguments, **({"user": NOBODY} if os.geteuid() == 0 else {}))
+        except PermissionError:
+            return self.skipTest("runs as root, who may read everything, and cannot start PROGRAM as another user")
+
+
+class ParameterTest(ErrorTest):
+    def test_wrong_value_in_file(self):
+        line = len(table.SCENE.splitlines()) + 2
+        for given, section, entry, value, allowed in table.WRONG_VALUES:
+            with self.subTest(given):
+                self.put("case.prm", table.SCENE + f"subsection {section}\n  set {entry} = {value}\nend\n")
+                expression = re.escape(f"case.prm:{line}: {given}: allowed is {allowed}")
+                self.assert_rejected(["case.prm"], WRONG_INPUT, expression)
+
+    def test_wrong_value_on_command_line(self):
+        for given, section, entry, value, allowed in table.WRONG_VALUES:
+            with self.subTest(given):
+                expression = re.escape(f"--set: {given}: allowed is {allowed}")
+                self.assert_rejected(["good.prm", "--set", f"{section}/{entry}={value}"], WRONG_INPUT, expression)
+
+    def test_contradiction(self):
+        for overrides, expression in table.CONTRADICTIONS:
+            with self.subTest(overrides=overrides):
+                self.assert_rejected(["good.prm", *settings(overrides)], WRONG_INPUT, r"good\.prm: " + expression)
+
+    def test_wrong_text(self):
+        for text, code, expression in table.WRONG_TEXTS:
+            with self.subTest(text=text[-50:]):
+                self.put("case.prm", text)
+                self.assert_rejected(["case.prm"], code, expression)
+
+    def test_wrong_json(self):
+        for content, expression in table.WRONG_JSON:
+            with self.subTest(content=content):
+                self.put("case.json", content if isinstance(content, str) else json.dumps(content))
+                self.assert_rejected(["case.json"], WRONG_INPUT, expression)
+
+    def test_command_line(self):
+        for arguments, code, expression in table.COMMAND_LINES:
+            with self.subTest(arguments=arguments):
+                self.assert_rejected(arguments, code, expression)
+
+    def test_fault_in_included_file(self):
+        self.put("case.prm", table.LEGS + "include parts/middle.prm\n")
+        self.put("parts/middle.prm", "# comment\ninclude mesh.prm\n")
+        for text, expression in table.FAULTS_OF_INCLUDED_FILE:
+            with self.subTest(text=text):
+                self.put("parts/mesh.prm", text)
+                self.assert_rejected(["case.prm"], WRONG_INPUT, expression)
+
+    def test_unreadable_file(self):
+        self.put("secret.prm", table.SCENE).chmod(0)
+        result = self.run_as_nobody("secret.prm")
+        self.assert_sentence(result, FILE_ERROR, r"secret\.prm: cannot be read \(Permission denied\)")
+
+    def test_unusual_but_valid(self):
+        for overrides, model in table.VALID:
+            with self.subTest(overrides=overrides):
+                self.assert_accepted(["good.prm", *settings(overrides)], model)
+
+    def test_valid_files(self):
+        self.put("cases/case.prm", "include ../parts/scene.prm # from the folder of this file\n")
+        self.put("parts/scene.prm", "include load.prm\n")
+        self.put("parts/load.prm", table.SCENE)
+        self.assert_accepted(["cases/case.prm"])
+        self.assert_accepted(["../cases/case.prm"], folder="parts")
+        self.put("case.json", json.dumps({"Mesh": {"Degree": 1}, "Load program": {"Legs": "0 0 -0.1 : 1"}}))
+        self.assert_accepted(["case.json"])
+        self.put("dos.prm", table.SCENE.replace("\n", "\r\n"))
+        self.assert_accepted(["dos.prm"])
+        self.put("defaults.prm", self.run_program("--defaults").stdout)
+        self.assert_accepted(["defaults.prm", "--set", "Load program/Legs=0 0 -0.1 : 1"])
+
+
+class RunFolderTest(ErrorTest):
+    def test_folder_that_cannot_be_made(self):
+        self.put("taken", "precious")
+        self.put("output", "precious")
+        for arguments, expression in [(["--output", "taken"], "taken: .*run folder.*file of this name.*--output"),
+                                      (["--output", "taken/x"], r"taken/x: .*run folder \(Not a directory\)"),
+                                      ([], r"output/good: .*run folder \(Not a directory\)"),
+                                      (["--output", "/proc/x"], "/proc/x: cannot be created as the run folder")]:
+            with self.subTest(arguments=arguments):
+                self.assert_rejected(["good.prm", *arguments], FILE_ERROR, expression)
+
+    def test_unwritable_run_folder(self):
+        self.assertEqual(self.run_program("good.prm", "--output", "run", "--quiet").returncode, 0)
+        before = content_of(self.folder)
+        (self.folder / "run").chmod(0o555)
+        result = self.run_as_nobody("good.prm", "--output", "run")
+        self.assertEqual(content_of(self.folder), before)
+        self.assert_sentence(result, FILE_ERROR, r"run\b.*\(Permission denied\)")
+
+    def test_full_disk(self):
+        """A limit on the size of files stands for the full disk: no file may appear under its name incomplete."""
+        result = self.run_program("good.prm", "--output", "run", "--quiet", "--set", "Mesh/Core cells=16",
+                                  restore_signals=False,  # keeps SIGXFSZ ignored, as Python has it
+                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (10000, 10000)))
+        self.assert_sentence(result, FILE_ERROR, r"run/contact-0001\.vtu\S*: cannot be written \(File too large\)")
+        self.assertFalse((self.folder / "run/contact-0001.vtu").exists())
+
+    def test_wrong_input_keeps_earlier_results(self):
+        self.assertEqual(self.run_program("good.prm", "--quiet").returncode, 0)
+        self.assertTrue((self.folder / "output/good/history.csv").exists())
+        for overrides in (["Mesh/Degree=9"], ["Output/Probes=P: 11 0"], ["Mesh/Model=half", "Mesh/Core cells=3"]):
+            with self.subTest(overrides=overrides):
+                self.assert_rejected(["good.prm", *settings(overrides)], WRONG_INPUT, "")
+        self.put("good.prm", table.SCENE + "nonsense\n")
+        self.assert_rejected(["good.prm"], WRONG_INPUT, r"good\.prm:10: 'nonsense'")
+
+
+if __name__ == "__main__":
+    PROGRAM = os.path.abspath(sys.argv.pop(1))
+    unittest.main()

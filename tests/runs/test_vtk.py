@@ -1,0 +1,283 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""The .vtu and .pvd files as VTK reads them: names, kinds of cells, geometry, values, agreement with the tables.
+
+Usage: test_vtk.py PROGRAM [unittest options]"""
+import csv
+import functools
+import math
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree
+
+import numpy as np
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+from vtu_grid import Grid, nearest  # noqa: E402
+
+PROGRAM = ""
+SCRATCH = tempfile.TemporaryDirectory()
+RADIUS, HEIGHT, CORE_CELLS, N_STEPS = 10, 8, 2, 4
+MU = np.array([0.3, 0.15])
+PROBE = np.array([-6, -3])
+SCENE = f"""subsection Geometry
+  set Radius = {RADIUS}
+  set Height = {HEIGHT}
+end
+subsection Mesh
+  set Core cells = {CORE_CELLS}
+  set Rings      = 2
+  set Layers     = 2
+end
+subsection Friction
+  set Coefficients   = {MU[0]}, {MU[1]}
+  set Slip potential = 0.05, 0.2
+end
+subsection Load program
+  set Legs = 0 0 -0.1 : 2 ; 0 0 -0.05 : 2
+end
+subsection Output
+  set Contact fields = 1
+  set Volume fields  = 1
+  set Probes         = P: {PROBE[0]} {PROBE[1]}
+end
+"""
+CASES = [(degree, model) for degree in (1, 2, 3) for model in ("full", "half", "quarter")]
+SHARE = {"full": 1, "half": 1 / 2, "quarter": 1 / 4}
+OPEN, STICK, SLIP = 0, 1, 2
+SINGLE = 1e-5  # the files hold single precision
+CONTACT_FIELDS = {"displacement": 3, "slip": 3, "slip_magnitude": 1, "accumulated_slip": 1, "gap": 1, "pressure": 1,
+                  "friction_traction": 3, "friction_criterion": 1, "status": 1, "nodal_force": 3,
+                  "dissipated_energy": 1}
+VOLUME_FIELDS = {"displacement": 3, "stress": 9, "von_mises_stress": 1}
+SURFACE_CELL = {1: 9, 2: 70, 3: 70}  # VTK_QUAD, VTK_LAGRANGE_QUADRILATERAL
+VOLUME_CELL = {1: 12, 2: 72, 3: 72}  # VTK_HEXAHEDRON, VTK_LAGRANGE_HEXAHEDRON
+
+
+@functools.lru_cache(maxsize=None)
+def run_folder(degree, model):
+    folder = pathlib.Path(SCRATCH.name) / f"{model}-{degree}"
+    folder.mkdir()
+    (folder / "case.prm").write_text(SCENE)
+    options = [f"Mesh/Degree={degree}", "Mesh/Model=" + ("auto" if model == "quarter" else model)]
+    subprocess.run([PROGRAM, "case.prm", "--quiet", "--output", "run", "--set", options[0], "--set", options[1]],
+                   cwd=folder, check=True, timeout=300)
+    return folder / "run"
+
+
+@functools.lru_cache(maxsize=None)
+def grid(degree, model, kind, step):
+    return Grid(run_folder(degree, model) / f"{kind}-{step:04d}.vtu")
+
+
+def table(degree, model, name):
+    """Rows of a .csv file: column -> number, or text where it is none."""
+    def value(text):
+        try:
+            return float(text)
+        except ValueError:
+            return text
+    with open(run_folder(degree, model) / name, encoding="ascii") as file:
+        return [{key: value(text) for key, text in row.items()} for row in csv.DictReader(file)]
+
+
+def each(kind, cases=tuple(CASES)):
+    """Runs a test of one file for the files of all cases and steps."""
+    def decorate(test):
+        def run_all(self):
+            for degree, model in cases:
+                for step in range(1, N_STEPS + 1):
+                    with self.subTest(degree=degree, model=model, step=step):
+                        test(self, grid(degree, model, kind, step), degree, model, step)
+        return run_all
+    return decorate
+
+
+class VtkTest(unittest.TestCase):
+    def assert_close(self, values, expected, scale=None, tolerance=SINGLE):
+        """Largest difference relative to the largest value expected."""
+        if scale is None:
+            scale = np.max(np.abs(expected))
+        self.assertLessEqual(np.max(np.abs(np.asarray(values) - expected)), tolerance * scale)
+
+    def assert_disc(self, area, degree):
+        """Disc, but for bricks of degree 1 a polygon."""
+        n_corners = 4 * CORE_CELLS
+        polygon = n_corners / 2 * RADIUS**2 * math.sin(2 * math.pi / n_corners)
+        self.assert_close(area, polygon if degree == 1 else math.pi * RADIUS**2,
+                          tolerance=SINGLE if degree == 1 else 1e-3)
+
+    def assert_contract(self, data, fields, cell_type):
+        self.assertEqual(data.errors, [])
+        self.assertGreater(len(data.cells), 0)
+        self.assertEqual(data.types, {cell_type})
+        self.assertEqual(data.components, fields)
+        for name in fields:
+            self.assertTrue(np.all(np.isfinite(data[name])), name)
+
+
+class FileTest(VtkTest):
+    def test_collections(self):
+        for degree, model in CASES:
+            for kind in ("contact", "volume"):
+                with self.subTest(degree=degree, model=model, kind=kind):
+                    folder = run_folder(degree, model)
+                    records = xml.etree.ElementTree.parse(folder / f"{kind}.pvd").getroot().findall(".//DataSet")
+                    self.assertEqual([float(record.get("timestep")) for record in records], [1, 2, 3, 4])
+                    names = [record.get("file") for record in records]
+                    self.assertEqual(names, [f"{kind}-{step:04d}.vtu" for step in range(1, N_STEPS + 1)])
+                    self.assertEqual(names, sorted(file.name for file in folder.glob(f"{kind}-*")))
+
+    def test_auto_takes_quarter(self):
+        self.assertRegex((run_folder(2, "quarter") / "log.txt").read_text(), r"model +quarter\b")
+
+    @each("contact")
+    def test_contact_contract(self, data, degree, _model, _step):
+        self.assert_contract(data, CONTACT_FIELDS, SURFACE_CELL[degree])
+
+    @each("volume")
+    def test_volume_contract(self, data, degree, _model, _step):
+        self.assert_contract(data, VOLUME_FIELDS, VOLUME_CELL[degree])
+
+
+class ContactTest(VtkTest):
+    @each("contact")
+    def test_disc(self, data, degree, _model, _step):
+        """The cells cover the whole disc, seen from above."""
+        radii = np.hypot(data.points[:, 0], data.points[:, 1])
+        self.assertLessEqual(radii.max(), RADIUS * (1 + 1e-6))
+        self.assertEqual(np.abs(data.points[:, 2]).max(), 0)
+        areas, least_jacobian = data.jacobians()
+        self.assertGreater(least_jacobian, 0)
+        self.assert_disc(areas.sum(), degree)
+
+    @each("contact")
+    def test_ranges(self, data, _degree, _model, _step):
+        self.assertLessEqual(set(data["status"]), {OPEN, STICK, SLIP})
+        self.assertGreaterEqual(data["friction_criterion"].min(), -1)
+        self.assertLessEqual(data["friction_criterion"].max(), 1e-6)
+        self.assertGreaterEqual(data["gap"].min(), -1e-6)
+        for name in ("pressure", "accumulated_slip"):
+            self.assertGreaterEqual(data[name].min(), 0, name)
+        self.assertGreaterEqual(data["dissipated_energy"].min(), -SINGLE * data["dissipated_energy"].max())
+        self.assertTrue(np.all(data["accumulated_slip"] >= data["slip_magnitude"] * (1 - SINGLE)))
+
+    @each("contact")
+    def test_fields_fit_together(self, data, _degree, _model, _step):
+        for name in ("slip", "friction_traction"):
+            self.assertEqual(np.abs(data[name][:, 2]).max(), 0, name)
+        self.assert_close(data["slip_magnitude"], np.linalg.norm(data["slip"], axis=1))
+        self.assert_close(data["slip"][:, :2], data["displacement"][:, :2])
+        self.assert_close(data["gap"], data["displacement"][:, 2], scale=1)
+        traction, pressure, force = data["friction_traction"][:, :2], data["pressure"], data["nodal_force"]
+        self.assert_close(traction * force[:, 2:], force[:, :2] * pressure[:, None], np.max(force) * np.max(pressure))
+        is_open = data["status"] == OPEN
+        ratio = np.linalg.norm(traction / MU, axis=1) / np.where(is_open, 1, pressure)
+        self.assert_close(data["friction_criterion"], np.where(is_open, -1, ratio - 1))
+        self.assertTrue(np.all(pressure[is_open] == 0))
+        self.assertTrue(np.all(data["gap"][~is_open] <= 1e-6))
+        self.assertTrue(np.all(np.abs(data["friction_criterion"][data["status"] == SLIP]) <= SINGLE))
+
+    @each("contact")
+    def test_totals_of_history(self, data, degree, model, step):
+        row = table(degree, model, "history.csv")[step - 1]
+        one = data.distinct()
+        force = data["nodal_force"][one]
+        self.assert_close(force.sum(axis=0), [row["force_x"], row["force_y"], row["force_z"]])
+        for status, name in ((OPEN, "n_open"), (STICK, "n_stick"), (SLIP, "n_slip")):
+            self.assertEqual(np.sum(data["status"][one] == status), row[name], name)
+        for name in ("pressure", "slip_magnitude", "accumulated_slip"):
+            self.assert_close(data[name].max(), row["max_" + name.replace("_magnitude", "")])
+        self.assert_close(data["pressure"].min(), row["min_pressure"], row["max_pressure"])
+        if row["n_open"] == 0:  # then nodal force / pressure is the area of the node
+            area = force[:, 2] / data["pressure"][one]
+            self.assert_disc(area.sum(), degree)
+            self.assert_close((area * data["dissipated_energy"][one]).sum(), row["total_dissipation"])
+
+    @each("contact")
+    def test_probe(self, data, degree, model, step):
+        row = table(degree, model, "probe-P.csv")[step - 1]
+        near = np.argmin(np.linalg.norm(data.points[:, :2] - PROBE, axis=1))
+        self.assertEqual(row["uz"], table(degree, model, "history.csv")[step - 1]["uz"])
+        self.assertEqual(row["status"], ("open", "stick", "slip")[int(data["status"][near])])
+        self.assert_close(data["slip"][near, :2], [row["slip_x"], row["slip_y"]])
+        self.assert_close(data["nodal_force"][near], [row["force_x"], row["force_y"], row["force_n"]])
+        self.assert_close(data["friction_traction"][near, :2], [row["traction_x"], row["traction_y"]])
+        for name in ("pressure", "accumulated_slip"):
+            self.assert_close(data[name][near], row[name])
+
+
+class VolumeTest(VtkTest):
+    @each("volume")
+    def test_body(self, data, degree, model, _step):
+        x, y, z = data.points.T
+        self.assertLessEqual(np.hypot(x, y).max(), RADIUS * (1 + 1e-6))
+        self.assertEqual((z.min(), z.max()), (0, HEIGHT))
+        volumes, least_jacobian = data.jacobians()
+        self.assertGreater(least_jacobian, 0)
+        self.assert_disc(volumes.sum() / HEIGHT / SHARE[model], degree)
+
+    @each("volume")
+    def test_displacement(self, data, degree, model, step):
+        """Prescribed at the top, that of the contact file at the base."""
+        row = table(degree, model, "history.csv")[step - 1]
+        top = data["displacement"][data.points[:, 2] == HEIGHT]
+        self.assert_close(top, np.tile([row["ux"], row["uy"], row["uz"]], (len(top), 1)))
+        base = data.points[:, 2] == 0
+        contact = grid(degree, model, "contact", step)
+        at, distances = nearest(contact.points, data.points[base])
+        is_common = distances < SINGLE * RADIUS
+        # The nodes of degree 3 are not equidistant, so that the files share the corners of the cells only.
+        self.assertTrue(np.all(is_common) if degree < 3 else np.any(is_common))
+        self.assert_close(data["displacement"][base][is_common], contact["displacement"][at[is_common]],
+                          scale=abs(row["uz"]))
+
+    @each("volume")
+    def test_stress(self, data, degree, model, step):
+        """Symmetric, of the right von Mises stress, and as large as equilibrium over the height wants it."""
+        stress = data["stress"].reshape(-1, 3, 3)
+        self.assert_close(stress, stress.transpose(0, 2, 1))
+        deviator = stress - np.trace(stress, axis1=1, axis2=2)[:, None, None] / 3 * np.eye(3)
+        self.assert_close(data["von_mises_stress"], np.sqrt(1.5 * (deviator**2).sum(axis=(1, 2))))
+        force = table(degree, model, "history.csv")[step - 1]["force_z"]
+        means = [stress[nodes, 2, 2].mean() for nodes in data.nodes]
+        self.assert_close(data.jacobians()[0] @ means / HEIGHT / SHARE[model], -force, tolerance=0)
+
+
+class ModelTest(VtkTest):
+    """Half and quarter models give the values of the full model, point by point."""
+
+    @each("contact", [case for case in CASES if case[1] != "full"])
+    def test_contact(self, data, degree, _model, step):
+        full = grid(degree, "full", "contact", step)
+        self.assertEqual(len(full.points), len(data.points))
+        self.assertEqual(len(full.distinct()), len(data.distinct()))
+        self.assert_same(data, full, CONTACT_FIELDS, *nearest(data.points, full.points))
+
+    @each("volume", [case for case in CASES if case[1] != "full"])
+    def test_volume(self, data, degree, model, step):
+        full = grid(degree, "full", "volume", step)
+        self.assertEqual(len(full.points) * SHARE[model], len(data.points))
+        at, distances = nearest(full.keys(), data.keys())
+        self.assert_same(full, data, VOLUME_FIELDS, at, distances)
+
+    def assert_same(self, data, expected, fields, at, distances):
+        """The values of `data` at its points `at` are those of `expected`."""
+        self.assertLess(distances.max(), SINGLE * RADIUS)
+        for name in fields:
+            with self.subTest(field=name):
+                scale_field = "displacement" if name == "gap" else name  # the gap may vanish everywhere
+                self.assert_close(data[name][at], expected[name], np.max(np.abs(data[scale_field])))
+
+
+def tearDownModule():
+    SCRATCH.cleanup()
+
+
+if __name__ == "__main__":
+    PROGRAM = os.path.abspath(sys.argv.pop(1))
+    unittest.main()

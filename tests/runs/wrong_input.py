@@ -1,0 +1,154 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""The faulty input that test_errors.py gives to the program, and the sentences it expects. One row, one fault."""
+import re
+
+SCENE = """subsection Mesh
+  set Core cells = 2
+  set Rings      = 2
+  set Layers     = 1
+  set Degree     = 1
+end
+subsection Load program
+  set Legs = 0 0 -0.1 : 1
+end
+"""
+LEGS = SCENE.split("end\n")[1] + "end\n"
+
+POSITIVE = "a number > 0"
+PAIR = "two numbers > 0 separated by a comma"
+LEG = "legs \"ux uy uz : steps\""
+PROBE = "probes \"name: x y\""
+
+# Values that are wrong by themselves: section, entry, what the message says is allowed, values.
+WRONG_VALUES = [
+    ("Geometry", "Shape", "cylinder", ["cube"]),
+    ("Geometry", "Radius", POSITIVE, ["ten", "", "1,5"]),
+    ("Material", "Young modulus", POSITIVE, ["0", "-1", "nan", "inf", "1e999", "2 GPa"]),
+    ("Material", "Poisson ratio", "a number > -1 and < 0.5", ["0.5", "-1", "0.7", "steel"]),
+    ("Friction", "Coefficients", PAIR, ["0, 0.1", "0.1, -0.1", "0.3", "0.3 0.1", "0.3, inf"]),
+    ("Friction", "Slip potential", PAIR, ["0, 1", "1, -1"]),
+    ("Friction", "Orthotropy angle", "a number", ["nan"]),
+    ("Mesh", "Model", "auto | full | half | quarter", ["eighth"]),
+    ("Mesh", "Layers", "a whole number from 1 to 200", ["-1", "0", "2.5", "two", "99999999999"]),
+    ("Mesh", "Degree", "a whole number from 1 to 3", ["9", "0"]),
+    ("Mesh", "Core ratio", "a number > 0 and < 1", ["1", "0"]),
+    ("Mesh", "Rim grading", "a number > 0 and <= 10", ["0"]),
+    ("Contact solver", "Method", "newton | gauss-seidel | uzawa | feng2006", ["magic"]),
+    ("Contact solver", "Tolerance", "a number >= 1e-14 and < 1", ["0"]),
+    ("Contact solver", "Maximum iterations", "a whole number from 1 to 10000000", ["0"]),
+    ("Load program", "Legs", LEG, ["0 0 -0.1 : 0", "0 0 -0.1", "0 -0.1 : 5", "down : 5", "0 0 nan : 5",
+                                   "0 0 -0.1 : many", "0 0 -0.1 : 2.5", "0 0 -0.1 : 1 ;; 0 0 0 : 1"]),
+    ("Load program", "Preload", LEG, ["0 0 : 1"]),
+    ("Load program", "Cycles", "a whole number from 0 to 1000000", ["-1"]),
+    ("Output", "Contact fields", "a whole number from 0 to 1000000", ["always"]),
+    ("Output", "Probes", PROBE, ["P: 1 0; P: 2 0", "a/b: 1 0", "../P: 1 0", "P: 1", "P", ": 1 0",
+                                 "P: 1 0 ;; Q: 2 0"]),
+]
+WRONG_VALUES = [(f"{section}/{entry} = {value}", section, entry, value, allowed)
+                for section, entry, allowed, values in WRONG_VALUES for value in values]
+
+# Entries that do not fit together: overrides, expression. The sentence names the parameter file as well.
+CONTRADICTIONS = [
+    (["Load program/Legs="], "Load program/Legs.*empty.*allowed is at least one leg"),
+    (["Load program/Cycles=0"], r"Load program/Cycles = 0\b.*allowed"),
+    (["Mesh/Quadrature points=1"], r"Mesh/Quadrature points = 1\b.*Mesh/Degree = 1\b.*allowed is 0 or more than the"),
+    (["Mesh/Degree=3", "Mesh/Quadrature points=3"], r"Mesh/Quadrature points = 3\b.*Mesh/Degree = 3\b.*allowed is"),
+    (["Output/Probes=P: 0 0; Far: 8 -8"], r"Output/Probes.*Far.*8.*-8.*allowed .*Geometry/Radius = 10\b"),
+    (["Friction/Orthotropy angle=30", "Mesh/Model=quarter"],
+     r"Mesh/Model = quarter .*Friction/Orthotropy angle = 30\b.*possible models are full$"),
+    (["Friction/Orthotropy angle=30", "Mesh/Model=half"],
+     r"Mesh/Model = half .*Friction/Orthotropy angle = 30\b.*possible models are full$"),
+    (["Load program/Legs=0.1 0 -0.1 : 1", "Mesh/Model=quarter"],
+     r"Mesh/Model = quarter .*load program .*along x.*possible models are full, half$"),
+    (["Load program/Legs=0 0.1 -0.1 : 1 ; 0 0 -0.1 : 1", "Mesh/Model=quarter"],
+     r"Mesh/Model = quarter .*load program .*along y.*possible models are full, half$"),
+    (["Load program/Preload=0 0.1 -0.1 : 1", "Mesh/Model=quarter"],
+     r"Mesh/Model = quarter .*load program .*along y.*possible models are full, half$"),
+    (["Load program/Legs=0.1 0.1 -0.1 : 1", "Mesh/Model=half"],
+     r"Mesh/Model = half .*along x.*along y.*possible models are full$"),
+    (["Mesh/Core cells=3", "Mesh/Model=quarter"],
+     r"Mesh/Model = quarter .*Mesh/Core cells = 3\b.*possible models are full$"),
+    (["Mesh/Core cells=3", "Mesh/Model=half"], r"Mesh/Model = half .*Mesh/Core cells = 3\b.*possible models are full$"),
+    (["Geometry/Top face=guided", "Load program/Legs=0.1 0 -0.1 : 1"],
+     r"Geometry/Top face = guided .*quarter.*load program .*along x"),
+    (["Geometry/Top face=guided", "Mesh/Model=full"],
+     r"Geometry/Top face = guided .*Mesh/Model = full .*possible models are .*quarter"),
+]
+
+NOT_AN_ENTRY = " is not an entry.*--defaults"
+GRAMMAR = ".*expected is 'subsection NAME'"
+# Texts that cannot be parsed: text of case.prm, exit code, expression.
+WRONG_TEXTS = [
+    (LEGS + "subsection Msh\n  set Degree = 1\nend\n", 2, r"case\.prm:4: .*subsection Msh.*unknown section"),
+    (LEGS + "subsection Mesh\n  set Degre = 1\nend\n", 2, r"case\.prm:5: Mesh/Degre" + NOT_AN_ENTRY),
+    (LEGS + "set Degree = 1\n", 2, r"case\.prm:4: Degree" + NOT_AN_ENTRY),
+    (LEGS + "subsection Mesh\n  set Degree = 1\n", 2, r"case\.prm.*Mesh.*'end'"),
+    (LEGS + "end\n", 2, r"case\.prm:4: 'end'" + GRAMMAR),
+    (LEGS + "hello world\n", 2, r"case\.prm:4: 'hello world'" + GRAMMAR),
+    (LEGS + "subsection Mesh\n  set Degree 1\nend\n", 2, r"case\.prm:5: 'set Degree 1'" + GRAMMAR),
+    (LEGS + "subsection Mesh\n  Degree = 1\nend\n", 2, r"case\.prm:5: 'Degree = 1'" + GRAMMAR),
+    (LEGS + "subsection Mesh\n  set Degree = 1\n  set Degree = 7 # septic\nend\n", 2,
+     r"case\.prm:6: Mesh/Degree = 7: allowed is a whole number from 1 to 3$"),
+    (LEGS + "subsection Mesh\r\n  set Degree = 7\r\nend\r\n", 2, r"case\.prm:5: Mesh/Degree = 7: allowed is a whole"),
+    ("subsection Load program\n  set Legs = 0 0 -0.1 : 2 ; \\\n  0 0 0 : 0\nend\n", 2,
+     r"case\.prm:[23]: Load program/Legs = 0 0 -0\.1 : 2 ;\s*0 0 0 : 0: allowed is legs"),
+    (LEGS + "include nowhere.prm\n", 4, r"case\.prm:4: nowhere\.prm: cannot be read \(No such file or directory\)"),
+    (LEGS + "include .\n", 4, r"case\.prm:4: .*is a folder"),
+    (LEGS + "include case.prm\n", 2, r"case\.prm:4: case\.prm: .*does the file include itself"),
+    (LEGS + "include\n", 2, r"case\.prm:4: 'include'" + GRAMMAR),
+    ("", 2, r"case\.prm: is empty.*--defaults"),
+    ("\n   \n\t\n", 2, r"case\.prm: is empty.*--defaults"),
+    ("# nothing but a comment\n", 2, r"case\.prm: Load program/Legs.*empty.*allowed is at least one leg"),
+    (SCENE + "\0\1\2\0", 2, r"case\.prm: is not a text file.*\.prm or \.json"),
+]
+
+# Faults of parts/mesh.prm, which parts/middle.prm includes, which case.prm includes: text, expression.
+FAULTS_OF_INCLUDED_FILE = [
+    ("\nsubsection Mesh\n  set Degree = 9\nend\n", r"parts/mesh\.prm:3: Mesh/Degree = 9: allowed is a whole"),
+    ("\nsubsection Mesh\n  set Degre = 1\nend\n", r"parts/mesh\.prm:3: Mesh/Degre" + NOT_AN_ENTRY),
+    ("\nnonsense\n", r"parts/mesh\.prm:2: 'nonsense'" + GRAMMAR),
+    ("\nsubsection Mesh\n  set Degree = 1\n", r"parts/mesh\.prm:2: .*Mesh.*'end'"),
+    ("", r"parts/middle\.prm:2: parts/mesh\.prm: is empty"),
+]
+
+# Faults of JSON files: text of case.json, expression.
+WRONG_JSON = [
+    ({"Mesh": {"Degree": "9"}}, r"case\.json: .*Mesh/Degree = 9: allowed is a whole number from 1 to 3"),
+    ({"Mesh": {"Degree": 1.5}}, r"case\.json: .*Mesh/Degree = 1\.5: allowed is a whole number from 1 to 3"),
+    ({"Mesh": {"Degre": 1}}, r"case\.json: .*Mesh/Degre" + NOT_AN_ENTRY),
+    ({"Msh": {"Degree": 1}}, r"case\.json: .*Msh.* is not an? (entry|section).*--defaults"),
+    ({"Mesh": {"Degree": [1]}}, r"case\.json: .*Mesh/Degree"),
+    ('{"Mesh": {"Degree": 1}\n', r"case\.json(:\d+)?: is not valid JSON"),
+    ("subsection Mesh\nend\n", r"case\.json(:\d+)?: is not valid JSON"),
+    ("", r"case\.json: is empty"),
+]
+
+# Command lines: arguments, exit code, expression.
+COMMAND_LINES = [
+    (["good.prm", "--set", "Mesh/Degree"], 2, "--set Mesh/Degree: allowed is \"Section/Entry=value\""),
+    (["good.prm", "--set", "Degree=1"], 2, "--set Degree=1: allowed is \"Section/Entry=value\""),
+    (["good.prm", "--set", "Mesh/Degre=1"], 2, "--set: Mesh/Degre" + NOT_AN_ENTRY),
+    (["good.prm", "--set", "Msh/Degree=1"], 2, "--set: Msh/Degree" + NOT_AN_ENTRY),
+    (["good.prm", "--set", "Mesh/Degree=7"], 2, "--set: Mesh/Degree = 7: allowed is a whole number from 1 to 3"),
+    (["good.prm", "--set"], 2, "command line: .*--set.*--help"),
+    (["good.prm", "--output"], 2, "command line: .*--output.*--help"),
+    (["good.prm", "--fast"], 2, "command line: .*--fast.*--help"),
+    (["good.prm", "--che"], 2, "command line: .*--che.*--help"),
+    (["good.prm", "good.prm"], 2, "command line: .*--help"),
+    ([], 2, "command line: a parameter file is missing.*--help"),
+    (["--check"], 2, "command line: a parameter file is missing.*--help"),
+    (["nowhere.prm"], 4, r"nowhere\.prm: cannot be read \(No such file or directory\)"),
+    (["nowhere.json"], 4, r"nowhere\.json: cannot be read \(No such file or directory\)"),
+    (["."], 4, r"\.: is a folder; a parameter file \(\.prm or \.json\) is wanted"),
+]
+
+# Unusual but valid: overrides, word that the resolved model begins with.
+VALID = [
+    (["Friction/Orthotropy angle=90"], "quarter"), (["Friction/Orthotropy angle=-180"], "quarter"),
+    (["Friction/Orthotropy angle=30"], "full"), (["Load program/Legs=0.1 0 -0.1 : 1"], "half"),
+    (["Friction/Orthotropy angle=33", "Friction/Coefficients=0.2, 0.2", "Friction/Slip potential=1, 1"], "quarter"),
+    (["Mesh/Core cells=3"], "full"), (["Output/Probes=A: 0 -10; B: 7.071067811865475 7.071067811865475"], "quarter"),
+    (["Output/Probes=On-the-rim_but_for_rounding: 7.071067811865476 7.071067811865476"], "quarter"),
+    (["Load program/Legs=", "Load program/Preload=0 0 -0.1 : 1"], "quarter"),
+]
