@@ -46,10 +46,24 @@ void keep_parameters(const RunFolder &folder, const CommandLine &line, const Par
   folder.write("parameters.prm", complete.str());
 }
 
+/// Checks what entries have to do with each other; faults are told with the name of the file.
+ModelChoice resolve(const CommandLine &line, const Parameters &parameters)
+{
+  try
+  {
+    check_parameters(parameters);
+    return choose_model(parameters);
+  }
+  catch (const InputError &error)
+  {
+    throw InputError(line.parameter_file + ": " + error.what());
+  }
+}
+
 int run(const CommandLine &line)
 {
   const Parameters parameters = read_parameters(line.parameter_file, line.overrides);
-  const ModelChoice model = choose_model(parameters);
+  const ModelChoice model = resolve(line, parameters);
   if (line.check)
     return print_model(parameters, model);
   const std::filesystem::path file(line.parameter_file);

@@ -8,6 +8,8 @@
 #include <orthocone/parameters/errors.h>
 #include <orthocone/parameters/text.h>
 
+#include <nlohmann/json.hpp>
+
 #include <cmath>
 #include <regex>
 #include <sstream>
@@ -17,6 +19,8 @@ namespace orthocone
 namespace
 {
 using dealii::ParameterHandler;
+
+constexpr const char *not_an_entry = " is not an entry; 'orthocone --defaults' lists all of them";
 
 /// deal.II's sentence of an exception, on one line and without its C++ stack.
 std::string sentence(const dealii::ExceptionBase &exception)
@@ -33,38 +37,26 @@ unsigned int line_number(const std::string &text)
   return std::regex_search(text, match, std::regex("Line <(\\d+)>")) ? *parse_count(match[1].str()) : 0;
 }
 
-/// Entry and value of a line "set Entry = value # comment".
-std::pair<std::string, std::string> entry_and_value(const std::string &line)
-{
-  const std::string text = trimmed(line.substr(0, line.find('#')));
-  const auto equals = text.find('=');
-  const std::string name = trimmed(text.substr(0, equals));
-  const std::string value = equals == std::string::npos ? "" : trimmed(text.substr(equals + 1));
-  return {name.rfind("set ", 0) == 0 ? trimmed(name.substr(4)) : name, value};
-}
-
-/// The pattern in deal.II's "does not match the given pattern: [...]".
-std::string pattern_of(const std::string &text)
-{
-  std::smatch match;
-  return std::regex_search(text, match, std::regex("given pattern: ?\\[(.*)\\]")) ? match[1].str() : text;
-}
-
 /// The sentence for users of a fault that deal.II found in the joined text of a .prm file.
 std::string explain(const SourceText &source, const std::string &text, const std::string &file_name)
 {
   const unsigned int number = line_number(text);
   if (number == 0)
-    return file_name + ": " +
-           (text.find("unequal numbers") != std::string::npos ? "every 'subsection' needs one 'end'" : text);
+  {
+    const auto open = source.open_sections(source.n_lines() + 1);
+    return open.empty() ? file_name + ": " + text
+                        : source.line(open.back()).place() + ": '" + trimmed(source.line(open.back()).text) +
+                              "' has no 'end'";
+  }
   const SourceLine &line = source.line(number);
-  const auto [entry, value] = entry_and_value(line.text);
   const std::string place = line.place() + ": ";
-  const std::string name = source.section_at(number) + entry;
-  if (text.find("does not match the given pattern") != std::string::npos)
-    return place + name + " = " + value + ": allowed is " + pattern_of(text);
-  if (text.find("No entry with name") != std::string::npos)
-    return place + name + " is not an entry; 'orthocone --defaults' lists all of them";
+  const std::string path = source.path_at(number);
+  std::smatch match;
+  if (std::regex_search(text, match, std::regex("entry value ?(.*) for the entry named (.*) does not match the given "
+                                                "pattern: ?(.*)")))
+    return place + path + match[2].str() + " = " + trimmed(match[1].str()) + ": allowed is " + match[3].str();
+  if (std::regex_search(text, match, std::regex("No entry with name <(.*)> was declared")))
+    return place + path + match[1].str() + not_an_entry;
   if (text.find("no such subsection") != std::string::npos)
     return place + "'" + trimmed(line.text) + "' opens an unknown section; 'orthocone --defaults' lists all of them";
   return place + "'" + trimmed(line.text) + "' is not understood: expected is 'subsection NAME', 'set NAME = VALUE', " +
@@ -85,20 +77,45 @@ void parse_prm(const std::string &file_name, ParameterHandler &handler)
   }
 }
 
-void parse_json(const std::string &file_name, ParameterHandler &handler)
+/// Sets one entry; `place` tells users where it was given.
+void set_entry(const std::string &place, const std::string &section, const std::string &entry, const std::string &value,
+               ParameterHandler &handler)
 {
-  std::istringstream stream(read_text_file(file_name));
+  const std::string name = place + section + "/" + entry;
+  handler.enter_subsection(section);
   try
   {
-    handler.parse_input_from_json(stream);
+    handler.set(entry, value);
+  }
+  catch (const ParameterHandler::ExcEntryUndeclared &)
+  {
+    throw InputError(name + not_an_entry);
   }
   catch (const dealii::ExceptionBase &exception)
   {
-    throw InputError(file_name + ": " + sentence(exception));
+    std::smatch match;
+    const std::string reason = sentence(exception);
+    const bool is_pattern = std::regex_search(reason, match, std::regex("given pattern <(.*)>\\."));
+    throw InputError(name + " = " + value + ": allowed is " + (is_pattern ? match[1].str() : reason));
   }
-  catch (const std::exception &exception)
+  handler.leave_subsection();
+}
+
+/// {"Section": {"Entry": value}}; deal.II's own reader does not tell which entry is wrong.
+void parse_json(const std::string &file_name, ParameterHandler &handler)
+{
+  using Json = nlohmann::ordered_json;
+  const std::string place = file_name + ": ";
+  const std::string text = read_text_file(file_name);
+  const Json json = Json::parse(text, nullptr, false);
+  if (json.is_discarded() || !json.is_object())
+    throw InputError(place + "is not valid JSON of the form {\"Section\": {\"Entry\": value}}");
+  for (const auto &[section, entries] : json.items())
   {
-    throw InputError(file_name + ": is not valid JSON (" + trimmed(exception.what()) + ")");
+    if (!entries.is_object())
+      throw InputError(place + section + not_an_entry);
+    for (const auto &[entry, value] : entries.items())
+      set_entry(place, section, entry, value.is_string() ? value.get<std::string>() : value.dump(), handler);
   }
 }
 
@@ -108,27 +125,8 @@ void apply_override(const std::string &text, ParameterHandler &handler)
   const auto equals = text.find('=');
   if (slash == std::string::npos || equals == std::string::npos || slash > equals)
     throw InputError("--set " + text + ": allowed is \"Section/Entry=value\"");
-  const std::string section = trimmed(text.substr(0, slash));
-  const std::string entry = trimmed(text.substr(slash + 1, equals - slash - 1));
-  const std::string value = trimmed(text.substr(equals + 1));
-  const std::string place = "--set: " + section + "/" + entry;
-  handler.enter_subsection(section);
-  try
-  {
-    handler.set(entry, value);
-  }
-  catch (const ParameterHandler::ExcEntryUndeclared &)
-  {
-    throw InputError(place + " is not an entry; 'orthocone --defaults' lists all of them");
-  }
-  catch (const dealii::ExceptionBase &exception)
-  {
-    std::smatch match;
-    const std::string reason = sentence(exception);
-    const bool is_pattern = std::regex_search(reason, match, std::regex("given pattern <(.*)>\\."));
-    throw InputError(place + " = " + value + ": allowed is " + (is_pattern ? match[1].str() : reason));
-  }
-  handler.leave_subsection();
+  set_entry("--set: ", trimmed(text.substr(0, slash)), trimmed(text.substr(slash + 1, equals - slash - 1)),
+            trimmed(text.substr(equals + 1)), handler);
 }
 } // namespace
 
@@ -141,14 +139,6 @@ Parameters read_parameters(const std::string &file_name, const std::vector<std::
   is_json ? parse_json(file_name, handler) : parse_prm(file_name, handler);
   for (const std::string &text : overrides)
     apply_override(text, handler);
-  try
-  {
-    check_parameters(parameters);
-  }
-  catch (const InputError &error)
-  {
-    throw InputError(file_name + ": " + error.what());
-  }
   return parameters;
 }
 
@@ -169,10 +159,12 @@ void check_parameters(const Parameters &parameters)
                      "deformations without stiffness)");
   const LoadOptions &load = parameters.load;
   if (load.preload.empty() && (load.legs.empty() || load.cycles == 0))
-    throw InputError("Load program/Legs is empty, and so is the preload: allowed is at least one leg, such as "
-                     "'0 0 -0.1 : 5'");
+    throw InputError((load.legs.empty() ? "Load program/Legs is empty" : "Load program/Cycles = 0") +
+                     std::string(" and Load program/Preload is empty: allowed is at least one leg, such as "
+                                 "'0 0 -0.1 : 5'"));
+  constexpr double rounding = 1e-12;
   for (const Probe &probe : parameters.output.probes)
-    if (std::hypot(probe.position[0], probe.position[1]) > parameters.geometry.radius)
+    if (std::hypot(probe.position[0], probe.position[1]) > (1 + rounding) * parameters.geometry.radius)
       throw InputError("Output/Probes: '" + probe.name + "' at (" + to_text(probe.position[0]) + ", " +
                        to_text(probe.position[1]) + ") is off the contact surface: allowed are points within " +
                        "Geometry/Radius = " + to_text(parameters.geometry.radius) + " of the axis");

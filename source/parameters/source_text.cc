@@ -81,17 +81,22 @@ std::string SourceText::joined() const
   return text;
 }
 
-std::string SourceText::section_at(const unsigned int number) const
+std::vector<unsigned int> SourceText::open_sections(const unsigned int number) const
 {
-  std::vector<std::string> open;
-  for (unsigned int i = 1; i < number && i <= lines_.size(); ++i)
-    if (const std::string name = behind_keyword(line(i).text, "subsection"); !name.empty())
-      open.push_back(name);
+  std::vector<unsigned int> open;
+  for (unsigned int i = 1; i < number && i <= n_lines(); ++i)
+    if (!behind_keyword(line(i).text, "subsection").empty())
+      open.push_back(i);
     else if (trimmed(line(i).text) == "end" && !open.empty())
       open.pop_back();
+  return open;
+}
+
+std::string SourceText::path_at(const unsigned int number) const
+{
   std::string path;
-  for (const std::string &name : open)
-    path += name + "/";
+  for (const unsigned int opening : open_sections(number))
+    path += behind_keyword(line(opening).text, "subsection") + "/";
   return path;
 }
 } // namespace orthocone

@@ -30,8 +30,13 @@ public:
   /// Line of the joined text, counted from 1.
   const SourceLine &line(unsigned int number) const { return lines_.at(number - 1); }
 
-  /// "Section/Subsection" that is open at a line of the joined text.
-  std::string section_at(unsigned int number) const;
+  /// Numbers of the `subsection` lines that are open before a line of the joined text.
+  std::vector<unsigned int> open_sections(unsigned int number) const;
+
+  /// "Section/" of the sections that are open before a line of the joined text.
+  std::string path_at(unsigned int number) const;
+
+  unsigned int n_lines() const { return lines_.size(); }
 
 private:
   void append(const std::string &file_name, const std::string &asked_from, unsigned int depth);

@@ -40,6 +40,15 @@ std::optional<Leg> parse_leg(const std::string &text)
     return std::nullopt;
   return Leg{{{(*target)[0], (*target)[1], (*target)[2]}}, *steps};
 }
+
+std::optional<Probe> parse_probe(const std::string &text)
+{
+  const auto parts = split(text, ':');
+  if (parts.size() != 2 || !is_file_name(parts[0]))
+    return std::nullopt;
+  const auto position = parse_numbers(parts[1], 2, ' ');
+  return position ? std::optional<Probe>({parts[0], {{(*position)[0], (*position)[1]}}}) : std::nullopt;
+}
 } // namespace
 
 std::string to_text(const double value)
@@ -90,7 +99,8 @@ std::optional<unsigned int> parse_count(const std::string &text)
 std::optional<std::vector<double>> parse_numbers(const std::string &text, const unsigned int n, const char separator)
 {
   const auto pieces = separator == ' ' ? words_of(text) : split(text, separator);
-  if (pieces.size() != n)
+  const bool ends_early = !text.empty() && text.back() == separator && separator != ' ';
+  if (pieces.size() != n || ends_early)
     return std::nullopt;
   std::vector<double> numbers;
   for (const auto &piece : pieces)
@@ -121,13 +131,11 @@ std::optional<std::vector<Probe>> parse_probes(const std::string &text)
     return probes;
   for (const auto &piece : split(text, ';'))
   {
-    const auto parts = split(piece, ':');
-    const auto position = parts.size() == 2 ? parse_numbers(parts[1], 2, ' ') : std::nullopt;
-    const bool is_known = std::any_of(probes.begin(), probes.end(),
-                                      [&](const Probe &probe) { return probe.name == parts.front(); });
-    if (!position || !is_file_name(parts[0]) || is_known)
+    const auto probe = parse_probe(piece);
+    const auto has_its_name = [&](const Probe &other) { return other.name == probe->name; };
+    if (!probe || std::any_of(probes.begin(), probes.end(), has_its_name))
       return std::nullopt;
-    probes.push_back({parts[0], {{(*position)[0], (*position)[1]}}});
+    probes.push_back(*probe);
   }
   return probes;
 }

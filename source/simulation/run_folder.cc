@@ -8,6 +8,7 @@
 #include <cstring>
 #include <fstream>
 #include <regex>
+#include <vector>
 
 namespace orthocone
 {
@@ -47,21 +48,39 @@ void RunFolder::remove_earlier_run() const
 {
   const std::regex ours("(contact|volume)(-\\d+\\.vtu|\\.pvd)|probe-.*\\.csv|(history|timing)\\.csv|summary\\.json|"
                         "(input|parameters)\\.prm|input\\.json|log\\.txt");
-  std::error_code code;
+  std::vector<fs::path> files;
   for (const auto &entry : fs::directory_iterator(path_))
-    if (entry.is_regular_file() && std::regex_match(entry.path().filename().string(), ours))
-      if (!fs::remove(entry.path(), code))
-        fail(entry.path(), "cannot be removed", code.message());
+    if (std::regex_match(entry.path().filename().string(), ours))
+      files.push_back(entry.path());
+  // Before anything is removed, everything must be removable.
+  for (const fs::path &file : files)
+    if (fs::is_directory(file))
+      fail(file, "cannot be replaced", "a folder of this name is in its place");
+  std::error_code code;
+  for (const fs::path &file : files)
+    if (!fs::remove(file, code))
+      fail(file, "cannot be removed", code.message());
 }
 
 void RunFolder::write(const std::string &name, const std::string &content) const
 {
   const fs::path temporary = path_ / (name + ".part");
-  write_all(temporary, content, std::ios::trunc);
   std::error_code code;
-  fs::rename(temporary, path_ / name, code);
-  if (code)
-    fail(path_ / name, "cannot be written", code.message());
+  try
+  {
+    write_all(temporary, content, std::ios::trunc);
+    fs::rename(temporary, path_ / name);
+  }
+  catch (const fs::filesystem_error &error)
+  {
+    fs::remove(temporary, code);
+    fail(path_ / name, "cannot be written", error.code().message());
+  }
+  catch (const FileError &)
+  {
+    fs::remove(temporary, code);
+    throw;
+  }
 }
 
 void RunFolder::append(const std::string &name, const std::string &content) const

@@ -37,9 +37,6 @@ subsection Friction
   set Coefficients   = {MU[0]}, {MU[1]}
   set Slip potential = 0.05, 0.2
 end
-subsection Load program
-  set Legs = 0 0 -0.1 : 2 ; 0 0 -0.05 : 2
-end
 subsection Output
   set Contact fields = 1
   set Volume fields  = 1
@@ -59,13 +56,12 @@ VOLUME_CELL = {1: 12, 2: 72, 3: 72}  # VTK_HEXAHEDRON, VTK_LAGRANGE_HEXAHEDRON
 
 
 @functools.lru_cache(maxsize=None)
-def run_folder(degree, model):
-    folder = pathlib.Path(SCRATCH.name) / f"{model}-{degree}"
-    folder.mkdir()
+def run_folder(degree, model, legs="0 0 -0.1 : 2 ; 0 0 -0.05 : 2"):
+    folder = pathlib.Path(tempfile.mkdtemp(dir=SCRATCH.name))
     (folder / "case.prm").write_text(SCENE)
-    options = [f"Mesh/Degree={degree}", "Mesh/Model=" + ("auto" if model == "quarter" else model)]
-    subprocess.run([PROGRAM, "case.prm", "--quiet", "--output", "run", "--set", options[0], "--set", options[1]],
-                   cwd=folder, check=True, timeout=300)
+    kind = "auto" if model == "quarter" else model
+    settings = [f"--set=Mesh/Degree={degree}", f"--set=Mesh/Model={kind}", f"--set=Load program/Legs={legs}"]
+    subprocess.run([PROGRAM, "case.prm", "--quiet", "--output", "run", *settings], cwd=folder, check=True, timeout=300)
     return folder / "run"
 
 
@@ -105,15 +101,15 @@ class VtkTest(unittest.TestCase):
         self.assertLessEqual(np.max(np.abs(np.asarray(values) - expected)), tolerance * scale)
 
     def assert_disc(self, area, degree):
-        """Disc, but for bricks of degree 1 a polygon."""
+        """Disc, but for bricks of degree 1 a polygon. VTK takes the nodes of degree 3, which are those of the program and
+        not equidistant, for equidistant ones: the values there are right, the curve between them is not quite."""
         n_corners = 4 * CORE_CELLS
         polygon = n_corners / 2 * RADIUS**2 * math.sin(2 * math.pi / n_corners)
         self.assert_close(area, polygon if degree == 1 else math.pi * RADIUS**2,
-                          tolerance=SINGLE if degree == 1 else 1e-3)
+                          tolerance={1: SINGLE, 2: 1e-3, 3: 5e-3}[degree])
 
     def assert_contract(self, data, fields, cell_type):
-        self.assertEqual(data.errors, [])
-        self.assertGreater(len(data.cells), 0)
+        self.assertGreater(data.grid.GetNumberOfCells(), 0)
         self.assertEqual(data.types, {cell_type})
         self.assertEqual(data.components, fields)
         for name in fields:
@@ -151,9 +147,9 @@ class ContactTest(VtkTest):
         radii = np.hypot(data.points[:, 0], data.points[:, 1])
         self.assertLessEqual(radii.max(), RADIUS * (1 + 1e-6))
         self.assertEqual(np.abs(data.points[:, 2]).max(), 0)
-        areas, least_jacobian = data.jacobians()
+        area, least_jacobian = data.size()
         self.assertGreater(least_jacobian, 0)
-        self.assert_disc(areas.sum(), degree)
+        self.assert_disc(area, degree)
 
     @each("contact")
     def test_ranges(self, data, _degree, _model, _step):
@@ -198,6 +194,11 @@ class ContactTest(VtkTest):
             self.assert_disc(area.sum(), degree)
             self.assert_close((area * data["dissipated_energy"][one]).sum(), row["total_dissipation"])
 
+    @each("contact", [case for case in CASES if case[0] < 3])  # the nodes of degree 3 are not where VTK has its own
+    def test_pressure_carries_force(self, data, degree, model, step):
+        force = table(degree, model, "history.csv")[step - 1]["force_z"]
+        self.assert_close(data.integral(data["pressure"])[0], force, tolerance=SINGLE)
+
     @each("contact")
     def test_probe(self, data, degree, model, step):
         row = table(degree, model, "probe-P.csv")[step - 1]
@@ -211,15 +212,23 @@ class ContactTest(VtkTest):
             self.assert_close(data[name][near], row[name])
 
 
+    def test_open(self):
+        data = Grid(run_folder(2, "half", "0 0 -0.1 : 1 ; 0 0 0.02 : 1") / "contact-0002.vtu")
+        self.assertEqual((set(data["status"]), set(data["friction_criterion"])), ({OPEN}, {-1}))
+        for name in ("pressure", "friction_traction", "nodal_force"):
+            self.assertEqual(np.abs(data[name]).max(), 0, name)
+        self.assert_close(data["gap"], np.full(len(data.points), 0.02))
+
+
 class VolumeTest(VtkTest):
     @each("volume")
     def test_body(self, data, degree, model, _step):
         x, y, z = data.points.T
         self.assertLessEqual(np.hypot(x, y).max(), RADIUS * (1 + 1e-6))
         self.assertEqual((z.min(), z.max()), (0, HEIGHT))
-        volumes, least_jacobian = data.jacobians()
+        volume, least_jacobian = data.size()
         self.assertGreater(least_jacobian, 0)
-        self.assert_disc(volumes.sum() / HEIGHT / SHARE[model], degree)
+        self.assert_disc(volume / HEIGHT / SHARE[model], degree)
 
     @each("volume")
     def test_displacement(self, data, degree, model, step):
@@ -244,8 +253,7 @@ class VolumeTest(VtkTest):
         deviator = stress - np.trace(stress, axis1=1, axis2=2)[:, None, None] / 3 * np.eye(3)
         self.assert_close(data["von_mises_stress"], np.sqrt(1.5 * (deviator**2).sum(axis=(1, 2))))
         force = table(degree, model, "history.csv")[step - 1]["force_z"]
-        means = [stress[nodes, 2, 2].mean() for nodes in data.nodes]
-        self.assert_close(data.jacobians()[0] @ means / HEIGHT / SHARE[model], -force, tolerance=0)
+        self.assert_close(data.integral(stress[:, 2, 2])[0] / HEIGHT / SHARE[model], -force, tolerance=1e-3)
 
 
 class ModelTest(VtkTest):

@@ -18,6 +18,6 @@ Parameters read_parameters(const std::string &file_name, const std::vector<std::
 /// Writes a complete, commented .prm file that holds these parameters.
 void write_parameters(const Parameters &parameters, std::ostream &out);
 
-/// Conditions between entries, e.g. probes lie on the contact surface. Throws InputError.
+/// Conditions between entries, e.g. probes lie on the contact surface. Throws InputError, without the file's name.
 void check_parameters(const Parameters &parameters);
 } // namespace orthocone

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/parameters/errors.h>
+#include <orthocone/parameters/parameters.h>
+#include <orthocone/parameters/text.h>
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+namespace orthocone::test
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+/// A folder that is gone after the test.
+class Folder
+{
+public:
+  Folder() : path_(fs::temp_directory_path() / ("orthocone-test-" + std::to_string(::getpid())))
+  {
+    fs::create_directories(path_ / "part");
+  }
+  ~Folder() { fs::remove_all(path_); }
+
+  std::string write(const std::string &name, const std::string &content) const
+  {
+    std::ofstream(path_ / name) << content;
+    return (path_ / name).string();
+  }
+
+private:
+  fs::path path_;
+};
+
+std::string text_of(const Parameters &parameters)
+{
+  std::ostringstream text;
+  write_parameters(parameters, text);
+  return text.str();
+}
+
+Parameters unusual_parameters()
+{
+  Parameters parameters;
+  parameters.geometry = {7.25, 1e-3, TopFace::guided};
+  parameters.mesh = {ModelKind::quarter, 6, 5, 3, 3, 5, 0.37, 0.4, 1.5};
+  parameters.material = {1. / 3, -0.25};
+  parameters.friction = {{{0.1, 1e-3}}, {{2, 3}}, -12.5};
+  parameters.load = {{Leg{{{0, 0, -0.01}}, 2}}, {Leg{{{1e-3, -2, -0.1}}, 3}, Leg{{{0, 0, 0}}, 4}}, 7};
+  parameters.contact_solver = {ContactMethod::gauss_seidel, 1e-7, 17, 1.2};
+  parameters.output = {3, 4, {Probe{"P", {{1, -2}}}, Probe{"rim-1", {{0, 3}}}}};
+  return parameters;
+}
+} // namespace
+
+TEST(Parameters, SurviveBeingWrittenAndReadAgain)
+{
+  const Folder folder;
+  for (const Parameters &parameters : {Parameters(), unusual_parameters()})
+  {
+    Parameters complete = parameters;
+    if (complete.load.legs.empty())
+      complete.load.legs = {Leg{{{0, 0, -0.1}}, 5}};
+    const std::string text = text_of(complete);
+    EXPECT_EQ(text_of(read_parameters(folder.write("all.prm", text))), text);
+  }
+}
+
+TEST(Parameters, LaterEntriesAndOverridesWin)
+{
+  const Folder folder;
+  folder.write("part/base.prm", "subsection Geometry\n  set Radius = 4\n  set Height = 5\nend\n"
+                                "subsection Load program\n  set Legs = 0 0 -1 : 1\nend\n");
+  folder.write("part/middle.prm", "include base.prm\nsubsection Geometry\n  set Height = 6\nend\n");
+  const std::string file = folder.write("top.prm", "# comment\ninclude part/middle.prm # relative to this file\n");
+  const Parameters parameters = read_parameters(file, {"Geometry/Radius=8", "Friction/Coefficients = 0.5, 0.6"});
+  EXPECT_EQ(parameters.geometry.radius, 8);
+  EXPECT_EQ(parameters.geometry.height, 6);
+  EXPECT_EQ(parameters.friction.mu, (std::array<double, 2>{{0.5, 0.6}}));
+}
+
+TEST(Parameters, NameFileAndLineOfAFaultInAnIncludedFile)
+{
+  const Folder folder;
+  const std::string part = folder.write("part/base.prm", "subsection Geometry\n\n  set Radius = -4 # mm\nend\n");
+  const std::string file = folder.write("top.prm", "include part/base.prm\n");
+  try
+  {
+    read_parameters(file);
+    FAIL() << "a negative radius was accepted";
+  }
+  catch (const InputError &error)
+  {
+    EXPECT_EQ(std::string(error.what()), part + ":3: Geometry/Radius = -4: allowed is a number > 0");
+  }
+}
+
+TEST(Text, ReadsLegs)
+{
+  const auto legs = parse_legs(" 0 0 -0.1 : 5 ; 1e-3 -2 .5:10 ;");
+  ASSERT_TRUE(legs.has_value());
+  ASSERT_EQ(legs->size(), 2u);
+  EXPECT_EQ((*legs)[1].target, (std::array<double, 3>{{1e-3, -2, 0.5}}));
+  EXPECT_EQ((*legs)[1].steps, 10u);
+  EXPECT_TRUE(parse_legs("")->empty());
+  for (const char *const wrong : {"0 0 -0.1", "0 0 : 5", "0 0 0 0 : 5", "0 0 x : 5", "0 0 0 : 0", "0 0 0 : -1",
+                                  "0 0 0 : 1.5", "0 0 0 : 5 : 6", ";", "0 0 nan : 1", "0 0 1e999 : 1"})
+    EXPECT_FALSE(parse_legs(wrong).has_value()) << wrong;
+}
+
+TEST(Text, ReadsProbes)
+{
+  const auto probes = parse_probes("P: 1 -2; rim_2: 0 0");
+  ASSERT_TRUE(probes.has_value());
+  EXPECT_EQ((*probes)[0].name, "P");
+  EXPECT_EQ((*probes)[1].position, (std::array<double, 2>{{0, 0}}));
+  for (const char *const wrong : {"P", "P: 1", "P: 1 2 3", "a/b: 1 2", ": 1 2", "P: 1 2; P: 3 4", "P: 1 inf"})
+    EXPECT_FALSE(parse_probes(wrong).has_value()) << wrong;
+}
+
+TEST(Text, WritesNumbersThatReadBackTheSame)
+{
+  for (const double value : {0.1, 1. / 3, -1e-300, 12345678.9, 5e-324})
+    EXPECT_EQ(*parse_number(to_text(value)), value);
+  EXPECT_EQ(to_text(0.1), "0.1");
+}
+} // namespace orthocone::test

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/parameters/errors.h>
+#include <orthocone/simulation/load_program.h>
+#include <orthocone/simulation/model_choice.h>
+
+#include <gtest/gtest.h>
+
+namespace orthocone::test
+{
+namespace
+{
+Parameters scene()
+{
+  Parameters parameters;
+  parameters.load.legs = {Leg{{{0, 0, -0.1}}, 5}, Leg{{{0, 0, 0}}, 10}};
+  return parameters;
+}
+
+std::string chosen(const Parameters &parameters) { return choose_model(parameters).planes.name(); }
+} // namespace
+
+TEST(LoadProgram, PassesThroughPreloadAndCycles)
+{
+  LoadOptions load;
+  load.preload = {Leg{{{0, 0, -0.02}}, 2}};
+  load.legs = {Leg{{{0.01, 0, -0.1}}, 2}, Leg{{{0, 0, -0.02}}, 4}};
+  load.cycles = 3;
+  const auto steps = load_steps(load);
+  ASSERT_EQ(steps.size(), 2u + 3 * 6);
+  EXPECT_EQ(steps[0].top, (std::array<double, 3>{{0, 0, -0.01}}));
+  EXPECT_EQ(steps[0].cycle, 0u);
+  EXPECT_EQ(steps[2].top, (std::array<double, 3>{{0.005, 0, -0.06}}));
+  EXPECT_EQ(steps[2].cycle, 1u);
+  EXPECT_EQ(steps[4].step_of_leg, 1u);
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    EXPECT_EQ(steps[i].number, i + 1);
+  for (std::size_t i = 8; i < steps.size(); ++i)
+  {
+    EXPECT_EQ(steps[i].top, steps[i - 6].top); // to the last bit
+    EXPECT_EQ(steps[i].phase, steps[i - 6].phase);
+  }
+}
+
+TEST(LoadProgram, WritesPositionsAsUsersWould)
+{
+  const auto steps = load_steps(scene().load);
+  EXPECT_EQ(steps[2].top[2], -0.06);
+  EXPECT_EQ(steps[11].top[2], -0.03);
+  EXPECT_EQ(steps[14].top[2], 0);
+}
+
+TEST(ModelChoice, TakesTheSmallestExactModel)
+{
+  Parameters parameters = scene();
+  EXPECT_EQ(chosen(parameters), "quarter");
+  parameters.friction.angle = 90;
+  EXPECT_EQ(chosen(parameters), "quarter");
+  parameters.friction.angle = 30;
+  EXPECT_EQ(chosen(parameters), "full");
+  parameters.friction.mu = parameters.friction.p = {{0.2, 0.2}};
+  EXPECT_EQ(chosen(parameters), "quarter");
+  parameters.load.preload = {Leg{{{0.1, 0, 0}}, 1}};
+  EXPECT_EQ(chosen(parameters), "half");
+  EXPECT_TRUE(choose_model(parameters).planes.normal_to_y);
+  parameters.load.legs.push_back(Leg{{{0, 0.1, 0}}, 1});
+  EXPECT_EQ(chosen(parameters), "full");
+  parameters = scene();
+  parameters.mesh.core_cells = 3;
+  EXPECT_EQ(chosen(parameters), "full");
+}
+
+TEST(ModelChoice, RejectsWhatIsNotExactAndSaysWhatIs)
+{
+  Parameters parameters = scene();
+  parameters.load.legs.push_back(Leg{{{0.1, 0, 0}}, 1});
+  parameters.mesh.model = ModelKind::quarter;
+  try
+  {
+    choose_model(parameters);
+    FAIL() << "a quarter with a tangential leg was accepted";
+  }
+  catch (const InputError &error)
+  {
+    EXPECT_NE(std::string(error.what()).find("possible models are full, half"), std::string::npos) << error.what();
+  }
+  parameters.mesh.model = ModelKind::half;
+  EXPECT_EQ(chosen(parameters), "half");
+  parameters = scene();
+  parameters.geometry.top_face = TopFace::guided;
+  EXPECT_EQ(chosen(parameters), "quarter");
+  parameters.mesh.model = ModelKind::full;
+  EXPECT_THROW(choose_model(parameters), InputError);
+}
+} // namespace orthocone::test

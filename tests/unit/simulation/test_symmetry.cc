@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "scenes.h"
+
+namespace orthocone::test
+{
+namespace
+{
+constexpr double tolerance = 1e-8;
+
+Parameters with_model(Parameters parameters, const ModelKind model)
+{
+  parameters.mesh.model = model;
+  return parameters;
+}
+
+void expect_same_totals(const Totals &a, const Totals &b)
+{
+  EXPECT_LE((a.force - b.force).norm(), tolerance * b.force.norm());
+  EXPECT_NEAR(a.max_slip, b.max_slip, tolerance * b.max_slip);
+  EXPECT_NEAR(a.max_pressure, b.max_pressure, tolerance * b.max_pressure);
+  EXPECT_NEAR(a.elastic_energy, b.elastic_energy, tolerance * b.elastic_energy);
+  EXPECT_NEAR(a.total_dissipation, b.total_dissipation, tolerance * b.total_dissipation);
+  EXPECT_NEAR(a.stick_area, b.stick_area, tolerance * 315);
+  EXPECT_EQ(a.n_open, b.n_open);
+  EXPECT_EQ(a.n_stick, b.n_stick);
+  EXPECT_EQ(a.n_slip, b.n_slip);
+}
+} // namespace
+
+// Quarter = half = full, in the middle of unloading, for each law and degree.
+TEST(Symmetry, ReducedModelsGiveTheAnswersOfTheFullOne)
+{
+  for (const unsigned int degree : {1, 2})
+    for (const std::array<double, 2> p : {std::array<double, 2>{{0.3, 0.15}}, std::array<double, 2>{{0.05, 0.2}}})
+    {
+      Parameters parameters = small_scene(degree);
+      parameters.friction.p = p;
+      parameters.load.legs = {Leg{{{0, 0, -0.1}}, 1}, Leg{{{0, 0, -0.05}}, 3}};
+      Scene whole(with_model(parameters, ModelKind::full));
+      whole.march();
+      for (const ModelKind model : {ModelKind::half, ModelKind::quarter})
+      {
+        Scene part(with_model(parameters, model));
+        part.march();
+        expect_same_fields(part, whole, tolerance);
+        expect_same_totals(part.totals(), whole.totals());
+      }
+    }
+}
+
+TEST(Symmetry, HalfFollowsATangentialLeg)
+{
+  for (const bool along_x : {true, false})
+  {
+    Parameters parameters = small_scene(1);
+    const double x = along_x ? 0.01 : 0;
+    const double y = along_x ? 0 : 0.01;
+    parameters.load.legs = {Leg{{{0, 0, -0.05}}, 1}, Leg{{{x, y, -0.05}}, 2}};
+    Scene whole(with_model(parameters, ModelKind::full));
+    Scene half(with_model(parameters, ModelKind::automatic));
+    EXPECT_EQ(half.planes.n_copies(), 2u);
+    whole.march();
+    half.march();
+    expect_same_fields(half, whole, tolerance);
+    expect_same_totals(half.totals(), whole.totals());
+    EXPECT_LT(half.totals().force[along_x ? 0 : 1], -1000); // the plane holds the body back
+  }
+}
+
+// The scene turned by 90 degrees: friction along x and y changed places, fields turned.
+TEST(Symmetry, FieldsTurnWithTheScene)
+{
+  Parameters parameters = small_scene(1);
+  parameters.friction.p = {{0.05, 0.2}};
+  parameters.load.legs = {Leg{{{0, 0, -0.1}}, 1}, Leg{{{0, 0, -0.06}}, 2}};
+  Scene original(parameters);
+  original.march();
+  Parameters swapped = parameters;
+  std::swap(swapped.friction.mu[0], swapped.friction.mu[1]);
+  std::swap(swapped.friction.p[0], swapped.friction.p[1]);
+  Scene exchanged(swapped);
+  exchanged.march();
+  parameters.friction.angle = 90;
+  Scene turned(parameters);
+  turned.march();
+  expect_same_fields(turned, exchanged, tolerance);
+  const auto &nodes = original.discretization.contact_surface().nodes;
+  for (unsigned int i = 0; i < nodes.size(); ++i)
+  {
+    const int other = node_at(turned, {{nodes[i].position[1], nodes[i].position[0]}});
+    ASSERT_GE(other, 0);
+    const Eigen::Vector3d a = original.evaluator.fields(original.state, i).slip;
+    const Eigen::Vector3d b = turned.evaluator.fields(turned.state, other).slip;
+    EXPECT_LE((a - Eigen::Vector3d(b[1], b[0], 0)).norm(), tolerance * original.totals().max_slip);
+  }
+}
+
+TEST(Symmetry, AxesDoNotMatterToIsotropicFriction)
+{
+  Parameters parameters = small_scene(1);
+  parameters.friction.mu = parameters.friction.p = {{0.2, 0.2}};
+  parameters.mesh.model = ModelKind::full;
+  parameters.load.legs = {Leg{{{0, 0, -0.1}}, 1}, Leg{{{0, 0, -0.06}}, 2}};
+  Scene straight(parameters);
+  straight.march();
+  parameters.friction.angle = 37;
+  Scene turned(parameters);
+  turned.march();
+  expect_same_fields(turned, straight, tolerance);
+}
+
+// Axes turned by 30 degrees act like a body turned by -30 degrees; the o-grid is not symmetric under that, but a
+// turn by 90 degrees of everything is.
+TEST(Symmetry, TurnedAxesTurnByRightAngles)
+{
+  Parameters parameters = small_scene(1);
+  parameters.load.legs = {Leg{{{0, 0, -0.1}}, 1}};
+  parameters.friction.angle = 30;
+  Scene first(parameters);
+  first.march();
+  parameters.friction.angle = 120;
+  Scene second(parameters);
+  second.march();
+  expect_same_totals(first.totals(), second.totals());
+  EXPECT_EQ(first.planes.n_copies(), 1u);
+}
+} // namespace orthocone::test
