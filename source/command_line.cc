@@ -8,23 +8,19 @@
 
 #include <sstream>
 
-namespace orthocone
-{
-namespace
-{
+namespace orthocone {
+namespace {
 namespace po = boost::program_options;
 
 po::options_description visible_options()
 {
   po::options_description options("options");
-  options.add_options()
-      ("set", po::value<std::vector<std::string>>(), "\"Section/Entry=value\": overrides one entry; may be repeated")
-      ("output", po::value<std::string>(), "run folder (default: output/<parameter file's stem>)")
-      ("check", "read everything, print the resolved model, compute nothing")
-      ("defaults", "print a complete commented parameter file and stop")
-      ("quiet", "print errors only")
-      ("help", "print this text and stop")
-      ("version", "print the versions of program and libraries and stop");
+  options.add_options()("set", po::value<std::vector<std::string>>(),
+                        "\"Section/Entry=value\": overrides one entry; may be repeated")(
+      "output", po::value<std::string>(), "run folder (default: output/<parameter file's stem>)")(
+      "check", "read everything, print the resolved model, compute nothing")(
+      "defaults", "print a complete commented parameter file and stop")("quiet", "print errors only")(
+      "help", "print this text and stop")("version", "print the versions of program and libraries and stop");
   return options;
 }
 
@@ -53,20 +49,19 @@ CommandLine parse_command_line(const int argc, const char *const *const argv)
   po::positional_options_description positional;
   positional.add("file", 1);
   po::variables_map values;
-  try
-  {
+  try {
     // No abbreviations: an option that is added later must not change what a script means.
     constexpr auto style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
-    po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(), values);
-  }
-  catch (const po::error &error)
-  {
+    po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
+              values);
+  } catch (const po::error &error) {
     throw InputError(std::string("command line: ") + error.what() + "; 'orthocone --help' lists the options");
   }
   CommandLine line = from(values);
   if (line.parameter_file.empty() && !line.defaults && !line.help && !line.version)
-    throw InputError("command line: a parameter file is missing, as in 'orthocone prm/paper/case_b.prm'; 'orthocone "
-                     "--help' lists the options");
+    throw InputError(
+        "command line: a parameter file is missing, as in 'orthocone prm/paper/case_b.prm'; 'orthocone "
+        "--help' lists the options");
   return line;
 }
 
@@ -75,7 +70,8 @@ std::string usage()
   std::ostringstream text;
   text << "orthocone [options] FILE.prm\n\n"
        << "Elastic body on a rigid plane under cyclic loads with orthotropic friction.\n\n"
-       << visible_options() << "\nexit codes: 0 done, 2 wrong command line or parameter file, 3 a load step could not "
+       << visible_options()
+       << "\nexit codes: 0 done, 2 wrong command line or parameter file, 3 a load step could not "
        << "be solved,\n            4 a file could not be read or written\n";
   return text.str();
 }

@@ -5,8 +5,7 @@
 #include <string>
 #include <vector>
 
-namespace orthocone
-{
+namespace orthocone {
 /// What the command line asks for.
 struct CommandLine
 {

@@ -4,8 +4,7 @@
 
 #include <utility>
 
-namespace orthocone
-{
+namespace orthocone {
 DenseCompliance::DenseCompliance(Eigen::MatrixXd matrix) : matrix_(std::move(matrix))
 {
   eigen_assert(matrix_.rows() == matrix_.cols() && matrix_.rows() % 3 == 0);

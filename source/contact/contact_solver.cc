@@ -7,10 +7,9 @@
 #include <stdexcept>
 #include <string>
 
-namespace orthocone
-{
-SolverReport make_report(const ContactProblem &problem, const NodeVector &force, const unsigned int iterations,
-                         const double tolerance)
+namespace orthocone {
+SolverReport make_report(const ContactProblem &problem, const NodeVector &force,
+                         const unsigned int iterations, const double tolerance)
 {
   const NodeVector d = problem.displacement(force);
   const NodeVector map = problem.natural_map(force, d);
@@ -19,11 +18,9 @@ SolverReport make_report(const ContactProblem &problem, const NodeVector &force,
   report.residual = problem.residual(force, d);
   report.converged = report.residual <= tolerance;
   double worst = -1;
-  for (Eigen::Index node = 0; node < problem.n_nodes(); ++node)
-  {
+  for (Eigen::Index node = 0; node < problem.n_nodes(); ++node) {
     const double error = map.segment<3>(3 * node).norm();
-    if (error > worst || std::isnan(error))
-    {
+    if (error > worst || std::isnan(error)) {
       worst = error;
       report.worst_node = node;
     }
@@ -41,10 +38,10 @@ const Eigen::MatrixXd &dense_compliance(const ContactProblem &problem, const cha
   return *matrix;
 }
 
-std::unique_ptr<ContactSolver> make_contact_solver(const ContactProblem &problem, const ContactSolverOptions &options)
+std::unique_ptr<ContactSolver> make_contact_solver(const ContactProblem &problem,
+                                                   const ContactSolverOptions &options)
 {
-  switch (options.method)
-  {
+  switch (options.method) {
   case ContactMethod::newton:
     return std::make_unique<SemismoothNewton>(problem, options);
   case ContactMethod::gauss_seidel:

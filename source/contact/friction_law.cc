@@ -6,10 +6,8 @@
 #include <cmath>
 #include <limits>
 
-namespace orthocone
-{
-namespace
-{
+namespace orthocone {
+namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
@@ -29,19 +27,18 @@ double norm_slope(const OrthotropicFriction &law, const Vector2d &r, const doubl
   return -(r[0] * r[0] / (x * (x + lambda)) + r[1] * r[1] / (y * (y + lambda))) / norm;
 }
 
-/// Multiplier of the nearest point for tau outside of the cone and of its polar: the only root of the decreasing
-/// function psi(lambda) = ||r_t(lambda)||_m (1 - lambda) - tau_n on (0, infinity).
+/// Multiplier of the nearest point for tau outside of the cone and of its polar: the only root of the
+/// decreasing function psi(lambda) = ||r_t(lambda)||_m (1 - lambda) - tau_n on (0, infinity).
 ///
-/// Newton's method runs on psi / ||r_t||_m, which is linear in lambda for a circular cone; a bracket catches the rest.
-/// The root of psi is 1 for tau_n = 0 and lies on the side of 1 that the sign of tau_n tells. Chosen before the
-/// closed quartic, which loses digits for mu_x ~ mu_y and near the axes.
+/// Newton's method runs on psi / ||r_t||_m, which is linear in lambda for a circular cone; a bracket catches
+/// the rest. The root of psi is 1 for tau_n = 0 and lies on the side of 1 that the sign of tau_n tells.
+/// Chosen before the closed quartic, which loses digits for mu_x ~ mu_y and near the axes.
 double multiplier(const OrthotropicFriction &law, const Vector3d &tau)
 {
   double lower = tau[0] > 0 ? 0 : 1;
   double upper = tau[0] > 0 ? 1 : std::numeric_limits<double>::infinity();
   double lambda = tau[0] > 0 ? 0 : 1;
-  for (unsigned int step = 0; step < most_newton_steps && tau[0] != 0; ++step)
-  {
+  for (unsigned int step = 0; step < most_newton_steps && tau[0] != 0; ++step) {
     const Vector2d r = tangential_point(law, tau, lambda);
     const double norm = friction_norm(law, r[0], r[1]);
     const double value = 1 - lambda - tau[0] / norm;
@@ -101,8 +98,7 @@ ConeZone cone_zone(const OrthotropicFriction &law, const Vector3d &tau)
 
 Vector3d project(const OrthotropicFriction &law, const Vector3d &tau)
 {
-  switch (cone_zone(law, tau))
-  {
+  switch (cone_zone(law, tau)) {
   case ConeZone::polar:
     return Vector3d::Zero();
   case ConeZone::inside:
@@ -156,7 +152,8 @@ Eigen::Matrix3d modified_displacement_derivative(const OrthotropicFriction &law,
   Eigen::Matrix3d derivative = Vector3d(1, weights[0], weights[1]).asDiagonal();
   if (norm > 0)
     derivative.row(0).tail<2>() =
-        weights.cwiseProduct(Vector2d(law.mu_x * law.mu_x * weighted[0], law.mu_y * law.mu_y * weighted[1])) / norm;
+        weights.cwiseProduct(Vector2d(law.mu_x * law.mu_x * weighted[0], law.mu_y * law.mu_y * weighted[1])) /
+        norm;
   return derivative;
 }
 

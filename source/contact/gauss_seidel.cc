@@ -2,8 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include "solvers.h"
 
-namespace orthocone
-{
+namespace orthocone {
 using Eigen::Index;
 using Eigen::Vector3d;
 
@@ -11,8 +10,7 @@ GaussSeidel::GaussSeidel(const ContactProblem &problem, const ContactSolverOptio
     : problem_(problem), options_(options)
 {
   dense_compliance(problem, "gauss-seidel");
-  for (Index node = 0; node < problem.n_nodes(); ++node)
-  {
+  for (Index node = 0; node < problem.n_nodes(); ++node) {
     const Eigen::Matrix3d block = problem.compliance().diagonal_block(node);
     nodes_.push_back({problem.law(node), block, block.inverse()});
   }
@@ -22,13 +20,12 @@ void GaussSeidel::sweep(NodeVector &force) const
 {
   const Eigen::MatrixXd &w = *problem_.compliance().dense();
   const NodeVector &q = problem_.free_displacement();
-  for (Index node = 0; node < problem_.n_nodes(); ++node)
-  {
+  for (Index node = 0; node < problem_.n_nodes(); ++node) {
     const OneNodeProblem &one = nodes_[node];
     const Vector3d old = force.segment<3>(3 * node);
     // W is symmetric, and its columns are contiguous.
-    const Vector3d others = q.segment<3>(3 * node) + w.middleCols<3>(3 * node).transpose() * force -
-                            one.compliance * old;
+    const Vector3d others =
+        q.segment<3>(3 * node) + w.middleCols<3>(3 * node).transpose() * force - one.compliance * old;
     const Vector3d exact = solve_one_node(one, others, old);
     if (options_.relaxation == 1)
       force.segment<3>(3 * node) = exact;
@@ -43,7 +40,8 @@ SolverReport GaussSeidel::solve(NodeVector &force)
   constexpr unsigned int sweeps_between_checks = 5;
   unsigned int n_sweeps = 0;
   while (problem_.residual(force) > options_.tolerance && n_sweeps < options_.maximum_iterations)
-    for (unsigned int i = 0; i < sweeps_between_checks && n_sweeps < options_.maximum_iterations; ++i, ++n_sweeps)
+    for (unsigned int i = 0; i < sweeps_between_checks && n_sweeps < options_.maximum_iterations;
+         ++i, ++n_sweeps)
       sweep(force);
   return make_report(problem_, force, n_sweeps, options_.tolerance);
 }

@@ -4,11 +4,10 @@
 
 #include <orthocone/contact/contact_problem.h>
 
-namespace orthocone
-{
-/// Linearized natural map at given forces, reduced to the unknowns that matter: none for an open node, three for a
-/// stuck one, two (along and across the generator of the cone) for a slipping one, whose third component the
-/// linearization fixes.
+namespace orthocone {
+/// Linearized natural map at given forces, reduced to the unknowns that matter: none for an open node, three
+/// for a stuck one, two (along and across the generator of the cone) for a slipping one, whose third
+/// component the linearization fixes.
 class NewtonSystem
 {
 public:
@@ -21,11 +20,11 @@ public:
   Eigen::Index n_unknowns() const { return n_unknowns_; }
 
 private:
-  /// What the linearization says of one node. The change of force is fixed + basis * unknowns; the equations are
-  /// rows^T (change of displacement) + diagonal * unknowns = right_side.
+  /// What the linearization says of one node. The change of force is fixed + basis * unknowns; the equations
+  /// are rows^T (change of displacement) + diagonal * unknowns = right_side.
   struct Node
   {
-    Eigen::Index first = 0;     ///< number of its first unknown
+    Eigen::Index first = 0; ///< number of its first unknown
     Eigen::Index n_unknowns = 0;
     Eigen::Matrix3d basis = Eigen::Matrix3d::Zero(); ///< first n_unknowns columns count
     Eigen::Matrix3d rows = Eigen::Matrix3d::Zero();  ///< likewise

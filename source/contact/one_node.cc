@@ -7,10 +7,8 @@
 #include <limits>
 #include <optional>
 
-namespace orthocone
-{
-namespace
-{
+namespace orthocone {
+namespace {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
@@ -26,8 +24,9 @@ struct Harmonic
 };
 
 /// Force r = r_n (1, mu_x cos a, mu_y sin a) of a slipping node. d_n = 0 gives r_n = -q_n / D(a) with
-/// D(a) = w_nn + w_nx mu_x cos a + w_ny mu_y sin a, and then D d_x = X(a) and D d_y = Y(a) are harmonics as well. The
-/// slip rule asks d_t to be antiparallel to (alpha cos a, beta sin a), alpha = mu_x/p_x^2, beta = mu_y/p_y^2.
+/// D(a) = w_nn + w_nx mu_x cos a + w_ny mu_y sin a, and then D d_x = X(a) and D d_y = Y(a) are harmonics as
+/// well. The slip rule asks d_t to be antiparallel to (alpha cos a, beta sin a), alpha = mu_x/p_x^2, beta =
+/// mu_y/p_y^2.
 class SlipEquation
 {
 public:
@@ -69,22 +68,23 @@ private:
   double alpha_, beta_;
 };
 
-Vector2d at_angle(const double angle) { return {std::cos(angle), std::sin(angle)}; }
+Vector2d at_angle(const double angle)
+{
+  return {std::cos(angle), std::sin(angle)};
+}
 
 /// Newton's method from a good start; nothing if it does not settle on an admissible angle.
 std::optional<Vector2d> root_near(const SlipEquation &equation, double angle)
 {
   constexpr unsigned int most_steps = 8;
   constexpr double largest_step = 0.3; // rad; farther than that the start was not good
-  for (unsigned int step = 0; step < most_steps; ++step)
-  {
+  for (unsigned int step = 0; step < most_steps; ++step) {
     const Vector2d e = at_angle(angle);
     const double change = equation.value(e) / equation.slope(e);
     if (!(std::abs(change) < largest_step))
       return std::nullopt;
     angle -= change;
-    if (std::abs(change) < 1e-12)
-    {
+    if (std::abs(change) < 1e-12) {
       const Vector2d root = at_angle(angle);
       return equation.is_admissible(root) ? std::optional<Vector2d>(root) : std::nullopt;
     }
@@ -102,8 +102,9 @@ double bisect(const Function &function, double left, double right)
   return 0.5 * (left + right);
 }
 
-/// All zeros over the circle. Every sign change counts, also the pairs that hide between two grid points (found by
-/// the extremum between them): for p_x/p_y far from mu_x/mu_y the admissible arc is far narrower than any grid.
+/// All zeros over the circle. Every sign change counts, also the pairs that hide between two grid points
+/// (found by the extremum between them): for p_x/p_y far from mu_x/mu_y the admissible arc is far narrower
+/// than any grid.
 class SlipRoots
 {
 public:
@@ -119,11 +120,9 @@ public:
   {
     std::optional<Vector2d> best;
     double least = std::numeric_limits<double>::max();
-    for (unsigned int i = 0; i < n_roots_; ++i)
-    {
+    for (unsigned int i = 0; i < n_roots_; ++i) {
       const double distance = std::abs(std::remainder(roots_[i] - guess, 2 * pi));
-      if (distance < least && equation_.is_admissible(at_angle(roots_[i])))
-      {
+      if (distance < least && equation_.is_admissible(at_angle(roots_[i]))) {
         least = distance;
         best = at_angle(roots_[i]);
       }
@@ -149,8 +148,7 @@ private:
     const bool is_positive = value(left) > 0;
     if ((value(right) > 0) != is_positive)
       add(bisect(value, grid_angle(i), grid_angle(i + 1)));
-    else if ((slope(left) > 0) != (slope(right) > 0))
-    {
+    else if ((slope(left) > 0) != (slope(right) > 0)) {
       const double extremum = bisect(slope, grid_angle(i), grid_angle(i + 1));
       if ((value(at_angle(extremum)) > 0) == is_positive)
         return;

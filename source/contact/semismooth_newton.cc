@@ -5,10 +5,8 @@
 
 #include <algorithm>
 
-namespace orthocone
-{
-namespace
-{
+namespace orthocone {
+namespace {
 /// Forces moved into the cone, where the law wants them.
 NodeVector admissible(const ContactProblem &problem, NodeVector force)
 {
@@ -31,13 +29,11 @@ struct LineSearch
     constexpr double smallest_step = 1. / 64;
     NodeVector moved;
     problem.compliance().vmult(moved, change);
-    for (double step = 1; step >= smallest_step; step /= 2)
-    {
+    for (double step = 1; step >= smallest_step; step /= 2) {
       NodeVector trial = force + step * change;
       NodeVector trial_displacement = displacement + step * moved;
       const double trial_error = problem.natural_map(trial, trial_displacement).norm();
-      if (trial_error <= (1 - sufficient_decrease * step) * error)
-      {
+      if (trial_error <= (1 - sufficient_decrease * step) * error) {
         force.swap(trial);
         displacement.swap(trial_displacement);
         error = trial_error;
@@ -51,25 +47,25 @@ struct LineSearch
 
 SemismoothNewton::SemismoothNewton(const ContactProblem &problem, const ContactSolverOptions &options)
     : problem_(problem), options_(options), sweeps_(problem, options)
-{}
+{
+}
 
 /// Newton iterations while each of them pays; true when converged. Leaves the best forces.
 bool SemismoothNewton::iterate_while_it_pays(NodeVector &force, unsigned int &iterations) const
 {
   constexpr unsigned int most_iterations = 12;
-  constexpr double paying_reduction = 0.7; // a sweep costs far less than an iteration that gains less than this
+  constexpr double paying_reduction =
+      0.7; // a sweep costs far less than an iteration that gains less than this
   LineSearch search{force, problem_.displacement(force), 0};
   search.error = problem_.natural_map(search.force, search.displacement).norm();
-  for (unsigned int i = 0; i < most_iterations && iterations < options_.maximum_iterations; ++i)
-  {
+  for (unsigned int i = 0; i < most_iterations && iterations < options_.maximum_iterations; ++i) {
     const double last_error = search.error;
     const NodeVector change = NewtonSystem(problem_, search.force, search.displacement).solve();
     ++iterations;
     if (!change.allFinite() || !search.advance(problem_, change))
       break;
     const NodeVector candidate = admissible(problem_, search.force);
-    if (problem_.residual(candidate) <= options_.tolerance)
-    {
+    if (problem_.residual(candidate) <= options_.tolerance) {
       force = candidate;
       return true;
     }
@@ -89,11 +85,11 @@ SolverReport SemismoothNewton::solve(NodeVector &force)
   unsigned int n_sweeps = first_sweeps;
   unsigned int iterations = 0;
   bool has_converged = problem_.residual(force) <= options_.tolerance;
-  while (!has_converged && iterations < options_.maximum_iterations)
-  {
+  while (!has_converged && iterations < options_.maximum_iterations) {
     for (unsigned int i = 0; i < n_sweeps && iterations < options_.maximum_iterations; ++i, ++iterations)
       sweeps_.sweep(force);
-    has_converged = problem_.residual(force) <= options_.tolerance || iterate_while_it_pays(force, iterations);
+    has_converged =
+        problem_.residual(force) <= options_.tolerance || iterate_while_it_pays(force, iterations);
     n_sweeps = std::min(2 * n_sweeps, most_sweeps);
   }
   return make_report(problem_, force, iterations, options_.tolerance);

@@ -7,8 +7,7 @@
 #include <orthocone/contact/contact_solver.h>
 #include <orthocone/contact/one_node.h>
 
-namespace orthocone
-{
+namespace orthocone {
 /// Gauss-Seidel sweeps: every node in turn is solved exactly with the forces of the others fixed.
 class GaussSeidel : public ContactSolver
 {
@@ -43,8 +42,8 @@ private:
   std::vector<double> rho_;
 };
 
-/// Simultaneous projections with a self-adaptive step: the projection-contraction method of He and Liao (J. Optim.
-/// Theory Appl. 112 (2002) 111-128). Needs products with W only.
+/// Simultaneous projections with a self-adaptive step: the projection-contraction method of He and Liao (J.
+/// Optim. Theory Appl. 112 (2002) 111-128). Needs products with W only.
 class Uzawa : public ContactSolver
 {
 public:
@@ -63,8 +62,8 @@ private:
   double factor_;  ///< common factor of the steps, kept from one load step to the next
 };
 
-/// Semismooth Newton on the natural map with a backtracking line search, started by exact sweeps and returning to
-/// them from the best iterate whenever it stalls, so that it inherits their robustness.
+/// Semismooth Newton on the natural map with a backtracking line search, started by exact sweeps and
+/// returning to them from the best iterate whenever it stalls, so that it inherits their robustness.
 class SemismoothNewton : public ContactSolver
 {
 public:

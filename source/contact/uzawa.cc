@@ -5,8 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace orthocone
-{
+namespace orthocone {
 using Eigen::Index;
 
 Uzawa::Uzawa(const ContactProblem &problem, const ContactSolverOptions &options)
@@ -36,8 +35,8 @@ NodeVector Uzawa::predicted(const NodeVector &force, const NodeVector &direction
 /// One prediction and one correction.
 void Uzawa::iterate(NodeVector &force)
 {
-  // Values that He and Liao recommend: the prediction is accepted while `ratio` <= largest_ratio, and the step grows
-  // when it was far too careful.
+  // Values that He and Liao recommend: the prediction is accepted while `ratio` <= largest_ratio, and the
+  // step grows when it was far too careful.
   constexpr double largest_ratio = 0.9;
   constexpr double careful_ratio = 0.5;
   constexpr double growth = 1.5;
@@ -47,8 +46,7 @@ void Uzawa::iterate(NodeVector &force)
   const NodeVector g = modified(force);
   NodeVector prediction, change, g_predicted, g_change;
   double ratio = 0;
-  for (unsigned int reduction = 0; reduction < most_reductions; ++reduction)
-  {
+  for (unsigned int reduction = 0; reduction < most_reductions; ++reduction) {
     prediction = predicted(force, g, factor_);
     change = force - prediction;
     g_predicted = modified(prediction);
@@ -74,10 +72,10 @@ SolverReport Uzawa::solve(NodeVector &force)
   constexpr unsigned int iterations_between_checks = 10;
   unsigned int n_iterations = 0;
   double residual = problem_.residual(force);
-  while (residual > options_.tolerance && n_iterations < options_.maximum_iterations && std::isfinite(residual))
-  {
-    for (unsigned int i = 0; i < iterations_between_checks && n_iterations < options_.maximum_iterations; ++i)
-    {
+  while (residual > options_.tolerance && n_iterations < options_.maximum_iterations &&
+         std::isfinite(residual)) {
+    for (unsigned int i = 0; i < iterations_between_checks && n_iterations < options_.maximum_iterations;
+         ++i) {
       iterate(force);
       ++n_iterations;
     }

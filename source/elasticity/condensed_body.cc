@@ -6,8 +6,7 @@
 
 #include <cmath>
 
-namespace orthocone
-{
+namespace orthocone {
 using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::MatrixXd;
@@ -21,8 +20,7 @@ SurfaceAxes::SurfaceAxes(const double angle)
   const double quarters = angle / right_angle;
   double cosine = std::cos(angle * dealii::numbers::PI / 180);
   double sine = std::sin(angle * dealii::numbers::PI / 180);
-  if (quarters == std::round(quarters))
-  {
+  if (quarters == std::round(quarters)) {
     cosine = std::round(cosine);
     sine = std::round(sine);
   }
@@ -41,7 +39,8 @@ CondensedBody::CondensedBody(const Discretization &discretization, const Stiffne
                              const SurfaceAxes &axes)
     : discretization_(discretization), factor_(factor), axes_(axes),
       compliance_(local_compliance(factor.trailing_inverse()))
-{}
+{
+}
 
 MatrixXd CondensedBody::local_compliance(const MatrixXd &inverse) const
 {
@@ -50,14 +49,14 @@ MatrixXd CondensedBody::local_compliance(const MatrixXd &inverse) const
   const Matrix3d turn = axes_.global_in_local();
   MatrixXd local(3 * nodes.size(), 3 * nodes.size());
   for (std::size_t j = 0; j < nodes.size(); ++j)
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-    {
+    for (std::size_t i = 0; i < nodes.size(); ++i) {
       Matrix3d block = Matrix3d::Zero();
       for (Index e = 0; e < 3; ++e)
         for (Index d = 0; d < 3; ++d)
           if (nodes[i].is_free[d] && nodes[j].is_free[e])
             block(d, e) = inverse(nodes[i].dofs[d] - n_interior, nodes[j].dofs[e] - n_interior);
-      // Any positive number serves for a held direction; the node's own size keeps the matrix well conditioned.
+      // Any positive number serves for a held direction; the node's own size keeps the matrix well
+      // conditioned.
       for (Index d = 0; d < 3; ++d)
         if (i == j && !nodes[i].is_free[d])
           block(d, d) = block(2, 2);
@@ -77,8 +76,7 @@ VectorXd CondensedBody::volume_displacement(const std::array<double, 3> &top, co
   const auto &nodes = discretization_.contact_surface().nodes;
   const Matrix3d turn = axes_.global_in_local();
   VectorXd right_side = VectorXd::Zero(discretization_.n_free());
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-  {
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Vector3d global = turn * force.segment<3>(3 * static_cast<Index>(i));
     for (Index d = 0; d < 3; ++d)
       if (nodes[i].is_free[d])
@@ -86,8 +84,7 @@ VectorXd CondensedBody::volume_displacement(const std::array<double, 3> &top, co
   }
   VectorXd displacement = VectorXd::Zero(discretization_.n_dofs());
   displacement.head(discretization_.n_free()) = factor_.solve(right_side);
-  for (unsigned int d = 0; d < 3; ++d)
-  {
+  for (unsigned int d = 0; d < 3; ++d) {
     dealii::ComponentMask component(3, false);
     component.set(d, true);
     for (const auto dof : dealii::DoFTools::extract_dofs(discretization_.dof_handler(), component))

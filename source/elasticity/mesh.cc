@@ -9,10 +9,8 @@
 
 #include <cmath>
 
-namespace orthocone
-{
-namespace
-{
+namespace orthocone {
+namespace {
 constexpr dealii::types::manifold_id rim_manifold = 1;
 
 /// Heights of the layers' faces; thickness grows or shrinks symmetrically from mid-height to both ends.
@@ -27,8 +25,8 @@ std::vector<double> layer_heights(const double height, const unsigned int n_laye
   return z;
 }
 
-bool lies_in_plane(const dealii::Triangulation<3>::face_iterator &face, const unsigned int axis, const double value,
-                   const double tolerance)
+bool lies_in_plane(const dealii::Triangulation<3>::face_iterator &face, const unsigned int axis,
+                   const double value, const double tolerance)
 {
   for (const unsigned int vertex : face->vertex_indices())
     if (std::abs(face->vertex(vertex)[axis] - value) > tolerance)
@@ -67,10 +65,10 @@ BodyMesh::BodyMesh(const GeometryOptions &geometry, const MeshOptions &options, 
   dealii::GridGenerator::extrude_triangulation(
       disc, layer_heights(geometry.height, options.layers, options.layer_grading), triangulation_);
   for (const auto &face : triangulation_.active_face_iterators())
-    if (face->at_boundary())
-    {
+    if (face->at_boundary()) {
       face->set_boundary_id(boundary_of(face, geometry, planes));
-      // With its edges: set_all_manifold_ids_on_boundary() would pass over those, whose boundary ids are not set.
+      // With its edges: set_all_manifold_ids_on_boundary() would pass over those, whose boundary ids are not
+      // set.
       if (face->boundary_id() == Boundary::lateral_surface)
         face->set_all_manifold_ids(rim_manifold);
     }

@@ -7,15 +7,13 @@
 
 #include <cmath>
 
-namespace orthocone
-{
-namespace
-{
+namespace orthocone {
+namespace {
 using dealii::CellData;
 using dealii::Point;
 
-/// Vertices and cells of the whole disc, by counting: the core block holds (n + 1)^2 vertices; every ring adds one
-/// vertex for each of the 4 n places on the core's perimeter.
+/// Vertices and cells of the whole disc, by counting: the core block holds (n + 1)^2 vertices; every ring
+/// adds one vertex for each of the 4 n places on the core's perimeter.
 class OGrid
 {
 public:
@@ -47,8 +45,7 @@ private:
   {
     const unsigned int along = place % n_;
     const auto number = [this](const unsigned int i, const unsigned int j) { return j * (n_ + 1) + i; };
-    switch (place / n_)
-    {
+    switch (place / n_) {
     case 0:
       return number(n_, along);
     case 1:
@@ -86,8 +83,7 @@ private:
   void make_cells()
   {
     for (unsigned int j = 0; j < n_; ++j)
-      for (unsigned int i = 0; i < n_; ++i)
-      {
+      for (unsigned int i = 0; i < n_; ++i) {
         const unsigned int first = j * (n_ + 1) + i;
         add_cell({{first, first + 1, first + n_ + 1, first + n_ + 2}});
       }

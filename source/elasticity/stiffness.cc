@@ -9,10 +9,8 @@
 
 #include <Eigen/Dense>
 
-namespace orthocone
-{
-namespace
-{
+namespace orthocone {
+namespace {
 constexpr unsigned int dim = 3;
 
 /// Work space of one thread.
@@ -22,11 +20,13 @@ struct Scratch
       : values(discretization.mapping(), discretization.scalar_fe(),
                dealii::QGauss<dim>(discretization.n_quadrature_points()),
                dealii::update_gradients | dealii::update_JxW_values)
-  {}
+  {
+  }
   Scratch(const Scratch &other)
       : values(other.values.get_mapping(), other.values.get_fe(), other.values.get_quadrature(),
                other.values.get_update_flags())
-  {}
+  {
+  }
 
   dealii::FEValues<dim> values;
   Eigen::MatrixXd products;  ///< integral of d_i N_a d_j N_b at (dim a + i, dim b + j)
@@ -40,28 +40,28 @@ struct CellMatrix
 };
 
 /// dofs of a cell, numbered node by node.
-std::vector<dealii::types::global_dof_index> dofs_by_node(const dealii::DoFHandler<dim>::active_cell_iterator &cell)
+std::vector<dealii::types::global_dof_index>
+dofs_by_node(const dealii::DoFHandler<dim>::active_cell_iterator &cell)
 {
   const auto &fe = cell->get_fe();
   std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
   std::vector<dealii::types::global_dof_index> sorted(dofs.size());
   cell->get_dof_indices(dofs);
-  for (unsigned int i = 0; i < dofs.size(); ++i)
-  {
+  for (unsigned int i = 0; i < dofs.size(); ++i) {
     const auto [component, node] = fe.system_to_component_index(i);
     sorted[dim * node + component] = dofs[i];
   }
   return sorted;
 }
 
-void integrate_gradient_products(const dealii::Triangulation<dim>::active_cell_iterator &cell, Scratch &scratch)
+void integrate_gradient_products(const dealii::Triangulation<dim>::active_cell_iterator &cell,
+                                 Scratch &scratch)
 {
   scratch.values.reinit(cell);
   const unsigned int n_nodes = scratch.values.dofs_per_cell;
   scratch.gradients.resize(dim * n_nodes);
   scratch.products.setZero(dim * n_nodes, dim * n_nodes);
-  for (const unsigned int q : scratch.values.quadrature_point_indices())
-  {
+  for (const unsigned int q : scratch.values.quadrature_point_indices()) {
     for (unsigned int a = 0; a < n_nodes; ++a)
       for (unsigned int i = 0; i < dim; ++i)
         scratch.gradients[dim * a + i] = scratch.values.shape_grad(a, q)[i];
@@ -74,8 +74,7 @@ void combine(const Eigen::MatrixXd &products, const LameParameters &lame, Eigen:
 {
   matrix.resizeLike(products);
   for (Eigen::Index b = 0; b < products.cols(); b += dim)
-    for (Eigen::Index a = 0; a < products.rows(); a += dim)
-    {
+    for (Eigen::Index a = 0; a < products.rows(); a += dim) {
       const Eigen::Matrix3d block = products.block<dim, dim>(a, b);
       matrix.block<dim, dim>(a, b) = lame.lambda * block + lame.mu * block.transpose() +
                                      lame.mu * block.trace() * Eigen::Matrix3d::Identity();
@@ -87,7 +86,8 @@ LameParameters::LameParameters(const MaterialOptions &material)
     : lambda(material.young_modulus * material.poisson_ratio /
              ((1 + material.poisson_ratio) * (1 - 2 * material.poisson_ratio))),
       mu(material.young_modulus / (2 * (1 + material.poisson_ratio)))
-{}
+{
+}
 
 Stiffness::Stiffness(const Discretization &discretization, const MaterialOptions &material)
 {
@@ -101,13 +101,11 @@ void Stiffness::make_pattern(const Discretization &discretization)
   dealii::DynamicSparsityPattern pattern(n_free);
   std::vector<dealii::types::global_dof_index> dofs(discretization.fe().n_dofs_per_cell());
   std::vector<dealii::types::global_dof_index> columns;
-  for (const auto &cell : discretization.dof_handler().active_cell_iterators())
-  {
+  for (const auto &cell : discretization.dof_handler().active_cell_iterators()) {
     cell->get_dof_indices(dofs);
     std::sort(dofs.begin(), dofs.end());
     columns.clear();
-    for (const auto row : dofs)
-    {
+    for (const auto row : dofs) {
       if (row >= n_free)
         break;
       columns.push_back(row);

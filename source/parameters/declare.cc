@@ -4,23 +4,23 @@
 
 #include "entries.h"
 
-namespace orthocone
-{
+namespace orthocone {
 using namespace entries;
 
-namespace
-{
+namespace {
 using dealii::ParameterHandler;
 
 void declare_geometry(GeometryOptions &geometry, ParameterHandler &handler)
 {
-  add_entry(handler, "Shape", "cylinder", Allowed("cylinder", [](const std::string &text) { return text == "cylinder"; }),
+  add_entry(handler, "Shape", "cylinder",
+            Allowed("cylinder", [](const std::string &text) { return text == "cylinder"; }),
             "Shape of the body; its base z = 0 rests on the rigid plane.", [](const std::string &) {});
   add_number(handler, "Radius", geometry.radius, positive, "Radius in mm.");
   add_number(handler, "Height", geometry.height, positive, "Height in mm.");
-  add_choice(handler, "Top face", geometry.top_face,
-             "The upper face moves as a rigid plate (clamped), or has u_z prescribed and is free sideways (guided; "
-             "only in a quarter model, where symmetry holds the body).");
+  add_choice(
+      handler, "Top face", geometry.top_face,
+      "The upper face moves as a rigid plate (clamped), or has u_z prescribed and is free sideways (guided; "
+      "only in a quarter model, where symmetry holds the body).");
 }
 
 void declare_mesh(MeshOptions &mesh, ParameterHandler &handler)
@@ -33,7 +33,8 @@ void declare_mesh(MeshOptions &mesh, ParameterHandler &handler)
   add_count(handler, "Degree", mesh.degree, 1, 3, "Polynomial degree of the elements.");
   add_count(handler, "Quadrature points", mesh.quadrature_points, 0, 10,
             "Gauss points per direction, more than the degree; 0 = degree + 1.");
-  add_number(handler, "Core ratio", mesh.core_ratio, Range{0, 1}, "Distance of the core's corners from the axis / radius.");
+  add_number(handler, "Core ratio", mesh.core_ratio, Range{0, 1},
+             "Distance of the core's corners from the axis / radius.");
   add_number(handler, "Rim grading", mesh.rim_grading, Range{0, 10, false, true},
              "Each ring is this many times as thick as the next inner one; 1 = uniform.");
   add_number(handler, "Layer grading", mesh.layer_grading, Range{0, 10, false, true},
@@ -50,9 +51,10 @@ void declare_friction(FrictionOptions &friction, ParameterHandler &handler)
 {
   add_pair(handler, "Coefficients", friction.mu, positive,
            "mu_x, mu_y: semi-axes of the friction ellipse, the section of the cone at unit normal force.");
-  add_pair(handler, "Slip potential", friction.p, positive,
-           "p_x, p_y: semi-axes of the slip ellipse; only their ratio matters. Proportional to the coefficients: "
-           "associated friction.");
+  add_pair(
+      handler, "Slip potential", friction.p, positive,
+      "p_x, p_y: semi-axes of the slip ellipse; only their ratio matters. Proportional to the coefficients: "
+      "associated friction.");
   add_number(handler, "Orthotropy angle", friction.angle, any_number,
              "Degrees from the x axis to the first axis of both ellipses.");
 }
@@ -67,9 +69,10 @@ void declare_load(LoadOptions &load, ParameterHandler &handler)
 
 void declare_contact_solver(ContactSolverOptions &solver, ParameterHandler &handler)
 {
-  add_choice(handler, "Method", solver.method,
-             "newton: semismooth Newton between exact sweeps; gauss-seidel: sweeps of exact one-node solves; uzawa: "
-             "simultaneous projections with adaptive step; feng2006: the paper's Box 3, node by node.");
+  add_choice(
+      handler, "Method", solver.method,
+      "newton: semismooth Newton between exact sweeps; gauss-seidel: sweeps of exact one-node solves; uzawa: "
+      "simultaneous projections with adaptive step; feng2006: the paper's Box 3, node by node.");
   add_number(handler, "Tolerance", solver.tolerance, Range{1e-14, 1, true, false},
              "Bound of the natural-map residual relative to the contact forces.");
   add_count(handler, "Maximum iterations", solver.maximum_iterations, 1, 10000000,

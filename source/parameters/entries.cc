@@ -2,15 +2,12 @@
 // Copyright (C) 2026 the orthocone authors
 #include "entries.h"
 
-namespace orthocone::entries
-{
-namespace
-{
+namespace orthocone::entries {
+namespace {
 std::string legs_text(const std::vector<Leg> &legs)
 {
   std::string text;
-  for (const Leg &leg : legs)
-  {
+  for (const Leg &leg : legs) {
     text += text.empty() ? "" : "; ";
     for (const double coordinate : leg.target)
       text += to_text(coordinate) + " ";
@@ -103,10 +100,11 @@ void add_legs(dealii::ParameterHandler &handler, const std::string &name, std::v
 void add_probes(dealii::ParameterHandler &handler, const std::string &name, std::vector<Probe> &value,
                 const std::string &help)
 {
-  add_entry(handler, name, probes_text(value),
-            Allowed("probes \"name: x y\" (numbers in mm; name of letters, digits, '-', '_', used once), separated "
-                    "by ';'",
-                    [](const std::string &text) { return parse_probes(text).has_value(); }),
-            help, [&value](const std::string &text) { value = *parse_probes(text); });
+  add_entry(
+      handler, name, probes_text(value),
+      Allowed("probes \"name: x y\" (numbers in mm; name of letters, digits, '-', '_', used once), separated "
+              "by ';'",
+              [](const std::string &text) { return parse_probes(text).has_value(); }),
+      help, [&value](const std::string &text) { value = *parse_probes(text); });
 }
 } // namespace orthocone::entries

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// Typed entries on top of deal.II's ParameterHandler, whose own number patterns know closed intervals only and
-// describe what is allowed in terms of C++ limits.
+// Typed entries on top of deal.II's ParameterHandler, whose own number patterns know closed intervals only
+// and describe what is allowed in terms of C++ limits.
 #pragma once
 
 #include <orthocone/parameters/text.h>
@@ -11,8 +11,7 @@
 
 #include <functional>
 
-namespace orthocone::entries
-{
+namespace orthocone::entries {
 /// Interval of numbers, open at both ends unless said otherwise, and how to tell users of it.
 struct Range
 {
@@ -34,7 +33,9 @@ class Allowed : public dealii::Patterns::PatternBase
 public:
   using Test = std::function<bool(const std::string &)>;
 
-  Allowed(std::string description, Test test) : description_(std::move(description)), test_(std::move(test)) {}
+  Allowed(std::string description, Test test) : description_(std::move(description)), test_(std::move(test))
+  {
+  }
 
   bool match(const std::string &text) const override { return test_(text); }
   std::string description(OutputStyle = Machine) const override { return description_; }
@@ -51,8 +52,8 @@ void add_number(dealii::ParameterHandler &handler, const std::string &name, doub
 void add_pair(dealii::ParameterHandler &handler, const std::string &name, std::array<double, 2> &value,
               const Range &range, const std::string &help);
 
-void add_count(dealii::ParameterHandler &handler, const std::string &name, unsigned int &value, unsigned int lower,
-               unsigned int upper, const std::string &help);
+void add_count(dealii::ParameterHandler &handler, const std::string &name, unsigned int &value,
+               unsigned int lower, unsigned int upper, const std::string &help);
 
 void add_legs(dealii::ParameterHandler &handler, const std::string &name, std::vector<Leg> &value,
               const std::string &help);
@@ -66,10 +67,12 @@ void add_entry(dealii::ParameterHandler &handler, const std::string &name, const
                const std::function<void(const std::string &)> &assign);
 
 template<typename Enum>
-void add_choice(dealii::ParameterHandler &handler, const std::string &name, Enum &value, const std::string &help)
+void add_choice(dealii::ParameterHandler &handler, const std::string &name, Enum &value,
+                const std::string &help)
 {
-  add_entry(handler, name, to_word(value),
-            Allowed(all_words<Enum>(), [](const std::string &text) { return from_word<Enum>(text).has_value(); }),
-            help, [&value](const std::string &text) { value = *from_word<Enum>(text); });
+  add_entry(
+      handler, name, to_word(value),
+      Allowed(all_words<Enum>(), [](const std::string &text) { return from_word<Enum>(text).has_value(); }),
+      help, [&value](const std::string &text) { value = *from_word<Enum>(text); });
 }
 } // namespace orthocone::entries

@@ -14,10 +14,8 @@
 #include <regex>
 #include <sstream>
 
-namespace orthocone
-{
-namespace
-{
+namespace orthocone {
+namespace {
 using dealii::ParameterHandler;
 
 constexpr const char *not_an_entry = " is not an entry; 'orthocone --defaults' lists all of them";
@@ -41,8 +39,7 @@ unsigned int line_number(const std::string &text)
 std::string explain(const SourceText &source, const std::string &text, const std::string &file_name)
 {
   const unsigned int number = line_number(text);
-  if (number == 0)
-  {
+  if (number == 0) {
     const auto open = source.open_sections(source.n_lines() + 1);
     return open.empty() ? file_name + ": " + text
                         : source.line(open.back()).place() + ": '" + trimmed(source.line(open.back()).text) +
@@ -52,14 +49,17 @@ std::string explain(const SourceText &source, const std::string &text, const std
   const std::string place = line.place() + ": ";
   const std::string path = source.path_at(number);
   std::smatch match;
-  if (std::regex_search(text, match, std::regex("entry value ?(.*) for the entry named (.*) does not match the given "
-                                                "pattern: ?(.*)")))
+  if (std::regex_search(text, match,
+                        std::regex("entry value ?(.*) for the entry named (.*) does not match the given "
+                                   "pattern: ?(.*)")))
     return place + path + match[2].str() + " = " + trimmed(match[1].str()) + ": allowed is " + match[3].str();
   if (std::regex_search(text, match, std::regex("No entry with name <(.*)> was declared")))
     return place + path + match[1].str() + not_an_entry;
   if (text.find("no such subsection") != std::string::npos)
-    return place + "'" + trimmed(line.text) + "' opens an unknown section; 'orthocone --defaults' lists all of them";
-  return place + "'" + trimmed(line.text) + "' is not understood: expected is 'subsection NAME', 'set NAME = VALUE', " +
+    return place + "'" + trimmed(line.text) +
+           "' opens an unknown section; 'orthocone --defaults' lists all of them";
+  return place + "'" + trimmed(line.text) +
+         "' is not understood: expected is 'subsection NAME', 'set NAME = VALUE', " +
          "'end', 'include FILE' or '# comment'";
 }
 
@@ -67,32 +67,24 @@ void parse_prm(const std::string &file_name, ParameterHandler &handler)
 {
   const SourceText source(file_name);
   std::istringstream stream(source.joined());
-  try
-  {
+  try {
     handler.parse_input(stream, file_name);
-  }
-  catch (const dealii::ExceptionBase &exception)
-  {
+  } catch (const dealii::ExceptionBase &exception) {
     throw InputError(explain(source, sentence(exception), file_name));
   }
 }
 
 /// Sets one entry; `place` tells users where it was given.
-void set_entry(const std::string &place, const std::string &section, const std::string &entry, const std::string &value,
-               ParameterHandler &handler)
+void set_entry(const std::string &place, const std::string &section, const std::string &entry,
+               const std::string &value, ParameterHandler &handler)
 {
   const std::string name = place + section + "/" + entry;
   handler.enter_subsection(section);
-  try
-  {
+  try {
     handler.set(entry, value);
-  }
-  catch (const ParameterHandler::ExcEntryUndeclared &)
-  {
+  } catch (const ParameterHandler::ExcEntryUndeclared &) {
     throw InputError(name + not_an_entry);
-  }
-  catch (const dealii::ExceptionBase &exception)
-  {
+  } catch (const dealii::ExceptionBase &exception) {
     std::smatch match;
     const std::string reason = sentence(exception);
     const bool is_pattern = std::regex_search(reason, match, std::regex("given pattern <(.*)>\\."));
@@ -110,8 +102,7 @@ void parse_json(const std::string &file_name, ParameterHandler &handler)
   const Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded() || !json.is_object())
     throw InputError(place + "is not valid JSON of the form {\"Section\": {\"Entry\": value}}");
-  for (const auto &[section, entries] : json.items())
-  {
+  for (const auto &[section, entries] : json.items()) {
     if (!entries.is_object())
       throw InputError(place + section + not_an_entry);
     for (const auto &[entry, value] : entries.items())
@@ -154,8 +145,9 @@ void check_parameters(const Parameters &parameters)
 {
   const MeshOptions &mesh = parameters.mesh;
   if (mesh.n_quadrature_points() <= mesh.degree)
-    throw InputError("Mesh/Quadrature points = " + std::to_string(mesh.quadrature_points) + ": with Mesh/Degree = " +
-                     std::to_string(mesh.degree) + " allowed is 0 or more than the degree (fewer points leave " +
+    throw InputError("Mesh/Quadrature points = " + std::to_string(mesh.quadrature_points) +
+                     ": with Mesh/Degree = " + std::to_string(mesh.degree) +
+                     " allowed is 0 or more than the degree (fewer points leave " +
                      "deformations without stiffness)");
   const LoadOptions &load = parameters.load;
   if (load.preload.empty() && (load.legs.empty() || load.cycles == 0))
@@ -166,7 +158,8 @@ void check_parameters(const Parameters &parameters)
   for (const Probe &probe : parameters.output.probes)
     if (std::hypot(probe.position[0], probe.position[1]) > (1 + rounding) * parameters.geometry.radius)
       throw InputError("Output/Probes: '" + probe.name + "' at (" + to_text(probe.position[0]) + ", " +
-                       to_text(probe.position[1]) + ") is off the contact surface: allowed are points within " +
+                       to_text(probe.position[1]) +
+                       ") is off the contact surface: allowed are points within " +
                        "Geometry/Radius = " + to_text(parameters.geometry.radius) + " of the axis");
 }
 } // namespace orthocone

@@ -12,10 +12,8 @@
 #include <fstream>
 #include <sstream>
 
-namespace orthocone
-{
-namespace
-{
+namespace orthocone {
+namespace {
 constexpr unsigned int deepest_include = 20;
 
 /// What stands behind `keyword` on this line, or "".
@@ -49,27 +47,31 @@ std::string read_text_file(const std::string &file_name, const std::string &aske
     throw InputError(asked_from + file_name +
                      ": is empty; 'orthocone --defaults' prints a complete parameter file to start from");
   if (!is_text(content.str()))
-    throw InputError(asked_from + file_name + ": is not a text file; a parameter file (.prm or .json) is wanted");
+    throw InputError(asked_from + file_name +
+                     ": is not a text file; a parameter file (.prm or .json) is wanted");
   return content.str();
 }
 
-SourceText::SourceText(const std::string &file_name) { append(file_name, "", 0); }
+SourceText::SourceText(const std::string &file_name)
+{
+  append(file_name, "", 0);
+}
 
 void SourceText::append(const std::string &file_name, const std::string &asked_from, const unsigned int depth)
 {
   if (depth > deepest_include)
-    throw InputError(asked_from + file_name + ": includes are nested more than " + std::to_string(deepest_include) +
-                     " deep; does the file include itself?");
+    throw InputError(asked_from + file_name + ": includes are nested more than " +
+                     std::to_string(deepest_include) + " deep; does the file include itself?");
   std::istringstream stream(read_text_file(file_name, asked_from));
   SourceLine line{"", file_name, 0};
-  while (std::getline(stream, line.text))
-  {
+  while (std::getline(stream, line.text)) {
     ++line.number;
     const std::string included = behind_keyword(line.text, "include");
     if (included.empty())
       lines_.push_back(line);
     else
-      append((std::filesystem::path(file_name).parent_path() / included).string(), line.place() + ": ", depth + 1);
+      append((std::filesystem::path(file_name).parent_path() / included).string(), line.place() + ": ",
+             depth + 1);
   }
 }
 

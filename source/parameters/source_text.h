@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-namespace orthocone
-{
+namespace orthocone {
 struct SourceLine
 {
   std::string text;
@@ -21,8 +20,8 @@ struct SourceLine
 class SourceText
 {
 public:
-  /// Reads `file_name` and, recursively, what its `include` lines name (paths relative to the including file).
-  /// Throws FileError for what cannot be read and InputError for what is not a parameter file.
+  /// Reads `file_name` and, recursively, what its `include` lines name (paths relative to the including
+  /// file). Throws FileError for what cannot be read and InputError for what is not a parameter file.
   explicit SourceText(const std::string &file_name);
 
   std::string joined() const;

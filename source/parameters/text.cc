@@ -7,10 +7,8 @@
 #include <cmath>
 #include <sstream>
 
-namespace orthocone
-{
-namespace
-{
+namespace orthocone {
+namespace {
 const char *const white_space = " \t\r\n";
 
 std::vector<std::string> words_of(const std::string &text)
@@ -96,7 +94,8 @@ std::optional<unsigned int> parse_count(const std::string &text)
   return value;
 }
 
-std::optional<std::vector<double>> parse_numbers(const std::string &text, const unsigned int n, const char separator)
+std::optional<std::vector<double>> parse_numbers(const std::string &text, const unsigned int n,
+                                                 const char separator)
 {
   const auto pieces = separator == ' ' ? words_of(text) : split(text, separator);
   const bool ends_early = !text.empty() && text.back() == separator && separator != ' ';
@@ -129,8 +128,7 @@ std::optional<std::vector<Probe>> parse_probes(const std::string &text)
   std::vector<Probe> probes;
   if (trimmed(text).empty())
     return probes;
-  for (const auto &piece : split(text, ';'))
-  {
+  for (const auto &piece : split(text, ';')) {
     const auto probe = parse_probe(piece);
     const auto has_its_name = [&](const Probe &other) { return other.name == probe->name; };
     if (!probe || std::any_of(probes.begin(), probes.end(), has_its_name))

@@ -6,14 +6,13 @@
 
 #include <sstream>
 
-namespace orthocone
-{
-namespace
-{
+namespace orthocone {
+namespace {
 using Eigen::Vector3d;
 using Patch = dealii::DataOutBase::Patch<2, 3>;
-using VectorRanges = std::vector<
-    std::tuple<unsigned int, unsigned int, std::string, dealii::DataComponentInterpretation::DataComponentInterpretation>>;
+using VectorRanges =
+    std::vector<std::tuple<unsigned int, unsigned int, std::string,
+                           dealii::DataComponentInterpretation::DataComponentInterpretation>>;
 
 /// Names and values of the fields, in one order for all nodes.
 class FieldList
@@ -48,12 +47,12 @@ private:
   void add(const std::string &name, const Vector3d &value)
   {
     const unsigned int first = values.size();
-    for (const double component : value)
-    {
+    for (const double component : value) {
       names.push_back(name);
       values.push_back(component);
     }
-    vectors.emplace_back(first, first + 2, name, dealii::DataComponentInterpretation::component_is_part_of_vector);
+    vectors.emplace_back(first, first + 2, name,
+                         dealii::DataComponentInterpretation::component_is_part_of_vector);
   }
 };
 
@@ -76,27 +75,35 @@ std::vector<Vector3d> image_signs(const SymmetryPlanes &planes)
   return signs;
 }
 
+/// Values of all fields at all nodes, in one image.
+std::vector<std::vector<double>> image_values(const std::vector<ContactFields> &fields, const Vector3d &signs)
+{
+  std::vector<std::vector<double>> values;
+  values.reserve(fields.size());
+  for (const ContactFields &node : fields)
+    values.push_back(FieldList(mirrored(node, signs)).values);
+  return values;
+}
+
 /// A face in one image. Its points are the nodes themselves, written as the last three rows of the data.
 Patch make_patch(const ContactSurface &surface, const std::vector<unsigned int> &face,
-                 const std::vector<ContactFields> &fields, const Vector3d &signs)
+                 const std::vector<std::vector<double>> &values, const Vector3d &signs)
 {
   Patch patch;
   patch.reference_cell = dealii::ReferenceCells::Quadrilateral; // its constructor leaves it invalid
   patch.n_subdivisions = surface.degree;
   patch.points_are_available = true;
-  const unsigned int n_rows = FieldList(ContactFields()).values.size();
+  const unsigned int n_rows = values.front().size();
   patch.data.reinit(n_rows + 3, face.size());
   // A reflection turns the face over; running through its first direction backwards turns it back.
   const bool is_turned = signs.prod() < 0;
   const unsigned int n_side = surface.degree + 1;
-  for (unsigned int i = 0; i < face.size(); ++i)
-  {
-    const unsigned int place = is_turned ? i - i % n_side + (n_side - 1 - i % n_side) : i;
-    const FieldList list(mirrored(fields[face[place]], signs));
+  for (unsigned int i = 0; i < face.size(); ++i) {
+    const unsigned int node = face[is_turned ? i - i % n_side + (n_side - 1 - i % n_side) : i];
     for (unsigned int row = 0; row < n_rows; ++row)
-      patch.data(row, i) = static_cast<float>(list.values[row]);
+      patch.data(row, i) = static_cast<float>(values[node][row]);
     for (unsigned int d = 0; d < 2; ++d)
-      patch.data(n_rows + d, i) = signs[d] * surface.nodes[face[place]].position[d];
+      patch.data(n_rows + d, i) = static_cast<float>(signs[d] * surface.nodes[node].position[d]);
     patch.data(n_rows + 2, i) = 0;
   }
   return patch;
@@ -107,13 +114,16 @@ std::string contact_vtu(const ContactFieldEvaluator &evaluator, const ContactSta
 {
   const auto fields = evaluator.all_fields(state);
   std::vector<Patch> patches;
-  for (const Vector3d &signs : image_signs(evaluator.planes()))
-    for (const auto &face : evaluator.surface().faces)
-      patches.push_back(make_patch(evaluator.surface(), face, fields, signs));
-  for (unsigned int i = 0; i < patches.size(); ++i)
-    patches[i].patch_index = i;
+  for (const Vector3d &signs : image_signs(evaluator.planes())) {
+    const auto values = image_values(fields, signs);
+    for (const auto &face : evaluator.surface().faces) {
+      patches.push_back(make_patch(evaluator.surface(), face, values, signs));
+      patches.back().patch_index = patches.size() - 1;
+    }
+  }
   dealii::DataOutBase::VtkFlags flags;
   flags.print_date_and_time = false;
+  flags.compression_level = dealii::DataOutBase::VtkFlags::best_speed;
   flags.write_higher_order_cells = evaluator.surface().degree > 1;
   const FieldList list{ContactFields()};
   std::ostringstream text;

@@ -7,15 +7,22 @@
 #include <cmath>
 #include <limits>
 
-namespace orthocone
-{
-namespace
-{
+namespace orthocone {
+namespace {
 using Eigen::Vector2d;
 
-std::string cell(const double value) { return to_text(value); }
-std::string cell(const unsigned int value) { return std::to_string(value); }
-std::string cell(const std::string &value) { return value; }
+std::string cell(const double value)
+{
+  return to_text(value);
+}
+std::string cell(const unsigned int value)
+{
+  return std::to_string(value);
+}
+std::string cell(const std::string &value)
+{
+  return value;
+}
 
 template<typename... Values>
 std::string row(const Values &...values)
@@ -33,19 +40,18 @@ const char *word_of(const NodeStatus status)
 /// Position of a probe in the modelled part, and the signs that lead back.
 Vector2d signs_of(const Probe &probe, const SymmetryPlanes &planes)
 {
-  return {planes.normal_to_x && probe.position[0] < 0 ? -1 : 1, planes.normal_to_y && probe.position[1] < 0 ? -1 : 1};
+  return {planes.normal_to_x && probe.position[0] < 0 ? -1 : 1,
+          planes.normal_to_y && probe.position[1] < 0 ? -1 : 1};
 }
 
 unsigned int nearest_node(const ContactSurface &surface, const Vector2d &position)
 {
   unsigned int nearest = 0;
   double least = std::numeric_limits<double>::max();
-  for (unsigned int node = 0; node < surface.nodes.size(); ++node)
-  {
+  for (unsigned int node = 0; node < surface.nodes.size(); ++node) {
     const auto &place = surface.nodes[node].position;
     const double distance = std::hypot(place[0] - position[0], place[1] - position[1]);
-    if (distance < least)
-    {
+    if (distance < least) {
       least = distance;
       nearest = node;
     }
@@ -56,13 +62,15 @@ unsigned int nearest_node(const ContactSurface &surface, const Vector2d &positio
 
 History::History(const RunFolder &folder, const ContactMethod method) : folder_(folder), method_(method)
 {
-  folder_.append("history.csv", "step,ux,uy,uz,force_x,force_y,force_z,max_slip,max_accumulated_slip,min_pressure,"
-                                "max_pressure,n_open,n_stick,n_slip,stick_area,dissipation,total_dissipation,"
-                                "elastic_energy,method,iterations,residual\n");
+  folder_.append("history.csv",
+                 "step,ux,uy,uz,force_x,force_y,force_z,max_slip,max_accumulated_slip,min_pressure,"
+                 "max_pressure,n_open,n_stick,n_slip,stick_area,dissipation,total_dissipation,"
+                 "elastic_energy,method,iterations,residual\n");
   folder_.append("timing.csv", "step,seconds,iterations\n");
 }
 
-void History::write(const ContactState &state, const Totals &totals, const SolverReport &report, const double seconds)
+void History::write(const ContactState &state, const Totals &totals, const SolverReport &report,
+                    const double seconds)
 {
   folder_.append("history.csv",
                  row(state.step, state.top[0], state.top[1], state.top[2], totals.force[0], totals.force[1],
@@ -78,20 +86,19 @@ ProbeHistories::ProbeHistories(const RunFolder &folder, const std::vector<Probe>
                                const ContactFieldEvaluator &evaluator)
     : folder_(folder), evaluator_(evaluator)
 {
-  for (const Probe &probe : probes)
-  {
+  for (const Probe &probe : probes) {
     const Vector2d signs = signs_of(probe, evaluator.planes());
     const Vector2d position = signs.cwiseProduct(Vector2d(probe.position[0], probe.position[1]));
     places_.push_back({"probe-" + probe.name + ".csv", nearest_node(evaluator.surface(), position), signs});
-    folder_.append(places_.back().file, "step,uz,slip_x,slip_y,accumulated_slip,force_n,force_x,force_y,pressure,"
-                                        "traction_x,traction_y,status\n");
+    folder_.append(places_.back().file,
+                   "step,uz,slip_x,slip_y,accumulated_slip,force_n,force_x,force_y,pressure,"
+                   "traction_x,traction_y,status\n");
   }
 }
 
 void ProbeHistories::write(const ContactState &state) const
 {
-  for (const Place &place : places_)
-  {
+  for (const Place &place : places_) {
     const ContactFields fields = evaluator_.fields(state, place.node);
     const Vector2d slip = place.signs.cwiseProduct(fields.slip.head<2>());
     const Vector2d force = place.signs.cwiseProduct(fields.nodal_force.head<2>());

@@ -10,11 +10,11 @@
 #include <iostream>
 #include <sstream>
 
-namespace orthocone
-{
+namespace orthocone {
 Log::Log(const RunFolder &folder, const bool is_quiet)
     : folder_(folder), is_quiet_(is_quiet), is_terminal_(isatty(STDOUT_FILENO) == 1)
-{}
+{
+}
 
 void Log::line(const std::string &text)
 {
@@ -24,15 +24,16 @@ void Log::line(const std::string &text)
     std::cout << text << std::endl;
 }
 
-void Log::progress(const LoadStep &step, const unsigned int n_steps, const Totals &totals, const SolverReport &report)
+void Log::progress(const LoadStep &step, const unsigned int n_steps, const Totals &totals,
+                   const SolverReport &report)
 {
   const double elapsed = watch_.seconds();
   const double remaining = elapsed / step.number * (n_steps - step.number);
   std::ostringstream text;
-  text << "step " << step.number << " of " << n_steps << "  u_z " << to_text(step.top[2]) << " mm  open/stick/slip "
-       << totals.n_open << "/" << totals.n_stick << "/" << totals.n_slip << "  " << report.iterations
-       << " iterations  residual " << std::scientific << std::setprecision(1) << report.residual << std::fixed << "  "
-       << elapsed << " s, " << remaining << " s left";
+  text << "step " << step.number << " of " << n_steps << "  u_z " << to_text(step.top[2])
+       << " mm  open/stick/slip " << totals.n_open << "/" << totals.n_stick << "/" << totals.n_slip << "  "
+       << report.iterations << " iterations  residual " << std::scientific << std::setprecision(1)
+       << report.residual << std::fixed << "  " << elapsed << " s, " << remaining << " s left";
   folder_.append("log.txt", text.str() + "\n");
   if (is_quiet_)
     return;

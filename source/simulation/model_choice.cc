@@ -8,10 +8,8 @@
 
 #include <cmath>
 
-namespace orthocone
-{
-namespace
-{
+namespace orthocone {
+namespace {
 bool is_isotropic(const FrictionOptions &friction)
 {
   return friction.mu[0] == friction.mu[1] && friction.p[0] == friction.p[1];
@@ -30,7 +28,8 @@ std::string obstacle(const Parameters &parameters, const unsigned int direction)
   if (parameters.mesh.core_cells % 2 != 0)
     return "Mesh/Core cells = " + std::to_string(parameters.mesh.core_cells) + " is odd";
   if (!is_isotropic(parameters.friction) && !has_aligned_axes(parameters.friction))
-    return "Friction/Orthotropy angle = " + to_text(parameters.friction.angle) + " turns the axes of friction";
+    return "Friction/Orthotropy angle = " + to_text(parameters.friction.angle) +
+           " turns the axes of friction";
   if (largest_motion(parameters.load, direction) > 0)
     return std::string("the load program moves the top along ") + axis;
   return {};
@@ -66,8 +65,9 @@ void check_guided_top(const Parameters &parameters, const SymmetryPlanes &planes
   if (parameters.geometry.top_face != TopFace::guided || planes.n_copies() == 4)
     return;
   if (smallest_model(parameters).n_copies() == 4)
-    throw InputError("Geometry/Top face = guided with Mesh/Model = " + to_word(parameters.mesh.model) +
-                     " is not possible: the model could drift sideways; possible models are quarter and auto");
+    throw InputError(
+        "Geometry/Top face = guided with Mesh/Model = " + to_word(parameters.mesh.model) +
+        " is not possible: the model could drift sideways; possible models are quarter and auto");
   throw InputError("Geometry/Top face = guided needs the quarter model, which is not possible: " +
                    all_obstacles(parameters));
 }
@@ -77,11 +77,11 @@ ModelChoice choose_model(const Parameters &parameters)
 {
   const SymmetryPlanes smallest = smallest_model(parameters);
   ModelChoice choice{{}, "as Mesh/Model says"};
-  switch (parameters.mesh.model)
-  {
+  switch (parameters.mesh.model) {
   case ModelKind::automatic:
-    choice = {smallest, smallest.n_copies() == 4 ? "friction, load and mesh are symmetric about x = 0 and y = 0"
-                                                 : all_obstacles(parameters)};
+    choice = {smallest, smallest.n_copies() == 4
+                            ? "friction, load and mesh are symmetric about x = 0 and y = 0"
+                            : all_obstacles(parameters)};
     break;
   case ModelKind::full:
     break;

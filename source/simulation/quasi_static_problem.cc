@@ -10,10 +10,8 @@
 
 #include <sstream>
 
-namespace orthocone
-{
-namespace
-{
+namespace orthocone {
+namespace {
 /// Returns what `work` returns and adds its wall time to `seconds`.
 template<typename Work>
 auto timed(double &seconds, const Work &work)
@@ -59,10 +57,11 @@ Body::Body(const Parameters &parameters, const SymmetryPlanes &planes)
       discretization(timed(seconds.mesh, [&] {
         return Discretization(mesh.triangulation(), parameters.mesh, parameters.geometry.top_face);
       }))
-{}
+{
+}
 
-QuasiStaticProblem::QuasiStaticProblem(const Parameters &parameters, const ModelChoice &model, const RunFolder &folder,
-                                       Log &log)
+QuasiStaticProblem::QuasiStaticProblem(const Parameters &parameters, const ModelChoice &model,
+                                       const RunFolder &folder, Log &log)
     : parameters_(parameters), model_(model), folder_(folder), log_(log), steps_(load_steps(parameters.load)),
       body_(parameters_, model_.planes), factor_(factorize()), axes_(parameters_.friction.angle),
       condensed_(timed(body_.seconds.condensation,
@@ -71,34 +70,35 @@ QuasiStaticProblem::QuasiStaticProblem(const Parameters &parameters, const Model
                std::vector<OrthotropicFriction>(body_.discretization.contact_surface().nodes.size(),
                                                 friction_of(parameters_.friction))),
       solver_(condensed_, problem_, parameters_.contact_solver), state_(problem_.n_nodes()),
-      evaluator_(body_.discretization.contact_surface(), model_.planes, axes_, friction_of(parameters_.friction)),
-      history_(folder_, parameters_.contact_solver.method), probes_(folder_, parameters_.output.probes, evaluator_),
-      summary_{"running", parameters_, model_, body_.discretization, static_cast<unsigned int>(steps_.size())}
-{}
+      evaluator_(body_.discretization.contact_surface(), model_.planes, axes_,
+                 friction_of(parameters_.friction)),
+      history_(folder_, parameters_.contact_solver.method),
+      probes_(folder_, parameters_.output.probes, evaluator_), summary_{
+                                                                   "running", parameters_, model_,
+                                                                   body_.discretization,
+                                                                   static_cast<unsigned int>(steps_.size())}
+{
+}
 
 StiffnessFactor QuasiStaticProblem::factorize()
 {
   log_.line(describe_model(parameters_, model_, body_.discretization, steps_.size()));
   for (const auto &[name, version] : versions())
     log_.line(name + " " + version);
-  const Stiffness stiffness = timed(body_.seconds.assembly, [&] {
-    return Stiffness(body_.discretization, parameters_.material);
-  });
-  return timed(body_.seconds.factorization, [&] {
-    return StiffnessFactor(stiffness.matrix(), body_.discretization.n_interior());
-  });
+  const Stiffness stiffness =
+      timed(body_.seconds.assembly, [&] { return Stiffness(body_.discretization, parameters_.material); });
+  return timed(body_.seconds.factorization,
+               [&] { return StiffnessFactor(stiffness.matrix(), body_.discretization.n_interior()); });
 }
 
 QuasiStaticProblem::Outcome QuasiStaticProblem::run()
 {
   Outcome outcome{true, ""};
-  for (const LoadStep &step : steps_)
-  {
+  for (const LoadStep &step : steps_) {
     double seconds = 0;
     const SolverReport report = timed(seconds, [&] { return solver_.solve(state_, step); });
     body_.seconds.contact += seconds;
-    if (!report.converged)
-    {
+    if (!report.converged) {
       outcome = failure(step, report);
       break;
     }
@@ -125,13 +125,11 @@ void QuasiStaticProblem::write_step(const LoadStep &step, const SolverReport &re
 void QuasiStaticProblem::write_fields(const LoadStep &step)
 {
   const OutputOptions &options = parameters_.output;
-  if (is_due(options.contact_interval, step.number, steps_.size()))
-  {
+  if (is_due(options.contact_interval, step.number, steps_.size())) {
     folder_.write(numbered("contact", step.number), contact_vtu(evaluator_, state_));
     add_record(folder_, "contact", step, contact_files_);
   }
-  if (is_due(options.volume_interval, step.number, steps_.size()))
-  {
+  if (is_due(options.volume_interval, step.number, steps_.size())) {
     folder_.write(numbered("volume", step.number),
                   volume_vtu(body_.discretization, parameters_.material,
                              condensed_.volume_displacement(state_.top, state_.force)));
@@ -150,20 +148,23 @@ void QuasiStaticProblem::finish(const Outcome &outcome)
   text << std::fixed;
   text.precision(2);
   text << "seconds: mesh " << seconds.mesh << ", assembly " << seconds.assembly << ", factorization "
-       << seconds.factorization << ", condensation " << seconds.condensation << ", contact " << seconds.contact
-       << ", output " << seconds.output << ", total " << summary_.total_seconds << "; files in " << folder_.path();
+       << seconds.factorization << ", condensation " << seconds.condensation << ", contact "
+       << seconds.contact << ", output " << seconds.output << ", total " << summary_.total_seconds
+       << "; files in " << folder_.path();
   log_.line(text.str());
 }
 
-QuasiStaticProblem::Outcome QuasiStaticProblem::failure(const LoadStep &step, const SolverReport &report) const
+QuasiStaticProblem::Outcome QuasiStaticProblem::failure(const LoadStep &step,
+                                                        const SolverReport &report) const
 {
   const auto &place = body_.discretization.contact_surface().nodes[report.worst_node].position;
   const ContactSolverOptions &options = parameters_.contact_solver;
   std::ostringstream text;
   text << "load step " << step.number << " of " << steps_.size() << " (u_z = " << to_text(step.top[2])
-       << " mm) is not solved by " << to_word(options.method) << ", not even in eighths: residual " << report.residual
-       << " > tolerance " << options.tolerance << ", penetration " << report.penetration << " mm, worst node at ("
-       << place[0] << ", " << place[1] << ") mm after " << report.iterations << " iterations.\nThe files of the steps before stay. ";
+       << " mm) is not solved by " << to_word(options.method) << ", not even in eighths: residual "
+       << report.residual << " > tolerance " << options.tolerance << ", penetration " << report.penetration
+       << " mm, worst node at (" << place[0] << ", " << place[1] << ") mm after " << report.iterations
+       << " iterations.\nThe files of the steps before stay. ";
   if (options.method == ContactMethod::newton)
     text << "Try more Contact solver/Maximum iterations, or a tolerance that rounding allows.";
   else

@@ -10,10 +10,8 @@
 #include <regex>
 #include <vector>
 
-namespace orthocone
-{
-namespace
-{
+namespace orthocone {
+namespace {
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const fs::path &file, const std::string &task, const std::string &cause)
@@ -36,7 +34,8 @@ RunFolder::RunFolder(const fs::path &path) : path_(path)
 {
   std::error_code code;
   if (fs::exists(path_, code) && !fs::is_directory(path_, code))
-    fail(path_, "cannot be the run folder", "a file of this name is in its place; --output DIR takes another one");
+    fail(path_, "cannot be the run folder",
+         "a file of this name is in its place; --output DIR takes another one");
   fs::create_directories(path_, code);
   if (code)
     fail(path_, "cannot be created as the run folder", code.message());
@@ -46,8 +45,9 @@ RunFolder::RunFolder(const fs::path &path) : path_(path)
 
 void RunFolder::remove_earlier_run() const
 {
-  const std::regex ours("(contact|volume)(-\\d+\\.vtu|\\.pvd)|probe-.*\\.csv|(history|timing)\\.csv|summary\\.json|"
-                        "(input|parameters)\\.prm|input\\.json|log\\.txt");
+  const std::regex ours(
+      "(contact|volume)(-\\d+\\.vtu|\\.pvd)|probe-.*\\.csv|(history|timing)\\.csv|summary\\.json|"
+      "(input|parameters)\\.prm|input\\.json|log\\.txt");
   std::vector<fs::path> files;
   for (const auto &entry : fs::directory_iterator(path_))
     if (std::regex_match(entry.path().filename().string(), ours))
@@ -66,18 +66,13 @@ void RunFolder::write(const std::string &name, const std::string &content) const
 {
   const fs::path temporary = path_ / (name + ".part");
   std::error_code code;
-  try
-  {
+  try {
     write_all(temporary, content, std::ios::trunc);
     fs::rename(temporary, path_ / name);
-  }
-  catch (const fs::filesystem_error &error)
-  {
+  } catch (const fs::filesystem_error &error) {
     fs::remove(temporary, code);
     fail(path_ / name, "cannot be written", error.code().message());
-  }
-  catch (const FileError &)
-  {
+  } catch (const FileError &) {
     fs::remove(temporary, code);
     throw;
   }

@@ -9,10 +9,8 @@
 
 #include <sstream>
 
-namespace orthocone
-{
-namespace
-{
+namespace orthocone {
+namespace {
 using Json = nlohmann::ordered_json;
 
 Json peak_json(const std::pair<double, unsigned int> &peak)
@@ -85,8 +83,8 @@ std::string describe_model(const Parameters &parameters, const ModelChoice &mode
   std::ostringstream text;
   text << "model          " << model.planes.name() << " (" << model.reason << ")\n"
        << "mesh           " << discretization.dof_handler().get_triangulation().n_active_cells()
-       << " hexahedra of degree " << discretization.fe().degree << ", " << discretization.n_quadrature_points()
-       << " Gauss points per direction\n"
+       << " hexahedra of degree " << discretization.fe().degree << ", "
+       << discretization.n_quadrature_points() << " Gauss points per direction\n"
        << "unknowns       " << discretization.n_free() << " of " << discretization.n_dofs()
        << " degrees of freedom\n"
        << "contact nodes  " << discretization.contact_surface().nodes.size() << "\n"

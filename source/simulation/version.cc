@@ -8,9 +8,11 @@
 #include <cholmod.h>
 #include <dlfcn.h>
 
-namespace orthocone
+namespace orthocone {
+std::string program_version()
 {
-std::string program_version() { return ORTHOCONE_VERSION " (" ORTHOCONE_REVISION ")"; }
+  return ORTHOCONE_VERSION " (" ORTHOCONE_REVISION ")";
+}
 
 std::string running_blas()
 {
@@ -20,7 +22,8 @@ std::string running_blas()
     return describe();
   Dl_info info{};
   const bool is_found = dladdr(dlsym(RTLD_DEFAULT, "dgemm_"), &info) != 0;
-  return std::string(is_found ? info.dli_fname : "unknown") + " (not OpenBLAS: dense algebra may be ten times slower)";
+  return std::string(is_found ? info.dli_fname : "unknown") +
+         " (not OpenBLAS: dense algebra may be ten times slower)";
 }
 
 std::vector<std::pair<std::string, std::string>> versions()

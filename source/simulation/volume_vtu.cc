@@ -9,10 +9,8 @@
 #include <cmath>
 #include <sstream>
 
-namespace orthocone
-{
-namespace
-{
+namespace orthocone {
+namespace {
 using Stress = dealii::SymmetricTensor<2, 3>;
 
 /// Stress of a displacement gradient: lambda tr(eps) 1 + 2 mu eps.
@@ -30,13 +28,13 @@ class StressOutput : public dealii::DataPostprocessorTensor<3>
 public:
   explicit StressOutput(const LameParameters &lame)
       : dealii::DataPostprocessorTensor<3>("stress", dealii::update_gradients), lame_(lame)
-  {}
+  {
+  }
 
   void evaluate_vector_field(const dealii::DataPostprocessorInputs::Vector<3> &input,
                              std::vector<dealii::Vector<double>> &computed) const override
   {
-    for (unsigned int p = 0; p < computed.size(); ++p)
-    {
+    for (unsigned int p = 0; p < computed.size(); ++p) {
       const Stress stress = stress_of(input.solution_gradients[p], lame_);
       for (unsigned int i = 0; i < 3; ++i)
         for (unsigned int j = 0; j < 3; ++j)
@@ -53,7 +51,8 @@ class VonMisesOutput : public dealii::DataPostprocessorScalar<3>
 public:
   explicit VonMisesOutput(const LameParameters &lame)
       : dealii::DataPostprocessorScalar<3>("von_mises_stress", dealii::update_gradients), lame_(lame)
-  {}
+  {
+  }
 
   void evaluate_vector_field(const dealii::DataPostprocessorInputs::Vector<3> &input,
                              std::vector<dealii::Vector<double>> &computed) const override
@@ -76,9 +75,8 @@ std::string volume_vtu(const Discretization &discretization, const MaterialOptio
   const VonMisesOutput von_mises(lame);
   dealii::DataOut<3> data;
   data.attach_dof_handler(discretization.dof_handler());
-  data.add_data_vector(
-      values, std::vector<std::string>(3, "displacement"), dealii::DataOut<3>::type_dof_data,
-      {3, dealii::DataComponentInterpretation::component_is_part_of_vector});
+  data.add_data_vector(values, std::vector<std::string>(3, "displacement"), dealii::DataOut<3>::type_dof_data,
+                       {3, dealii::DataComponentInterpretation::component_is_part_of_vector});
   data.add_data_vector(values, stress);
   data.add_data_vector(values, von_mises);
   const unsigned int degree = discretization.fe().degree;

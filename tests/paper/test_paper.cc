@@ -8,17 +8,20 @@
 
 #include <string>
 
-namespace orthocone::test
+namespace orthocone::test {
+namespace {
+std::string file_of(const std::string &name)
 {
-namespace
-{
-std::string file_of(const std::string &name) { return ORTHOCONE_PRM_DIR "/paper/" + name + ".prm"; }
+  return ORTHOCONE_PRM_DIR "/paper/" + name + ".prm";
+}
 
-/// Solves every step with each method from the same start and compares the forces. `newton` must converge; a method
-/// that does not is left out of the comparison, and the number of its failures is returned.
-unsigned int compare_methods(const std::string &name, const ContactMethod method, const unsigned int most_iterations)
+/// Solves every step with each method from the same start and compares the forces. `newton` must converge; a
+/// method that does not is left out of the comparison, and the number of its failures is returned.
+unsigned int compare_methods(const std::string &name, const ContactMethod method,
+                             const unsigned int most_iterations)
 {
-  Parameters parameters = read_parameters(file_of(name), {"Contact solver/Tolerance=1e-10", "Load program/Cycles=1"});
+  Parameters parameters =
+      read_parameters(file_of(name), {"Contact solver/Tolerance=1e-10", "Load program/Cycles=1"});
   Scene scene(parameters);
   ContactProblem problem(scene.condensed.compliance(),
                          std::vector<OrthotropicFriction>(scene.state.n_nodes(), scene.law));
@@ -35,9 +38,9 @@ unsigned int compare_methods(const std::string &name, const ContactMethod method
     EXPECT_DOUBLE_EQ(report.residual, problem.residual(force)) << "the report is not honest";
     if (!report.converged)
       ++n_failures;
-    else
-    {
-      EXPECT_LE((force - after.force).norm(), 1e-6 * problem.force_scale(after.force)) << name << " step " << step.number;
+    else {
+      EXPECT_LE((force - after.force).norm(), 1e-6 * problem.force_scale(after.force))
+          << name << " step " << step.number;
     }
   });
   return n_failures;
@@ -51,10 +54,12 @@ struct PrintedSlip
 };
 
 class Printed : public testing::TestWithParam<PrintedSlip>
-{};
+{
+};
 
 INSTANTIATE_TEST_SUITE_P(Cases, Printed,
-                         testing::Values(PrintedSlip{"case_a_q1", 0.0137658}, PrintedSlip{"case_b_q1", 0.0204396},
+                         testing::Values(PrintedSlip{"case_a_q1", 0.0137658},
+                                         PrintedSlip{"case_b_q1", 0.0204396},
                                          PrintedSlip{"case_c_q1", 0.0226411}),
                          [](const auto &test) { return test.param.name; });
 
@@ -62,8 +67,7 @@ TEST_P(Printed, LargestSlipAtTheFirstPeak)
 {
   Scene scene(read_parameters(file_of(GetParam().name)));
   scene.march([&](const ContactState &, const ContactState &, const LoadStep &step) {
-    if (step.number == 5)
-    {
+    if (step.number == 5) {
       EXPECT_NEAR(scene.totals().max_slip, GetParam().slip, 0.015 * GetParam().slip);
     }
   });
@@ -72,14 +76,16 @@ TEST_P(Printed, LargestSlipAtTheFirstPeak)
 // With the printed mu_y = 0.25 the slip is half of the printed one: the figure was made with 0.15.
 TEST(PrintedCoefficients, OfCaseBAreNotThoseOfItsFigure)
 {
-  Scene scene(read_parameters(file_of("case_b_printed"), {"Load program/Legs=0 0 -0.1 : 1", "Load program/Cycles=1"}));
+  Scene scene(read_parameters(file_of("case_b_printed"),
+                              {"Load program/Legs=0 0 -0.1 : 1", "Load program/Cycles=1"}));
   scene.march();
   EXPECT_NEAR(scene.totals().max_slip / 0.0204396, 0.48, 0.02);
 }
 
 TEST(Quadratic, FullHalfAndQuarterAgree)
 {
-  const std::vector<std::string> program{"Load program/Legs=0 0 -0.1 : 1 ; 0 0 -0.06 : 2", "Load program/Cycles=1"};
+  const std::vector<std::string> program{"Load program/Legs=0 0 -0.1 : 1 ; 0 0 -0.06 : 2",
+                                         "Load program/Cycles=1"};
   const auto with_model = [&](const std::string &model) {
     auto overrides = program;
     overrides.push_back("Mesh/Model=" + model);
@@ -87,8 +93,7 @@ TEST(Quadratic, FullHalfAndQuarterAgree)
   };
   Scene whole(with_model("full"));
   whole.march();
-  for (const std::string model : {"half", "quarter"})
-  {
+  for (const std::string model : {"half", "quarter"}) {
     Scene part(with_model(model));
     part.march();
     expect_same_fields(part, whole, 1e-8);
@@ -96,7 +101,8 @@ TEST(Quadratic, FullHalfAndQuarterAgree)
 }
 
 class EveryFile : public testing::TestWithParam<std::string>
-{};
+{
+};
 
 INSTANTIATE_TEST_SUITE_P(Cases, EveryFile,
                          testing::Values("case_a", "case_b", "case_c", "case_a_q1", "case_b_q1", "case_c_q1",
@@ -112,8 +118,7 @@ TEST_P(EveryFile, UzawaGivesTheForcesOfNewtonWhereItConverges)
 {
   const unsigned int n_failures = compare_methods(GetParam(), ContactMethod::uzawa, 5000);
   const bool is_associated = GetParam().substr(0, 6) != "case_c";
-  if (is_associated)
-  {
+  if (is_associated) {
     EXPECT_EQ(n_failures, 0u);
   }
 }

@@ -4,14 +4,14 @@
 
 #include <Eigen/Dense>
 
-namespace orthocone
-{
+namespace orthocone {
 /// Vectors over the contact nodes hold three numbers a node, in local axes: normal, x, y.
 using NodeVector = Eigen::VectorXd;
 
 /// Compliance W of an elastic body condensed to its contact nodes: forces r of the plane on the body (N) ->
-/// displacements W r of the contact nodes (mm). Symmetric and positive definite. A direction in which a node cannot
-/// move (a symmetry plane) has a compliance of its own, coupled with nothing, so that it never carries a force.
+/// displacements W r of the contact nodes (mm). Symmetric and positive definite. A direction in which a node
+/// cannot move (a symmetry plane) has a compliance of its own, coupled with nothing, so that it never carries
+/// a force.
 class Compliance
 {
 public:

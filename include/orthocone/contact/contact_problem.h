@@ -7,8 +7,7 @@
 
 #include <vector>
 
-namespace orthocone
-{
+namespace orthocone {
 /// Status of a contact node; the numbers are those of the output field `status`.
 enum class NodeStatus : int
 {
@@ -17,17 +16,17 @@ enum class NodeStatus : int
   slip = 2,
 };
 
-/// What happens at the contact nodes in one load step: the compliance W, the friction law of each node and the
-/// displacement q = (gap, slip since the last step) that the nodes would have without forces. With forces r (N) the
-/// relative displacement is d = q + W r (mm), and r and d obey the law node by node.
+/// What happens at the contact nodes in one load step: the compliance W, the friction law of each node and
+/// the displacement q = (gap, slip since the last step) that the nodes would have without forces. With forces
+/// r (N) the relative displacement is d = q + W r (mm), and r and d obey the law node by node.
 class ContactProblem
 {
 public:
   /// `compliance` must outlive the problem; `laws` holds one entry a node.
   ContactProblem(const Compliance &compliance, std::vector<OrthotropicFriction> laws);
 
-  /// Sets the next step by the displacements (gap, x, y) relative to the plane without forces, `free`, and at the end
-  /// of the last step, `previous`, in mm: q is the free gap and the change of the free slip.
+  /// Sets the next step by the displacements (gap, x, y) relative to the plane without forces, `free`, and at
+  /// the end of the last step, `previous`, in mm: q is the free gap and the change of the free slip.
   void set_step(const NodeVector &free, const NodeVector &previous);
 
   Eigen::Index n_nodes() const { return compliance_.n_nodes(); }
@@ -51,12 +50,12 @@ public:
   /// Natural map r - project(r - rho G(d)) of all nodes; it vanishes at the solution.
   NodeVector natural_map(const NodeVector &force, const NodeVector &displacement) const;
 
-  /// Force to which residuals are related: max(||r||, ||q|| / largest compliance), the latter being the least force
-  /// that the free displacement can cost.
+  /// Force to which residuals are related: max(||r||, ||q|| / largest compliance), the latter being the least
+  /// force that the free displacement can cost.
   double force_scale(const NodeVector &force) const;
 
-  /// ||natural map|| / force scale, from the forces alone: the measure that every solver stops on. NaN-safe: forces
-  /// that are not finite give infinity.
+  /// ||natural map|| / force scale, from the forces alone: the measure that every solver stops on. NaN-safe:
+  /// forces that are not finite give infinity.
   double residual(const NodeVector &force) const;
   double residual(const NodeVector &force, const NodeVector &displacement) const;
 

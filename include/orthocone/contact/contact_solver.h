@@ -7,17 +7,16 @@
 
 #include <memory>
 
-namespace orthocone
-{
-/// What a solver tells of one load step. All figures are recomputed from the final forces by make_report(), so that
-/// no solver judges itself.
+namespace orthocone {
+/// What a solver tells of one load step. All figures are recomputed from the final forces by make_report(),
+/// so that no solver judges itself.
 struct SolverReport
 {
   bool converged = false;
-  unsigned int iterations = 0;  ///< sweeps and Newton iterations together
-  double residual = 0;          ///< ContactProblem::residual()
-  Eigen::Index worst_node = 0;  ///< node with the largest part of the residual
-  double penetration = 0;       ///< largest -gap (mm), the paper's own measure of convergence
+  unsigned int iterations = 0; ///< sweeps and Newton iterations together
+  double residual = 0;         ///< ContactProblem::residual()
+  Eigen::Index worst_node = 0; ///< node with the largest part of the residual
+  double penetration = 0;      ///< largest -gap (mm), the paper's own measure of convergence
 };
 
 /// Report on `force` as the solution of the present step of `problem`.
@@ -34,8 +33,9 @@ public:
   virtual SolverReport solve(NodeVector &force) = 0;
 };
 
-/// The solver that the options name, for all steps of `problem`, which must outlive it. The constructor prepares what
-/// stays the same from step to step. Throws std::invalid_argument if the method needs the dense compliance and the
-/// backend has none.
-std::unique_ptr<ContactSolver> make_contact_solver(const ContactProblem &problem, const ContactSolverOptions &options);
+/// The solver that the options name, for all steps of `problem`, which must outlive it. The constructor
+/// prepares what stays the same from step to step. Throws std::invalid_argument if the method needs the dense
+/// compliance and the backend has none.
+std::unique_ptr<ContactSolver> make_contact_solver(const ContactProblem &problem,
+                                                   const ContactSolverOptions &options);
 } // namespace orthocone

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// The contact law of one node as pure functions. Local axes (normal, x, y): x and y are the axes of both ellipses.
-// Forces r act from the plane on the body; displacements are those of the body relative to the plane. Source: Feng,
-// Hjiaj, de Saxce, Mroz, Int. J. Non-Linear Mech. 41 (2006) 936-948, sections 2 and 3; docs/theory.md.
+// The contact law of one node as pure functions. Local axes (normal, x, y): x and y are the axes of both
+// ellipses. Forces r act from the plane on the body; displacements are those of the body relative to the
+// plane. Source: Feng, Hjiaj, de Saxce, Mroz, Int. J. Non-Linear Mech. 41 (2006) 936-948, sections 2 and 3;
+// docs/theory.md.
 #pragma once
 
 #include <Eigen/Dense>
 
-namespace orthocone
-{
+namespace orthocone {
 /// Semi-axes of the friction ellipse (mu) and of the slip ellipse (p).
 struct OrthotropicFriction
 {
@@ -19,12 +19,12 @@ struct OrthotropicFriction
   double p_y;
 };
 
-/// Weights (p_x/mu_x)^2, (p_y/mu_y)^2 by which the slip rule leaves the normal of the cone; both 1 if associated.
-/// This is Q^2 of the paper.
+/// Weights (p_x/mu_x)^2, (p_y/mu_y)^2 by which the slip rule leaves the normal of the cone; both 1 if
+/// associated. This is Q^2 of the paper.
 Eigen::Vector2d slip_weights(const OrthotropicFriction &law);
 
-/// The same law with p scaled so that the larger slip weight is 1. The law does not depend on the length of p, but
-/// the natural map does.
+/// The same law with p scaled so that the larger slip weight is 1. The law does not depend on the length of
+/// p, but the natural map does.
 OrthotropicFriction normalized(const OrthotropicFriction &law);
 
 /// ||r_t||_m = sqrt((r_x/mu_x)^2 + (r_y/mu_y)^2): the normal force at which r_t slips.
@@ -47,8 +47,8 @@ ConeZone cone_zone(const OrthotropicFriction &law, const Eigen::Vector3d &tau);
 Eigen::Vector3d project(const OrthotropicFriction &law, const Eigen::Vector3d &tau);
 
 /// Nearest point and the derivative of the projection there. On the surface the derivative is
-/// ray ray^T + stiffness side side^T with orthonormal vectors ray (along the generator) and side (along the cone,
-/// across the generator); `normal` completes them and spans the kernel.
+/// ray ray^T + stiffness side side^T with orthonormal vectors ray (along the generator) and side (along the
+/// cone, across the generator); `normal` completes them and spans the kernel.
 struct Projection
 {
   ConeZone zone = ConeZone::polar;
@@ -63,14 +63,16 @@ struct Projection
 
 Projection project_with_derivative(const OrthotropicFriction &law, const Eigen::Vector3d &tau);
 
-/// Modified displacement G(d) = (d_n + ||Q^2 d_t||*_m, Q^2 d_t) of the displacement d relative to the plane since
-/// the last step, with d_n the present gap. The law is: r = project(r - rho G(d)) for any rho > 0.
+/// Modified displacement G(d) = (d_n + ||Q^2 d_t||*_m, Q^2 d_t) of the displacement d relative to the plane
+/// since the last step, with d_n the present gap. The law is: r = project(r - rho G(d)) for any rho > 0.
 Eigen::Vector3d modified_displacement(const OrthotropicFriction &law, const Eigen::Vector3d &d);
 
-/// Derivative of modified_displacement(); at d_t = 0, where there is none, the one with vanishing slope of the norm.
+/// Derivative of modified_displacement(); at d_t = 0, where there is none, the one with vanishing slope of
+/// the norm.
 Eigen::Matrix3d modified_displacement_derivative(const OrthotropicFriction &law, const Eigen::Vector3d &d);
 
-/// Direction in which a node under the tangential force (r_x, r_y) slips, not normalized: -(r_x/p_x^2, r_y/p_y^2).
+/// Direction in which a node under the tangential force (r_x, r_y) slips, not normalized: -(r_x/p_x^2,
+/// r_y/p_y^2).
 Eigen::Vector2d slip_direction(const OrthotropicFriction &law, double r_x, double r_y);
 
 /// Tangential force on the body per unit normal force in steady slip along the direction (d_x, d_y) != 0.

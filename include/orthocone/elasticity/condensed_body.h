@@ -6,8 +6,7 @@
 #include <orthocone/elasticity/discretization.h>
 #include <orthocone/elasticity/stiffness_factor.h>
 
-namespace orthocone
-{
+namespace orthocone {
 /// Local axes of the contact surface: normal z, and tangents x, y turned about it.
 class SurfaceAxes
 {
@@ -25,8 +24,9 @@ private:
   Eigen::Matrix2d turn_;
 };
 
-/// The body as its contact nodes feel it. The displacement under a motion of the top and contact forces r is that
-/// rigid motion plus K^-1 r, because the rest of the body is free: the plane alone keeps it from following the top.
+/// The body as its contact nodes feel it. The displacement under a motion of the top and contact forces r is
+/// that rigid motion plus K^-1 r, because the rest of the body is free: the plane alone keeps it from
+/// following the top.
 class CondensedBody
 {
 public:

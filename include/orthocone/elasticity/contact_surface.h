@@ -5,15 +5,14 @@
 #include <array>
 #include <vector>
 
-namespace orthocone
-{
+namespace orthocone {
 /// A node of the contact surface.
 struct ContactNode
 {
-  std::array<double, 2> position;        ///< x, y in mm; the surface is z = 0
-  double area;                           ///< lumped face weight of the model's faces (mm^2)
-  std::array<unsigned int, 3> dofs;      ///< of u_x, u_y, u_z
-  std::array<bool, 3> is_free;           ///< false where a symmetry plane holds the direction
+  std::array<double, 2> position;   ///< x, y in mm; the surface is z = 0
+  double area;                      ///< lumped face weight of the model's faces (mm^2)
+  std::array<unsigned int, 3> dofs; ///< of u_x, u_y, u_z
+  std::array<bool, 3> is_free;      ///< false where a symmetry plane holds the direction
 };
 
 /// Contact nodes and the faces between them, free of mesh types.

@@ -8,8 +8,7 @@
 
 #include <string>
 
-namespace orthocone
-{
+namespace orthocone {
 /// Planes of symmetry through the axis of the body, of which only one side is modelled: x >= 0 and y >= 0.
 struct SymmetryPlanes
 {
@@ -33,9 +32,9 @@ enum Boundary : dealii::types::boundary_id
   plane_normal_to_y = 5,
 };
 
-/// Cylinder of hexahedra: an o-grid disc (a square core block and four outer blocks) extruded into layers. The mesh
-/// of a half or a quarter consists of exactly those cells of the full mesh that lie there. The rim is curved by a
-/// cylindrical manifold. Half and quarter need an even number of core cells.
+/// Cylinder of hexahedra: an o-grid disc (a square core block and four outer blocks) extruded into layers.
+/// The mesh of a half or a quarter consists of exactly those cells of the full mesh that lie there. The rim
+/// is curved by a cylindrical manifold. Half and quarter need an even number of core cells.
 class BodyMesh
 {
 public:

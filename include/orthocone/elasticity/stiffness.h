@@ -7,8 +7,7 @@
 
 #include <deal.II/lac/sparse_matrix.h>
 
-namespace orthocone
-{
+namespace orthocone {
 /// Lame's parameters in MPa.
 struct LameParameters
 {
@@ -18,8 +17,8 @@ struct LameParameters
   double mu;
 };
 
-/// Stiffness of the free degrees of freedom, n_free() x n_free() (N/mm), of isotropic linear elasticity at small
-/// strain. Only the entries on and below the diagonal are stored.
+/// Stiffness of the free degrees of freedom, n_free() x n_free() (N/mm), of isotropic linear elasticity at
+/// small strain. Only the entries on and below the diagonal are stored.
 class Stiffness
 {
 public:

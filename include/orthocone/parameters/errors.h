@@ -5,8 +5,7 @@
 #include <stdexcept>
 #include <string>
 
-namespace orthocone
-{
+namespace orthocone {
 /// Exit codes of the program, fixed by the contract with users.
 enum class ExitCode : int
 {
@@ -16,8 +15,8 @@ enum class ExitCode : int
   file_error = 4,
 };
 
-/// The command line or the parameter file is wrong. `what()` is the complete sentence for the user: file, entry,
-/// value given, what is allowed.
+/// The command line or the parameter file is wrong. `what()` is the complete sentence for the user: file,
+/// entry, value given, what is allowed.
 struct InputError : std::runtime_error
 {
   using std::runtime_error::runtime_error;

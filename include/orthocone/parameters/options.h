@@ -9,8 +9,7 @@
 #include <string>
 #include <vector>
 
-namespace orthocone
-{
+namespace orthocone {
 /// How the upper face is held: clamped (moves as a rigid plate) or guided (u_z prescribed, free sideways).
 enum class TopFace
 {
@@ -55,7 +54,7 @@ struct MeshOptions
   unsigned int quadrature_points = 0; ///< Gauss points per direction; 0: degree + 1
   double core_ratio = 0.5;            ///< core corner radius / R
   double rim_grading = 1;             ///< thickness of a ring / thickness of the next inner ring
-  double layer_grading = 1;           ///< thickness of a layer / thickness of its neighbour towards mid-height
+  double layer_grading = 1; ///< thickness of a layer / thickness of its neighbour towards mid-height
 
   unsigned int n_rings() const { return rings == 0 ? core_cells : rings; }
   unsigned int n_quadrature_points() const { return quadrature_points == 0 ? degree + 1 : quadrature_points; }
@@ -68,8 +67,8 @@ struct MaterialOptions
   double poisson_ratio = 0.3;
 };
 
-/// Section Friction: semi-axes of the friction ellipse (mu) and of the slip ellipse (p), both along axes turned by
-/// `angle` degrees from x to y.
+/// Section Friction: semi-axes of the friction ellipse (mu) and of the slip ellipse (p), both along axes
+/// turned by `angle` degrees from x to y.
 struct FrictionOptions
 {
   std::array<double, 2> mu{{0.3, 0.15}};
@@ -77,7 +76,8 @@ struct FrictionOptions
   double angle = 0;
 };
 
-/// One leg of the load program: the top moves on a straight line to `target` (ux, uy, uz in mm) in equal steps.
+/// One leg of the load program: the top moves on a straight line to `target` (ux, uy, uz in mm) in equal
+/// steps.
 struct Leg
 {
   std::array<double, 3> target{{0, 0, 0}};
@@ -96,7 +96,7 @@ struct LoadOptions
 struct ContactSolverOptions
 {
   ContactMethod method = ContactMethod::newton;
-  double tolerance = 1e-10;              ///< bound of the relative natural-map residual
+  double tolerance = 1e-10;               ///< bound of the relative natural-map residual
   unsigned int maximum_iterations = 5000; ///< sweeps or iterations of one step
   double relaxation = 1;                  ///< of the sweeps: share of the one-node solution that is taken
 };

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// Values as users write them: numbers, legs, probes, and the words of the enumerations. Every accepted word stands
-// in one table here.
+// Values as users write them: numbers, legs, probes, and the words of the enumerations. Every accepted word
+// stands in one table here.
 #pragma once
 
 #include <orthocone/parameters/options.h>
@@ -14,8 +14,7 @@
 #include <utility>
 #include <vector>
 
-namespace orthocone
-{
+namespace orthocone {
 /// Table of the words of an enumeration; specialised for each of them.
 template<typename Enum>
 struct Words;
@@ -30,10 +29,11 @@ struct Words<TopFace>
 template<>
 struct Words<ModelKind>
 {
-  static constexpr std::array<std::pair<ModelKind, std::string_view>, 4> table{{{ModelKind::automatic, "auto"},
-                                                                                {ModelKind::full, "full"},
-                                                                                {ModelKind::half, "half"},
-                                                                                {ModelKind::quarter, "quarter"}}};
+  static constexpr std::array<std::pair<ModelKind, std::string_view>, 4> table{
+      {{ModelKind::automatic, "auto"},
+       {ModelKind::full, "full"},
+       {ModelKind::half, "half"},
+       {ModelKind::quarter, "quarter"}}};
 };
 
 template<>
@@ -97,7 +97,7 @@ std::optional<std::vector<double>> parse_numbers(const std::string &text, unsign
 /// "ux uy uz : steps ; ...", possibly empty; nothing if malformed or if a leg has no steps.
 std::optional<std::vector<Leg>> parse_legs(const std::string &text);
 
-/// "name: x y ; ...", possibly empty; nothing if malformed. Names become file names: letters, digits, '-', '_',
-/// each used once.
+/// "name: x y ; ...", possibly empty; nothing if malformed. Names become file names: letters, digits, '-',
+/// '_', each used once.
 std::optional<std::vector<Probe>> parse_probes(const std::string &text);
 } // namespace orthocone

@@ -4,9 +4,9 @@
 
 #include <orthocone/contact/contact_problem.h>
 
-namespace orthocone
-{
-/// All that the next step needs to know of the past, and all that output reads. Per node of the model, local axes.
+namespace orthocone {
+/// All that the next step needs to know of the past, and all that output reads. Per node of the model, local
+/// axes.
 struct ContactState
 {
   explicit ContactState(Eigen::Index n_nodes);
@@ -22,8 +22,8 @@ struct ContactState
   std::vector<NodeStatus> status;
 };
 
-/// Enters the solution of a step into the state. Dissipation by the trapezoidal rule -(r_old + r_new)/2 . du_t,
-/// which is exact for proportional loading.
+/// Enters the solution of a step into the state. Dissipation by the trapezoidal rule -(r_old + r_new)/2 .
+/// du_t, which is exact for proportional loading.
 void advance(ContactState &state, const ContactProblem &problem, const NodeVector &force,
              const std::array<double, 3> &top);
 } // namespace orthocone

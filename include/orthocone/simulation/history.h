@@ -9,8 +9,7 @@
 #include <orthocone/simulation/run_folder.h>
 #include <orthocone/simulation/totals.h>
 
-namespace orthocone
-{
+namespace orthocone {
 /// history.csv and timing.csv: one row a step.
 class History
 {
@@ -29,7 +28,8 @@ private:
 class ProbeHistories
 {
 public:
-  ProbeHistories(const RunFolder &folder, const std::vector<Probe> &probes, const ContactFieldEvaluator &evaluator);
+  ProbeHistories(const RunFolder &folder, const std::vector<Probe> &probes,
+                 const ContactFieldEvaluator &evaluator);
 
   void write(const ContactState &state) const;
 

@@ -9,8 +9,7 @@
 
 #include <chrono>
 
-namespace orthocone
-{
+namespace orthocone {
 /// Seconds since its construction.
 class Stopwatch
 {

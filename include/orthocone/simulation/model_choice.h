@@ -5,8 +5,7 @@
 #include <orthocone/elasticity/mesh.h>
 #include <orthocone/parameters/options.h>
 
-namespace orthocone
-{
+namespace orthocone {
 /// The part of the body that is modelled, and why.
 struct ModelChoice
 {
@@ -14,7 +13,7 @@ struct ModelChoice
   std::string reason;
 };
 
-/// The model that the parameters ask for; `auto` takes the smallest that is exact for the scene. Throws InputError,
-/// naming the possible models, for one that is not.
+/// The model that the parameters ask for; `auto` takes the smallest that is exact for the scene. Throws
+/// InputError, naming the possible models, for one that is not.
 ModelChoice choose_model(const Parameters &parameters);
 } // namespace orthocone

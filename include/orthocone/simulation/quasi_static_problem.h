@@ -7,8 +7,7 @@
 #include <orthocone/simulation/step_solver.h>
 #include <orthocone/simulation/summary.h>
 
-namespace orthocone
-{
+namespace orthocone {
 /// Wall time of the phases of building the body, beside the body itself.
 struct Body
 {
@@ -19,8 +18,8 @@ struct Body
   Discretization discretization;
 };
 
-/// A body on the rigid plane through a load program, step after step. Owns every module by value; the member list is
-/// the wiring diagram of the program.
+/// A body on the rigid plane through a load program, step after step. Owns every module by value; the member
+/// list is the wiring diagram of the program.
 class QuasiStaticProblem
 {
 public:
@@ -31,8 +30,10 @@ public:
     std::string message;
   };
 
-  /// Builds, factorizes and condenses the body. Throws InputError or FileError. `folder` must outlive the problem.
-  QuasiStaticProblem(const Parameters &parameters, const ModelChoice &model, const RunFolder &folder, Log &log);
+  /// Builds, factorizes and condenses the body. Throws InputError or FileError. `folder` must outlive the
+  /// problem.
+  QuasiStaticProblem(const Parameters &parameters, const ModelChoice &model, const RunFolder &folder,
+                     Log &log);
 
   /// Solves all steps and writes the run folder. The files of solved steps stay if one fails.
   Outcome run();

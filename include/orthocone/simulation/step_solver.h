@@ -9,11 +9,10 @@
 
 #include <map>
 
-namespace orthocone
-{
-/// Remembers forces from which the next step may start: those of the last step, their extrapolation along the leg
-/// (exact while the load is proportional), and those at the same phase of the last cycle (exact once the response is
-/// periodic).
+namespace orthocone {
+/// Remembers forces from which the next step may start: those of the last step, their extrapolation along the
+/// leg (exact while the load is proportional), and those at the same phase of the last cycle (exact once the
+/// response is periodic).
 class StartForces
 {
 public:
@@ -24,12 +23,12 @@ public:
   void remember(const NodeVector &before, const NodeVector &after, const LoadStep &step);
 
 private:
-  NodeVector change_;                            ///< of the forces in the last step
+  NodeVector change_;                           ///< of the forces in the last step
   std::map<unsigned int, NodeVector> of_phase_; ///< forces at each phase of the last cycle
 };
 
-/// Solves load steps one after another. A step that fails is halved, from the state before it, so that the slip
-/// history of the attempt is forgotten.
+/// Solves load steps one after another. A step that fails is halved, from the state before it, so that the
+/// slip history of the attempt is forgotten.
 class StepSolver
 {
 public:
@@ -39,7 +38,8 @@ public:
   SolverReport solve(ContactState &state, const LoadStep &step);
 
 private:
-  SolverReport solve_to(ContactState &state, const std::array<double, 3> &top, NodeVector force, unsigned int depth);
+  SolverReport solve_to(ContactState &state, const std::array<double, 3> &top, NodeVector force,
+                        unsigned int depth);
   void set_problem(const ContactState &state, const std::array<double, 3> &top);
 
   const CondensedBody &body_;

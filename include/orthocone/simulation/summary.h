@@ -9,8 +9,7 @@
 #include <string>
 #include <utility>
 
-namespace orthocone
-{
+namespace orthocone {
 /// Wall time of the phases of a run, in seconds.
 struct PhaseSeconds
 {
@@ -53,6 +52,6 @@ struct Summary
 std::string summary_json(const Summary &summary);
 
 /// The resolved model in a few lines: kind, cells, unknowns, contact nodes, steps.
-std::string describe_model(const Parameters &parameters, const ModelChoice &model, const Discretization &discretization,
-                           unsigned int n_steps);
+std::string describe_model(const Parameters &parameters, const ModelChoice &model,
+                           const Discretization &discretization, unsigned int n_steps);
 } // namespace orthocone

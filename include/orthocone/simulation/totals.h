@@ -4,8 +4,7 @@
 
 #include <orthocone/simulation/contact_fields.h>
 
-namespace orthocone
-{
+namespace orthocone {
 /// Figures of the whole body after a step, whatever part of it is modelled.
 struct Totals
 {

@@ -7,10 +7,9 @@
 
 #include <string>
 
-namespace orthocone
-{
-/// VTU text of the contact surface of the whole body: the modelled part and its mirror images, so that pictures do not
-/// depend on the model. Lagrange cells for degree > 1.
+namespace orthocone {
+/// VTU text of the contact surface of the whole body: the modelled part and its mirror images, so that
+/// pictures do not depend on the model. Lagrange cells for degree > 1.
 std::string contact_vtu(const ContactFieldEvaluator &evaluator, const ContactState &state);
 
 /// VTU text of the modelled part of the body: displacement (mm), stress and von Mises stress (MPa).

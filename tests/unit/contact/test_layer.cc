@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// One node on an elastic layer under constant pressure, in steady slip, when the direction of the motion turns: known
-// answers for slip rule and time integration.
+// One node on an elastic layer under constant pressure, in steady slip, when the direction of the motion
+// turns: known answers for slip rule and time integration.
 #include "contact_problems.h"
 
 #include <gtest/gtest.h>
 
-namespace orthocone::test
-{
+namespace orthocone::test {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-namespace
-{
-/// Traction that the layer (shear stiffness 1, pressure 1) transmits after its top moved by `path` in `n` steps from
-/// full slip with the traction `start`.
+namespace {
+/// Traction that the layer (shear stiffness 1, pressure 1) transmits after its top moved by `path` in `n`
+/// steps from full slip with the traction `start`.
 Vector2d march(const OrthotropicFriction &law, const Vector2d &start, const Vector2d &path, const int n)
 {
   const DenseCompliance compliance(Eigen::Matrix3d::Identity());
@@ -24,8 +22,7 @@ Vector2d march(const OrthotropicFriction &law, const Vector2d &start, const Vect
   NodeVector force = Vector3d(1, -start[0], -start[1]); // of the plane on the body
   Vector2d slip = Vector2d::Zero();
   Vector2d top = start;
-  for (int step = 1; step <= n; ++step)
-  {
+  for (int step = 1; step <= n; ++step) {
     top += path / n;
     // Without forces the node follows the top, and it sinks by the layer's compression at unit pressure.
     problem.set_step(Vector3d(-1, top[0], top[1]), Vector3d(0, slip[0], slip[1]));
@@ -35,20 +32,23 @@ Vector2d march(const OrthotropicFriction &law, const Vector2d &start, const Vect
   return -force.tail<2>();
 }
 
-/// The traction's angle on the ellipse by classical Runge-Kutta steps: da/ds = tau . (V - lambda S t) / |tau|^2.
+/// The traction's angle on the ellipse by classical Runge-Kutta steps: da/ds = tau . (V - lambda S t) /
+/// |tau|^2.
 Vector2d exact(const OrthotropicFriction &law, double angle, const Vector2d &path)
 {
-  const auto traction = [&](const double a) { return Vector2d(law.mu_x * std::cos(a), law.mu_y * std::sin(a)); };
+  const auto traction = [&](const double a) {
+    return Vector2d(law.mu_x * std::cos(a), law.mu_y * std::sin(a));
+  };
   const auto rate = [&](const double a) {
     const Vector2d m(std::cos(a) / law.mu_x, std::sin(a) / law.mu_y);
     const Vector2d tangent(-law.mu_x * std::sin(a), law.mu_y * std::cos(a));
-    const Vector2d slip = Vector2d(1 / (law.p_x * law.p_x), 1 / (law.p_y * law.p_y)).cwiseProduct(traction(a));
+    const Vector2d slip =
+        Vector2d(1 / (law.p_x * law.p_x), 1 / (law.p_y * law.p_y)).cwiseProduct(traction(a));
     return tangent.dot(path - m.dot(path) / m.dot(slip) * slip) / tangent.squaredNorm();
   };
   constexpr int n = 2000;
   constexpr double h = 1. / n;
-  for (int i = 0; i < n; ++i)
-  {
+  for (int i = 0; i < n; ++i) {
     const double k1 = rate(angle);
     const double k2 = rate(angle + 0.5 * h * k1);
     const double k3 = rate(angle + 0.5 * h * k2);
@@ -69,9 +69,9 @@ TEST(Layer, ReferenceIsTheClosedFormForIsotropicFriction)
 
 TEST(Layer, TurnsTheTractionToFirstOrder)
 {
-  const std::vector<OrthotropicFriction> cases{{0.3, 0.3, 1, 1}, {0.3, 0.1, 0.3, 0.1}, {0.3, 0.15, 0.05, 0.2}};
-  for (const OrthotropicFriction &law : cases)
-  {
+  const std::vector<OrthotropicFriction> cases{
+      {0.3, 0.3, 1, 1}, {0.3, 0.1, 0.3, 0.1}, {0.3, 0.15, 0.05, 0.2}};
+  for (const OrthotropicFriction &law : cases) {
     const Vector2d start(law.mu_x, 0);
     const Vector2d path(0, 0.2);
     const Vector2d expected = exact(law, 0, path);

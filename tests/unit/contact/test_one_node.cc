@@ -8,19 +8,18 @@
 
 #include <random>
 
-namespace orthocone::test
-{
+namespace orthocone::test {
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-namespace
-{
+namespace {
 OneNodeProblem make_problem(const OrthotropicFriction &law, const Matrix3d &compliance)
 {
   return {normalized(law), compliance, compliance.inverse()};
 }
 
-/// Symmetric positive definite blocks whose coupling of normal and tangential directions does not wedge the node.
+/// Symmetric positive definite blocks whose coupling of normal and tangential directions does not wedge the
+/// node.
 Matrix3d random_compliance(std::mt19937 &generator)
 {
   std::uniform_real_distribution<double> size(0.3, 3);
@@ -46,8 +45,7 @@ TEST(OneNode, SolvesTheLawExactlyWhateverTheLoadAndTheGuess)
   const std::vector<OrthotropicFriction> laws{
       case_a, case_b, case_c, {0.3, 0.15, 0.01, 1}, {0.3, 0.15, 1, 0.01}, {0.8, 0.05, 0.05, 0.8}};
   for (const OrthotropicFriction &law : laws)
-    for (int i = 0; i < 50; ++i)
-    {
+    for (int i = 0; i < 50; ++i) {
       const OneNodeProblem problem = make_problem(law, random_compliance(generator));
       for (const Vector3d &q : directions())
         for (const Vector3d &guess : {Vector3d(0, 0, 0), Vector3d(1, 0.1, -0.1), Vector3d(1, -0.2, 0)})
@@ -62,7 +60,8 @@ TEST(OneNode, IsOpenStuckOrSlippingAsItShould)
   const OneNodeProblem problem = make_problem(case_b, Matrix3d::Identity());
   EXPECT_EQ(solve_one_node(problem, {0.1, 5, 5}, Vector3d::Zero()), Vector3d::Zero());
   EXPECT_EQ(solve_one_node(problem, {-1, 0.1, 0.1}, Vector3d::Zero()), Vector3d(1, -0.1, -0.1));
-  // With W = 1 and associated slip the law asks for r_t with q_t + r_t = -slip, slip along (r_x/mu_x^2, r_y/mu_y^2).
+  // With W = 1 and associated slip the law asks for r_t with q_t + r_t = -slip, slip along (r_x/mu_x^2,
+  // r_y/mu_y^2).
   const Vector3d r = solve_one_node(problem, {-1, 0, 1}, Vector3d::Zero());
   EXPECT_NEAR((r - Vector3d(1, 0, -0.15)).norm(), 0, 1e-13);
 }
@@ -71,11 +70,11 @@ TEST(OneNode, IsOpenStuckOrSlippingAsItShould)
 TEST(OneNode, FindsNarrowAdmissibleArcs)
 {
   for (const double ratio : {1. / 4, 1. / 16, 1. / 64})
-    for (double angle = 0.001; angle < 6.28; angle += 0.0917)
-    {
+    for (double angle = 0.001; angle < 6.28; angle += 0.0917) {
       const OneNodeProblem problem = make_problem({0.3, 0.15, ratio, 1}, Vector3d(1, 1.2, 1.2).asDiagonal());
       const Vector3d q(-1, std::cos(angle), std::sin(angle));
-      EXPECT_LE(natural_map(problem, q, solve_one_node(problem, q, Vector3d::Zero())), 1e-12) << ratio << " " << angle;
+      EXPECT_LE(natural_map(problem, q, solve_one_node(problem, q, Vector3d::Zero())), 1e-12)
+          << ratio << " " << angle;
     }
 }
 } // namespace orthocone::test

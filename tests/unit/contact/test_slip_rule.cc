@@ -4,14 +4,15 @@
 
 #include <gtest/gtest.h>
 
-namespace orthocone::test
-{
+namespace orthocone::test {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-namespace
+namespace {
+Vector2d unit(const double angle)
 {
-Vector2d unit(const double angle) { return {std::cos(angle), std::sin(angle)}; }
+  return {std::cos(angle), std::sin(angle)};
+}
 
 constexpr double degree = M_PI / 180;
 } // namespace
@@ -31,8 +32,7 @@ TEST(SlipRule, GivesTheKnownTractionsAt45Degrees)
 TEST(SlipRule, TractionLiesOnTheEllipseAndSlipFollowsFromIt)
 {
   for (const OrthotropicFriction &law : {case_a, case_b, case_c})
-    for (double angle = 0; angle < 360; angle += 7.5)
-    {
+    for (double angle = 0; angle < 360; angle += 7.5) {
       const Vector2d d = unit(angle * degree);
       const Vector2d t = sliding_traction(law, d[0], d[1]);
       EXPECT_NEAR(friction_norm(law, t[0], t[1]), 1, 1e-14);
@@ -43,14 +43,14 @@ TEST(SlipRule, TractionLiesOnTheEllipseAndSlipFollowsFromIt)
     }
 }
 
-// The variational inequality of the law: the natural map vanishes for slipping, stuck and open nodes, and only there.
+// The variational inequality of the law: the natural map vanishes for slipping, stuck and open nodes, and
+// only there.
 TEST(NaturalMap, VanishesExactlyWhereTheLawHolds)
 {
   constexpr double normal_force = 3;
   for (const OrthotropicFriction &law : {case_a, case_b, case_c})
     for (double angle = 0; angle < 360; angle += 7.5)
-      for (const double rho : {0.01, 1., 100.})
-      {
+      for (const double rho : {0.01, 1., 100.}) {
         const Vector2d d = unit(angle * degree);
         const Vector2d t = normal_force * sliding_traction(law, d[0], d[1]);
         const auto map = [&](const Vector3d &r, const Vector3d &displacement) {
@@ -58,13 +58,15 @@ TEST(NaturalMap, VanishesExactlyWhereTheLawHolds)
         };
         const Vector3d slipping(normal_force, t[0], t[1]);
         const double seen = 0.05 * std::min(rho, 1.); // a violation moves the map by about rho times its size
-        EXPECT_LE(map(slipping, {0, d[0], d[1]}), 1e-12);                                     // slip
-        EXPECT_GT(map(slipping, {0, -d[0], -d[1]}), seen * slip_weights(law).minCoeff());                                    // slip along the force
-        EXPECT_GT(map(slipping, {0.1, d[0], d[1]}), seen);                                    // force over a gap
-        EXPECT_LE(map({normal_force, 0.5 * t[0], 0.5 * t[1]}, Vector3d::Zero()), 1e-15);      // stick
-        EXPECT_GT(map({normal_force, 0.5 * t[0], 0.5 * t[1]}, {0, 0.1 * d[0], 0.1 * d[1]}), 0.1 * seen * slip_weights(law).minCoeff()); // slip inside
-        EXPECT_LE(map(Vector3d::Zero(), {0.2, d[0], d[1]}), 1e-15);                           // open
-        EXPECT_GT(map(Vector3d::Zero(), {-0.2, 0, 0}), seen);                                 // penetration
+        EXPECT_LE(map(slipping, {0, d[0], d[1]}), 1e-12); // slip
+        EXPECT_GT(map(slipping, {0, -d[0], -d[1]}),
+                  seen * slip_weights(law).minCoeff());    // slip along the force
+        EXPECT_GT(map(slipping, {0.1, d[0], d[1]}), seen); // force over a gap
+        EXPECT_LE(map({normal_force, 0.5 * t[0], 0.5 * t[1]}, Vector3d::Zero()), 1e-15); // stick
+        EXPECT_GT(map({normal_force, 0.5 * t[0], 0.5 * t[1]}, {0, 0.1 * d[0], 0.1 * d[1]}),
+                  0.1 * seen * slip_weights(law).minCoeff());       // slip inside
+        EXPECT_LE(map(Vector3d::Zero(), {0.2, d[0], d[1]}), 1e-15); // open
+        EXPECT_GT(map(Vector3d::Zero(), {-0.2, 0, 0}), seen);       // penetration
       }
 }
 
@@ -82,8 +84,7 @@ TEST(ModifiedDisplacement, HasTheDerivativeOfDifferences)
 {
   constexpr double step = 1e-6;
   for (const OrthotropicFriction &law : {case_a, case_b, case_c})
-    for (const Vector3d &d : directions())
-    {
+    for (const Vector3d &d : directions()) {
       if (d.tail<2>().norm() < 1e-3)
         continue; // the norm has a kink
       Eigen::Matrix3d differences;

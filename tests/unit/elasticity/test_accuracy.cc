@@ -4,12 +4,10 @@
 
 #include <gtest/gtest.h>
 
-namespace orthocone::test
-{
+namespace orthocone::test {
 using Eigen::VectorXd;
 
-namespace
-{
+namespace {
 const MaterialOptions material;
 
 /// A smooth displacement that vanishes on the clamped top z = 10, and its strain.
@@ -36,7 +34,10 @@ struct Exact
   }
 };
 
-Stress exact_strain(const dealii::Point<3> &p) { return symmetrize(Exact::gradient(p)); }
+Stress exact_strain(const dealii::Point<3> &p)
+{
+  return symmetrize(Exact::gradient(p));
+}
 
 /// Energy norm of the error when the body is loaded by the forces of the exact displacement.
 double energy_error(const unsigned int degree, const unsigned int n_cells)
@@ -57,15 +58,14 @@ double energy_error(const unsigned int degree, const unsigned int n_cells)
   VectorXd u = VectorXd::Zero(discretization.n_dofs());
   u.head(discretization.n_free()) = body.factor.solve(load.head(discretization.n_free()));
   dealii::FEValues<3> values(discretization.mapping(), discretization.fe(), dealii::QGauss<3>(n_points),
-                             dealii::update_gradients | dealii::update_quadrature_points | dealii::update_JxW_values);
+                             dealii::update_gradients | dealii::update_quadrature_points |
+                                 dealii::update_JxW_values);
   double energy = 0;
-  for (const auto &cell : discretization.dof_handler().active_cell_iterators())
-  {
+  for (const auto &cell : discretization.dof_handler().active_cell_iterators()) {
     values.reinit(cell);
-    for (const unsigned int q : values.quadrature_point_indices())
-    {
-      const Stress error = strain_at(values, q, discretization.dof_handler(), u) -
-                           exact_strain(values.quadrature_point(q));
+    for (const unsigned int q : values.quadrature_point_indices()) {
+      const Stress error =
+          strain_at(values, q, discretization.dof_handler(), u) - exact_strain(values.quadrature_point(q));
       energy += error * stress_of(error, body.lame) * values.JxW(q);
     }
   }
@@ -86,8 +86,7 @@ TEST(Accuracy, PatchTestOnEveryDegreeAndGradedMeshes)
   GeometryOptions geometry;
   geometry.top_face = TopFace::guided;
   for (const double poisson : {0.3, 0., -0.4, 0.49})
-    for (const unsigned int degree : {1, 2, 3})
-    {
+    for (const unsigned int degree : {1, 2, 3}) {
       MaterialOptions foam;
       foam.poisson_ratio = poisson;
       const FactorizedBody body(geometry, small_mesh(degree), foam, {true, true});
@@ -98,8 +97,7 @@ TEST(Accuracy, PatchTestOnEveryDegreeAndGradedMeshes)
         force.segment<3>(3 * static_cast<Eigen::Index>(i)) << pressure * nodes[i].area, 0, 0;
       const VectorXd u = body.condensed.volume_displacement({{0, 0, 0}}, force);
       const double strain = -pressure / foam.young_modulus;
-      for (const ContactNode &node : nodes)
-      {
+      for (const ContactNode &node : nodes) {
         EXPECT_NEAR(u[node.dofs[2]], -strain * geometry.height, 1e-12);
         for (unsigned int d = 0; d < 2; ++d)
           EXPECT_NEAR(u[node.dofs[d]], -poisson * strain * node.position[d], 1e-12);

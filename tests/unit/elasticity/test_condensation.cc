@@ -6,14 +6,12 @@
 
 #include <gtest/gtest.h>
 
-namespace orthocone::test
-{
+namespace orthocone::test {
 using Eigen::Index;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-namespace
-{
+namespace {
 constexpr SymmetryPlanes full{};
 constexpr SymmetryPlanes quarter{true, true};
 const GeometryOptions geometry;
@@ -32,12 +30,12 @@ VectorXd forces_of(const FactorizedBody &body, const VectorXd &displacement)
 }
 } // namespace
 
-// The condensed body against the full system: K u = f + r at every degree of freedom, u on the contact surface = W r.
+// The condensed body against the full system: K u = f + r at every degree of freedom, u on the contact
+// surface = W r.
 TEST(Condensation, SatisfiesTheFullSystem)
 {
   for (const SymmetryPlanes &planes : {full, quarter})
-    for (const unsigned int degree : {1, 2, 3})
-    {
+    for (const unsigned int degree : {1, 2, 3}) {
       const FactorizedBody body(geometry, small_mesh(degree), material, planes);
       const auto &surface = body.discretization.contact_surface();
       NodeVector force = uneven_forces(static_cast<Index>(surface.nodes.size()));
@@ -51,16 +49,14 @@ TEST(Condensation, SatisfiesTheFullSystem)
       EXPECT_EQ(u.tail(u.size() - body.discretization.n_free()).norm(), 0);
       NodeVector moved;
       body.condensed.compliance().vmult(moved, force);
-      for (std::size_t i = 0; i < surface.nodes.size(); ++i)
-      {
+      for (std::size_t i = 0; i < surface.nodes.size(); ++i) {
         const auto &node = surface.nodes[i];
         const Vector3d r = force.segment<3>(3 * static_cast<Index>(i));
         const Vector3d w = moved.segment<3>(3 * static_cast<Index>(i));
         EXPECT_NEAR(u[node.dofs[2]], w[0], 1e-11 * moved.norm());
         EXPECT_NEAR(internal[node.dofs[2]], r[0], 1e-10 * force.norm());
         for (Index d = 0; d < 2; ++d)
-          if (node.is_free[d])
-          {
+          if (node.is_free[d]) {
             EXPECT_NEAR(u[node.dofs[d]], w[1 + d], 1e-11 * moved.norm());
             EXPECT_NEAR(internal[node.dofs[d]], r[1 + d], 1e-10 * force.norm());
           }
@@ -79,13 +75,11 @@ TEST(Condensation, KeepsTheBodyInEquilibrium)
   Vector3d top_force = Vector3d::Zero();
   Vector3d top_moment = Vector3d::Zero();
   const auto &dof_handler = body.discretization.dof_handler();
-  for (unsigned int d = 0; d < 3; ++d)
-  {
+  for (unsigned int d = 0; d < 3; ++d) {
     dealii::ComponentMask component(3, false);
     component.set(d, true);
     for (const auto dof : dealii::DoFTools::extract_dofs(dof_handler, component))
-      if (dof >= body.discretization.n_free())
-      {
+      if (dof >= body.discretization.n_free()) {
         const auto &x = positions[dof];
         const Vector3d reaction = internal[static_cast<Index>(dof)] * Vector3d::Unit(d);
         top_force += reaction;
@@ -95,8 +89,7 @@ TEST(Condensation, KeepsTheBodyInEquilibrium)
   Vector3d base_force = Vector3d::Zero();
   Vector3d base_moment = Vector3d::Zero();
   const auto &nodes = body.discretization.contact_surface().nodes;
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-  {
+  for (std::size_t i = 0; i < nodes.size(); ++i) {
     const Vector3d local = force.segment<3>(3 * static_cast<Index>(i));
     const Vector3d r(local[1], local[2], local[0]);
     base_force += r;

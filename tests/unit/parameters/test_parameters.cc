@@ -10,10 +10,8 @@
 #include <fstream>
 #include <sstream>
 
-namespace orthocone::test
-{
-namespace
-{
+namespace orthocone::test {
+namespace {
 namespace fs = std::filesystem;
 
 /// A folder that is gone after the test.
@@ -60,8 +58,7 @@ Parameters unusual_parameters()
 TEST(Parameters, SurviveBeingWrittenAndReadAgain)
 {
   const Folder folder;
-  for (const Parameters &parameters : {Parameters(), unusual_parameters()})
-  {
+  for (const Parameters &parameters : {Parameters(), unusual_parameters()}) {
     Parameters complete = parameters;
     if (complete.load.legs.empty())
       complete.load.legs = {Leg{{{0, 0, -0.1}}, 5}};
@@ -76,8 +73,10 @@ TEST(Parameters, LaterEntriesAndOverridesWin)
   folder.write("part/base.prm", "subsection Geometry\n  set Radius = 4\n  set Height = 5\nend\n"
                                 "subsection Load program\n  set Legs = 0 0 -1 : 1\nend\n");
   folder.write("part/middle.prm", "include base.prm\nsubsection Geometry\n  set Height = 6\nend\n");
-  const std::string file = folder.write("top.prm", "# comment\ninclude part/middle.prm # relative to this file\n");
-  const Parameters parameters = read_parameters(file, {"Geometry/Radius=8", "Friction/Coefficients = 0.5, 0.6"});
+  const std::string file =
+      folder.write("top.prm", "# comment\ninclude part/middle.prm # relative to this file\n");
+  const Parameters parameters =
+      read_parameters(file, {"Geometry/Radius=8", "Friction/Coefficients = 0.5, 0.6"});
   EXPECT_EQ(parameters.geometry.radius, 8);
   EXPECT_EQ(parameters.geometry.height, 6);
   EXPECT_EQ(parameters.friction.mu, (std::array<double, 2>{{0.5, 0.6}}));
@@ -86,15 +85,13 @@ TEST(Parameters, LaterEntriesAndOverridesWin)
 TEST(Parameters, NameFileAndLineOfAFaultInAnIncludedFile)
 {
   const Folder folder;
-  const std::string part = folder.write("part/base.prm", "subsection Geometry\n\n  set Radius = -4 # mm\nend\n");
+  const std::string part =
+      folder.write("part/base.prm", "subsection Geometry\n\n  set Radius = -4 # mm\nend\n");
   const std::string file = folder.write("top.prm", "include part/base.prm\n");
-  try
-  {
+  try {
     read_parameters(file);
     FAIL() << "a negative radius was accepted";
-  }
-  catch (const InputError &error)
-  {
+  } catch (const InputError &error) {
     EXPECT_EQ(std::string(error.what()), part + ":3: Geometry/Radius = -4: allowed is a number > 0");
   }
 }
@@ -107,8 +104,9 @@ TEST(Text, ReadsLegs)
   EXPECT_EQ((*legs)[1].target, (std::array<double, 3>{{1e-3, -2, 0.5}}));
   EXPECT_EQ((*legs)[1].steps, 10u);
   EXPECT_TRUE(parse_legs("")->empty());
-  for (const char *const wrong : {"0 0 -0.1", "0 0 : 5", "0 0 0 0 : 5", "0 0 x : 5", "0 0 0 : 0", "0 0 0 : -1",
-                                  "0 0 0 : 1.5", "0 0 0 : 5 : 6", ";", "0 0 nan : 1", "0 0 1e999 : 1"})
+  for (const char *const wrong :
+       {"0 0 -0.1", "0 0 : 5", "0 0 0 0 : 5", "0 0 x : 5", "0 0 0 : 0", "0 0 0 : -1", "0 0 0 : 1.5",
+        "0 0 0 : 5 : 6", ";", "0 0 nan : 1", "0 0 1e999 : 1"})
     EXPECT_FALSE(parse_legs(wrong).has_value()) << wrong;
 }
 

@@ -14,8 +14,7 @@
 #include <cmath>
 #include <functional>
 
-namespace orthocone::test
-{
+namespace orthocone::test {
 /// Parameters of a small cylinder under the paper's cycle with the friction of its case B.
 inline Parameters small_scene(const unsigned int degree = 1)
 {
@@ -34,23 +33,27 @@ class Scene
 {
 public:
   explicit Scene(const Parameters &parameters_)
-      : parameters(parameters_), planes(choose_model(parameters).planes),
-        law{parameters.friction.mu[0], parameters.friction.mu[1], parameters.friction.p[0], parameters.friction.p[1]},
+      : parameters(parameters_),
+        planes(choose_model(parameters).planes), law{parameters.friction.mu[0], parameters.friction.mu[1],
+                                                     parameters.friction.p[0], parameters.friction.p[1]},
         mesh(parameters.geometry, parameters.mesh, planes),
         discretization(mesh.triangulation(), parameters.mesh, parameters.geometry.top_face),
         factor(Stiffness(discretization, parameters.material).matrix(), discretization.n_interior()),
         axes(parameters.friction.angle), condensed(discretization, factor, axes),
-        problem(condensed.compliance(), std::vector<OrthotropicFriction>(condensed.compliance().n_nodes(), law)),
-        evaluator(discretization.contact_surface(), planes, axes, law), state(condensed.compliance().n_nodes())
-  {}
+        problem(condensed.compliance(),
+                std::vector<OrthotropicFriction>(condensed.compliance().n_nodes(), law)),
+        evaluator(discretization.contact_surface(), planes, axes, law),
+        state(condensed.compliance().n_nodes())
+  {
+  }
 
-  using Watcher = std::function<void(const ContactState &before, const ContactState &after, const LoadStep &step)>;
+  using Watcher =
+      std::function<void(const ContactState &before, const ContactState &after, const LoadStep &step)>;
 
   void march(const Watcher &on_step = {})
   {
     StepSolver solver(condensed, problem, parameters.contact_solver);
-    for (const LoadStep &step : load_steps(parameters.load))
-    {
+    for (const LoadStep &step : load_steps(parameters.load)) {
       const ContactState before = state;
       const SolverReport report = solver.solve(state, step);
       ASSERT_TRUE(report.converged) << "step " << step.number << " residual " << report.residual;
@@ -84,20 +87,20 @@ inline int node_at(const Scene &scene, const std::array<double, 2> &position)
   return -1;
 }
 
-/// Forces and slips of all nodes of `part` equal those of `whole` at the same places, to `tolerance` relative to the
-/// largest of them.
+/// Forces and slips of all nodes of `part` equal those of `whole` at the same places, to `tolerance` relative
+/// to the largest of them.
 inline void expect_same_fields(const Scene &part, const Scene &whole, const double tolerance)
 {
   const double force = whole.totals().force[2] / static_cast<double>(whole.state.n_nodes());
   const double slip = std::max(whole.totals().max_slip, 1e-12);
   const auto &nodes = part.discretization.contact_surface().nodes;
-  for (unsigned int i = 0; i < nodes.size(); ++i)
-  {
+  for (unsigned int i = 0; i < nodes.size(); ++i) {
     const int other = node_at(whole, nodes[i].position);
     ASSERT_GE(other, 0);
     const ContactFields a = part.evaluator.fields(part.state, i);
     const ContactFields b = whole.evaluator.fields(whole.state, other);
-    EXPECT_LE((a.nodal_force - b.nodal_force).norm(), tolerance * force) << nodes[i].position[0] << " " << nodes[i].position[1];
+    EXPECT_LE((a.nodal_force - b.nodal_force).norm(), tolerance * force)
+        << nodes[i].position[0] << " " << nodes[i].position[1];
     EXPECT_LE((a.slip - b.slip).norm(), tolerance * slip);
     EXPECT_LE(std::abs(a.dissipated_energy - b.dissipated_energy), tolerance * force);
     EXPECT_EQ(a.status, b.status);

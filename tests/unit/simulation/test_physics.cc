@@ -2,13 +2,11 @@
 // Copyright (C) 2026 the orthocone authors
 #include "scenes.h"
 
-namespace orthocone::test
-{
+namespace orthocone::test {
 using Eigen::Index;
 using Eigen::Vector2d;
 
-namespace
-{
+namespace {
 constexpr double tolerance = 1e-8;
 
 const std::array<std::array<double, 2>, 2> slip_ellipses{{{{0.3, 0.15}}, {{0.05, 0.2}}}};
@@ -32,8 +30,7 @@ void expect_uniform_pressure(const Scene &scene)
 
 TEST(Physics, PressureIsUniformWithoutFriction)
 {
-  for (const unsigned int degree : {1, 2, 3})
-  {
+  for (const unsigned int degree : {1, 2, 3}) {
     Parameters parameters = small_scene(degree);
     parameters.mesh.rim_grading = 0.6;
     parameters.mesh.layer_grading = 0.7;
@@ -52,8 +49,8 @@ TEST(Physics, PressureIsUniformWithoutFriction)
   }
 }
 
-// A body that sticks everywhere is the body clamped at its base: nothing moves there, and by uniqueness of the linear
-// problem equilibrium of the interior (tested with the condensation) does the rest.
+// A body that sticks everywhere is the body clamped at its base: nothing moves there, and by uniqueness of
+// the linear problem equilibrium of the interior (tested with the condensation) does the rest.
 TEST(Physics, StickingEverywhereIsClampedAtTheBase)
 {
   Parameters parameters = small_scene(2);
@@ -70,12 +67,10 @@ TEST(Physics, StickingEverywhereIsClampedAtTheBase)
 
 TEST(Physics, MonotoneLoadingIsProportional)
 {
-  for (const auto &p : slip_ellipses)
-  {
+  for (const auto &p : slip_ellipses) {
     Scene once(loaded_in(1, p));
     once.march();
-    for (const unsigned int n_steps : {5, 50})
-    {
+    for (const unsigned int n_steps : {5, 50}) {
       Scene often(loaded_in(n_steps, p));
       often.march();
       expect_same_fields(often, once, tolerance);
@@ -110,27 +105,26 @@ TEST(Physics, ScalesWithDisplacementAndModulus)
 
 TEST(Physics, FrictionNeverDrives)
 {
-  for (const auto &p : slip_ellipses)
-  {
+  for (const auto &p : slip_ellipses) {
     Parameters parameters = small_scene(1);
     parameters.friction.p = p;
     Scene scene(parameters);
     scene.march([](const ContactState &before, const ContactState &after, const LoadStep &step) {
-      for (Index i = 0; i < after.n_nodes(); ++i)
-      {
-        const Vector2d change = after.displacement.segment<2>(3 * i + 1) - before.displacement.segment<2>(3 * i + 1);
-        EXPECT_LE(after.force.segment<2>(3 * i + 1).dot(change), 1e-9) << "step " << step.number << " node " << i;
+      for (Index i = 0; i < after.n_nodes(); ++i) {
+        const Vector2d change =
+            after.displacement.segment<2>(3 * i + 1) - before.displacement.segment<2>(3 * i + 1);
+        EXPECT_LE(after.force.segment<2>(3 * i + 1).dot(change), 1e-9)
+            << "step " << step.number << " node " << i;
       }
     });
   }
 }
 
-// Work of the top = change of elastic energy + dissipation. With trapezoidal sums this holds to rounding, except for
-// the work of the normal forces at nodes that open or close within a step.
+// Work of the top = change of elastic energy + dissipation. With trapezoidal sums this holds to rounding,
+// except for the work of the normal forces at nodes that open or close within a step.
 TEST(Physics, EnergyBalances)
 {
-  for (const auto &p : slip_ellipses)
-  {
+  for (const auto &p : slip_ellipses) {
     Parameters parameters = small_scene(2);
     parameters.friction.p = p;
     parameters.load.legs = {Leg{{{0, 0, -0.1}}, 2}, Leg{{{0.004, 0.003, -0.08}}, 3}, Leg{{{0, 0, -0.03}}, 4}};
@@ -149,12 +143,11 @@ TEST(Physics, EnergyBalances)
   }
 }
 
-// Down and up again: everything is undone, and the area of the force-displacement loop is the dissipation up to the
-// time integration's error, which falls with the number of steps.
+// Down and up again: everything is undone, and the area of the force-displacement loop is the dissipation up
+// to the time integration's error, which falls with the number of steps.
 TEST(Physics, FullUnloadingErasesTheHistory)
 {
-  for (const auto &p : slip_ellipses)
-  {
+  for (const auto &p : slip_ellipses) {
     Parameters parameters = small_scene(1);
     parameters.friction.p = p;
     parameters.load.cycles = 2;
@@ -193,8 +186,7 @@ TEST(Physics, PartialUnloadingKeepsTheHistory)
 // The whole body in steady gross sliding: every node follows the top, and the resultant is the slip rule's.
 TEST(Physics, GrossSlidingHasTheResultantOfTheSlipRule)
 {
-  for (const auto &p : std::vector<std::array<double, 2>>{{{0.8, 0.4}}, {{1, 1}}})
-  {
+  for (const auto &p : std::vector<std::array<double, 2>>{{{0.8, 0.4}}, {{1, 1}}}) {
     Parameters parameters = small_scene(1);
     parameters.friction.mu = {{0.8, 0.4}};
     parameters.friction.p = p;

@@ -6,10 +6,8 @@
 
 #include <gtest/gtest.h>
 
-namespace orthocone::test
-{
-namespace
-{
+namespace orthocone::test {
+namespace {
 Parameters scene()
 {
   Parameters parameters;
@@ -17,7 +15,10 @@ Parameters scene()
   return parameters;
 }
 
-std::string chosen(const Parameters &parameters) { return choose_model(parameters).planes.name(); }
+std::string chosen(const Parameters &parameters)
+{
+  return choose_model(parameters).planes.name();
+}
 } // namespace
 
 TEST(LoadProgram, PassesThroughPreloadAndCycles)
@@ -35,8 +36,7 @@ TEST(LoadProgram, PassesThroughPreloadAndCycles)
   EXPECT_EQ(steps[4].step_of_leg, 1u);
   for (std::size_t i = 0; i < steps.size(); ++i)
     EXPECT_EQ(steps[i].number, i + 1);
-  for (std::size_t i = 8; i < steps.size(); ++i)
-  {
+  for (std::size_t i = 8; i < steps.size(); ++i) {
     EXPECT_EQ(steps[i].top, steps[i - 6].top); // to the last bit
     EXPECT_EQ(steps[i].phase, steps[i - 6].phase);
   }
@@ -75,14 +75,12 @@ TEST(ModelChoice, RejectsWhatIsNotExactAndSaysWhatIs)
   Parameters parameters = scene();
   parameters.load.legs.push_back(Leg{{{0.1, 0, 0}}, 1});
   parameters.mesh.model = ModelKind::quarter;
-  try
-  {
+  try {
     choose_model(parameters);
     FAIL() << "a quarter with a tangential leg was accepted";
-  }
-  catch (const InputError &error)
-  {
-    EXPECT_NE(std::string(error.what()).find("possible models are full, half"), std::string::npos) << error.what();
+  } catch (const InputError &error) {
+    EXPECT_NE(std::string(error.what()).find("possible models are full, half"), std::string::npos)
+        << error.what();
   }
   parameters.mesh.model = ModelKind::half;
   EXPECT_EQ(chosen(parameters), "half");
