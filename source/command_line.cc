@@ -8,8 +8,10 @@
 
 #include <sstream>
 
-namespace orthocone {
-namespace {
+namespace orthocone
+{
+namespace
+{
 namespace po = boost::program_options;
 
 po::options_description visible_options()
@@ -49,12 +51,15 @@ CommandLine parse_command_line(const int argc, const char *const *const argv)
   po::positional_options_description positional;
   positional.add("file", 1);
   po::variables_map values;
-  try {
+  try
+  {
     // No abbreviations: an option that is added later must not change what a script means.
     constexpr auto style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
     po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
               values);
-  } catch (const po::error &error) {
+  }
+  catch (const po::error &error)
+  {
     throw InputError(std::string("command line: ") + error.what() + "; 'orthocone --help' lists the options");
   }
   CommandLine line = from(values);

@@ -5,7 +5,8 @@
 #include <string>
 #include <vector>
 
-namespace orthocone {
+namespace orthocone
+{
 /// What the command line asks for.
 struct CommandLine
 {

@@ -16,7 +16,8 @@
 
 using namespace orthocone;
 
-namespace {
+namespace
+{
 int exit_code(const ExitCode code)
 {
   return static_cast<int>(code);
@@ -52,10 +53,13 @@ void keep_parameters(const RunFolder &folder, const CommandLine &line, const Par
 /// Checks what entries have to do with each other; faults are told with the name of the file.
 ModelChoice resolve(const CommandLine &line, const Parameters &parameters)
 {
-  try {
+  try
+  {
     check_parameters(parameters);
     return choose_model(parameters);
-  } catch (const InputError &error) {
+  }
+  catch (const InputError &error)
+  {
     throw InputError(line.parameter_file + ": " + error.what());
   }
 }
@@ -93,20 +97,31 @@ int dispatch(const int argc, const char *const *const argv)
 
 int main(const int argc, const char *const *const argv)
 {
-  try {
+  try
+  {
     return dispatch(argc, argv);
-  } catch (const InputError &error) {
+  }
+  catch (const InputError &error)
+  {
     return fail(ExitCode::wrong_input, error.what());
-  } catch (const FileError &error) {
+  }
+  catch (const FileError &error)
+  {
     return fail(ExitCode::file_error, error.what());
-  } catch (const dealii::ExceptionBase &error) {
+  }
+  catch (const dealii::ExceptionBase &error)
+  {
     std::ostringstream text;
     error.print_info(text);
     return fail(ExitCode::unsolved_step, text.str());
-  } catch (const std::bad_alloc &) {
+  }
+  catch (const std::bad_alloc &)
+  {
     return fail(ExitCode::unsolved_step,
                 "memory runs out; a coarser mesh or a reduced Mesh/Model needs less");
-  } catch (const std::exception &error) {
+  }
+  catch (const std::exception &error)
+  {
     return fail(ExitCode::unsolved_step, error.what());
   }
 }

@@ -4,8 +4,10 @@
 
 #include <utility>
 
-namespace orthocone {
-DenseCompliance::DenseCompliance(Eigen::MatrixXd matrix) : matrix_(std::move(matrix))
+namespace orthocone
+{
+DenseCompliance::DenseCompliance(Eigen::MatrixXd matrix)
+    : matrix_(std::move(matrix))
 {
   eigen_assert(matrix_.rows() == matrix_.cols() && matrix_.rows() % 3 == 0);
 }

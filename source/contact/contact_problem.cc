@@ -7,15 +7,19 @@
 #include <limits>
 #include <utility>
 
-namespace orthocone {
+namespace orthocone
+{
 using Eigen::Index;
 using Eigen::Vector3d;
 
 ContactProblem::ContactProblem(const Compliance &compliance, std::vector<OrthotropicFriction> laws)
-    : compliance_(compliance), given_laws_(std::move(laws)), free_(NodeVector::Zero(3 * compliance.n_nodes()))
+    : compliance_(compliance),
+      given_laws_(std::move(laws)),
+      free_(NodeVector::Zero(3 * compliance.n_nodes()))
 {
   eigen_assert(static_cast<Index>(given_laws_.size()) == n_nodes());
-  for (Index node = 0; node < n_nodes(); ++node) {
+  for (Index node = 0; node < n_nodes(); ++node)
+  {
     laws_.push_back(normalized(given_laws_[node]));
     rho_.push_back(1 / compliance_.diagonal_block(node).diagonal().maxCoeff());
   }
@@ -29,7 +33,8 @@ double ContactProblem::estimate_largest_compliance() const
   NodeVector vector = NodeVector::LinSpaced(3 * n_nodes(), 1, 1.1);
   NodeVector image;
   double eigenvalue = 0;
-  for (unsigned int iteration = 0; iteration < n_iterations; ++iteration) {
+  for (unsigned int iteration = 0; iteration < n_iterations; ++iteration)
+  {
     vector.normalize();
     compliance_.vmult(image, vector);
     eigenvalue = image.norm();
@@ -44,7 +49,8 @@ void ContactProblem::set_step(const NodeVector &free, const NodeVector &previous
   constexpr double rounding = 1e-12;
   negligible_force_ = 0;
   free_ = free;
-  for (Index node = 0; node < n_nodes(); ++node) {
+  for (Index node = 0; node < n_nodes(); ++node)
+  {
     free_.segment<2>(3 * node + 1) -= previous.segment<2>(3 * node + 1);
     const double force_to_hold = rho_[node] * free_.segment<3>(3 * node).norm();
     negligible_force_ = std::max(negligible_force_, rounding * force_to_hold);
@@ -62,7 +68,8 @@ NodeVector ContactProblem::displacement(const NodeVector &force) const
 NodeVector ContactProblem::natural_map(const NodeVector &force, const NodeVector &displacement) const
 {
   NodeVector map(force.size());
-  for (Index node = 0; node < n_nodes(); ++node) {
+  for (Index node = 0; node < n_nodes(); ++node)
+  {
     const Vector3d r = force.segment<3>(3 * node);
     const Vector3d g = modified_displacement(laws_[node], displacement.segment<3>(3 * node));
     map.segment<3>(3 * node) = r - project(laws_[node], r - rho_[node] * g);
@@ -96,7 +103,8 @@ NodeStatus ContactProblem::status(const Index node, const NodeVector &force,
   if (r[0] <= negligible_force_)
     return NodeStatus::open;
   const Vector3d g = modified_displacement(laws_[node], displacement.segment<3>(3 * node));
-  switch (cone_zone(laws_[node], r - rho_[node] * g)) {
+  switch (cone_zone(laws_[node], r - rho_[node] * g))
+  {
   case ConeZone::polar:
     return NodeStatus::open;
   case ConeZone::inside:

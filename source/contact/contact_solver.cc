@@ -7,7 +7,8 @@
 #include <stdexcept>
 #include <string>
 
-namespace orthocone {
+namespace orthocone
+{
 SolverReport make_report(const ContactProblem &problem, const NodeVector &force,
                          const unsigned int iterations, const double tolerance)
 {
@@ -18,9 +19,11 @@ SolverReport make_report(const ContactProblem &problem, const NodeVector &force,
   report.residual = problem.residual(force, d);
   report.converged = report.residual <= tolerance;
   double worst = -1;
-  for (Eigen::Index node = 0; node < problem.n_nodes(); ++node) {
+  for (Eigen::Index node = 0; node < problem.n_nodes(); ++node)
+  {
     const double error = map.segment<3>(3 * node).norm();
-    if (error > worst || std::isnan(error)) {
+    if (error > worst || std::isnan(error))
+    {
       worst = error;
       report.worst_node = node;
     }
@@ -41,7 +44,8 @@ const Eigen::MatrixXd &dense_compliance(const ContactProblem &problem, const cha
 std::unique_ptr<ContactSolver> make_contact_solver(const ContactProblem &problem,
                                                    const ContactSolverOptions &options)
 {
-  switch (options.method) {
+  switch (options.method)
+  {
   case ContactMethod::newton:
     return std::make_unique<SemismoothNewton>(problem, options);
   case ContactMethod::gauss_seidel:

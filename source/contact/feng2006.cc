@@ -4,12 +4,14 @@
 
 #include <cmath>
 
-namespace orthocone {
+namespace orthocone
+{
 using Eigen::Index;
 using Eigen::Vector3d;
 
 Feng2006::Feng2006(const ContactProblem &problem, const ContactSolverOptions &options)
-    : problem_(problem), options_(options)
+    : problem_(problem),
+      options_(options)
 {
   dense_compliance(problem, "feng2006");
   for (Index node = 0; node < problem.n_nodes(); ++node)
@@ -20,7 +22,8 @@ void Feng2006::sweep(NodeVector &force) const
 {
   const Eigen::MatrixXd &w = *problem_.compliance().dense();
   const NodeVector &q = problem_.free_displacement();
-  for (Index node = 0; node < problem_.n_nodes(); ++node) {
+  for (Index node = 0; node < problem_.n_nodes(); ++node)
+  {
     const OrthotropicFriction &law = problem_.given_law(node);
     const Vector3d d = q.segment<3>(3 * node) + w.middleCols<3>(3 * node).transpose() * force;
     const Vector3d r = force.segment<3>(3 * node);
@@ -33,7 +36,8 @@ SolverReport Feng2006::solve(NodeVector &force)
   constexpr unsigned int sweeps_between_checks = 5;
   unsigned int n_sweeps = 0;
   double residual = problem_.residual(force);
-  while (residual > options_.tolerance && n_sweeps < options_.maximum_iterations && std::isfinite(residual)) {
+  while (residual > options_.tolerance && n_sweeps < options_.maximum_iterations && std::isfinite(residual))
+  {
     for (unsigned int i = 0; i < sweeps_between_checks && n_sweeps < options_.maximum_iterations;
          ++i, ++n_sweeps)
       sweep(force);

@@ -6,8 +6,10 @@
 #include <cmath>
 #include <limits>
 
-namespace orthocone {
-namespace {
+namespace orthocone
+{
+namespace
+{
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
@@ -38,7 +40,8 @@ double multiplier(const OrthotropicFriction &law, const Vector3d &tau)
   double lower = tau[0] > 0 ? 0 : 1;
   double upper = tau[0] > 0 ? 1 : std::numeric_limits<double>::infinity();
   double lambda = tau[0] > 0 ? 0 : 1;
-  for (unsigned int step = 0; step < most_newton_steps && tau[0] != 0; ++step) {
+  for (unsigned int step = 0; step < most_newton_steps && tau[0] != 0; ++step)
+  {
     const Vector2d r = tangential_point(law, tau, lambda);
     const double norm = friction_norm(law, r[0], r[1]);
     const double value = 1 - lambda - tau[0] / norm;
@@ -98,7 +101,8 @@ ConeZone cone_zone(const OrthotropicFriction &law, const Vector3d &tau)
 
 Vector3d project(const OrthotropicFriction &law, const Vector3d &tau)
 {
-  switch (cone_zone(law, tau)) {
+  switch (cone_zone(law, tau))
+  {
   case ConeZone::polar:
     return Vector3d::Zero();
   case ConeZone::inside:

@@ -2,15 +2,18 @@
 // Copyright (C) 2026 the orthocone authors
 #include "solvers.h"
 
-namespace orthocone {
+namespace orthocone
+{
 using Eigen::Index;
 using Eigen::Vector3d;
 
 GaussSeidel::GaussSeidel(const ContactProblem &problem, const ContactSolverOptions &options)
-    : problem_(problem), options_(options)
+    : problem_(problem),
+      options_(options)
 {
   dense_compliance(problem, "gauss-seidel");
-  for (Index node = 0; node < problem.n_nodes(); ++node) {
+  for (Index node = 0; node < problem.n_nodes(); ++node)
+  {
     const Eigen::Matrix3d block = problem.compliance().diagonal_block(node);
     nodes_.push_back({problem.law(node), block, block.inverse()});
   }
@@ -20,7 +23,8 @@ void GaussSeidel::sweep(NodeVector &force) const
 {
   const Eigen::MatrixXd &w = *problem_.compliance().dense();
   const NodeVector &q = problem_.free_displacement();
-  for (Index node = 0; node < problem_.n_nodes(); ++node) {
+  for (Index node = 0; node < problem_.n_nodes(); ++node)
+  {
     const OneNodeProblem &one = nodes_[node];
     const Vector3d old = force.segment<3>(3 * node);
     // W is symmetric, and its columns are contiguous.

@@ -2,7 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include "newton_system.h"
 
-namespace orthocone {
+namespace orthocone
+{
 using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::MatrixXd;
@@ -14,7 +15,8 @@ NewtonSystem::NewtonSystem(const ContactProblem &problem, const NodeVector &forc
     : problem_(problem)
 {
   nodes_.reserve(problem.n_nodes());
-  for (Index node = 0; node < problem.n_nodes(); ++node) {
+  for (Index node = 0; node < problem.n_nodes(); ++node)
+  {
     nodes_.push_back(linearize(node, force.segment<3>(3 * node), displacement.segment<3>(3 * node)));
     nodes_.back().first = n_unknowns_;
     n_unknowns_ += nodes_.back().n_unknowns;
@@ -31,7 +33,8 @@ NewtonSystem::Node NewtonSystem::linearize(const Index node, const Vector3d &for
   const Vector3d map = force - projection.point;
   const Matrix3d slope = rho * modified_displacement_derivative(law, displacement);
   Node result;
-  switch (projection.zone) {
+  switch (projection.zone)
+  {
   case ConeZone::polar:
     result.fixed = -map;
     break;
@@ -60,10 +63,12 @@ MatrixXd NewtonSystem::matrix() const
   const MatrixXd &w = *problem_.compliance().dense();
   MatrixXd matrix(n_unknowns_, n_unknowns_);
   for (std::size_t j = 0; j < nodes_.size(); ++j)
-    for (Index k = 0; k < nodes_[j].n_unknowns; ++k) {
+    for (Index k = 0; k < nodes_[j].n_unknowns; ++k)
+    {
       const VectorXd moved = w.middleCols<3>(3 * static_cast<Index>(j)) * nodes_[j].basis.col(k);
       auto column = matrix.col(nodes_[j].first + k);
-      for (std::size_t i = 0; i < nodes_.size(); ++i) {
+      for (std::size_t i = 0; i < nodes_.size(); ++i)
+      {
         const Vector3d d = moved.segment<3>(3 * static_cast<Index>(i));
         for (Index row = 0; row < nodes_[i].n_unknowns; ++row)
           column[nodes_[i].first + row] = nodes_[i].rows.col(row).dot(d);
@@ -92,7 +97,8 @@ NodeVector NewtonSystem::solve() const
 {
   const VectorXd unknowns = matrix().partialPivLu().solve(right_side());
   NodeVector change(3 * problem_.n_nodes());
-  for (Index i = 0; i < problem_.n_nodes(); ++i) {
+  for (Index i = 0; i < problem_.n_nodes(); ++i)
+  {
     const Node &node = nodes_[i];
     change.segment<3>(3 * i) =
         node.fixed + node.basis.leftCols(node.n_unknowns) * unknowns.segment(node.first, node.n_unknowns);

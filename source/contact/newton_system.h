@@ -4,7 +4,8 @@
 
 #include <orthocone/contact/contact_problem.h>
 
-namespace orthocone {
+namespace orthocone
+{
 /// Linearized natural map at given forces, reduced to the unknowns that matter: none for an open node, three
 /// for a stuck one, two (along and across the generator of the cone) for a slipping one, whose third
 /// component the linearization fixes.

@@ -7,8 +7,10 @@
 #include <limits>
 #include <optional>
 
-namespace orthocone {
-namespace {
+namespace orthocone
+{
+namespace
+{
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
@@ -30,7 +32,9 @@ struct Harmonic
 class SlipEquation
 {
 public:
-  SlipEquation(const OneNodeProblem &problem, const Vector3d &q) : law_(problem.law), q_n_(q[0])
+  SlipEquation(const OneNodeProblem &problem, const Vector3d &q)
+      : law_(problem.law),
+        q_n_(q[0])
   {
     const Vector3d ellipse(1, law_.mu_x, law_.mu_y);
     const Eigen::Matrix3d scaled = problem.compliance * ellipse.asDiagonal();
@@ -78,13 +82,15 @@ std::optional<Vector2d> root_near(const SlipEquation &equation, double angle)
 {
   constexpr unsigned int most_steps = 8;
   constexpr double largest_step = 0.3; // rad; farther than that the start was not good
-  for (unsigned int step = 0; step < most_steps; ++step) {
+  for (unsigned int step = 0; step < most_steps; ++step)
+  {
     const Vector2d e = at_angle(angle);
     const double change = equation.value(e) / equation.slope(e);
     if (!(std::abs(change) < largest_step))
       return std::nullopt;
     angle -= change;
-    if (std::abs(change) < 1e-12) {
+    if (std::abs(change) < 1e-12)
+    {
       const Vector2d root = at_angle(angle);
       return equation.is_admissible(root) ? std::optional<Vector2d>(root) : std::nullopt;
     }
@@ -108,7 +114,8 @@ double bisect(const Function &function, double left, double right)
 class SlipRoots
 {
 public:
-  explicit SlipRoots(const SlipEquation &equation) : equation_(equation)
+  explicit SlipRoots(const SlipEquation &equation)
+      : equation_(equation)
   {
     static const std::array<Vector2d, n_grid + 1> grid = make_grid();
     for (unsigned int i = 0; i < n_grid; ++i)
@@ -120,9 +127,11 @@ public:
   {
     std::optional<Vector2d> best;
     double least = std::numeric_limits<double>::max();
-    for (unsigned int i = 0; i < n_roots_; ++i) {
+    for (unsigned int i = 0; i < n_roots_; ++i)
+    {
       const double distance = std::abs(std::remainder(roots_[i] - guess, 2 * pi));
-      if (distance < least && equation_.is_admissible(at_angle(roots_[i]))) {
+      if (distance < least && equation_.is_admissible(at_angle(roots_[i])))
+      {
         least = distance;
         best = at_angle(roots_[i]);
       }
@@ -148,7 +157,8 @@ private:
     const bool is_positive = value(left) > 0;
     if ((value(right) > 0) != is_positive)
       add(bisect(value, grid_angle(i), grid_angle(i + 1)));
-    else if ((slope(left) > 0) != (slope(right) > 0)) {
+    else if ((slope(left) > 0) != (slope(right) > 0))
+    {
       const double extremum = bisect(slope, grid_angle(i), grid_angle(i + 1));
       if ((value(at_angle(extremum)) > 0) == is_positive)
         return;
@@ -184,7 +194,7 @@ Vector3d solve_one_node(const OneNodeProblem &problem, const Vector3d &q, const 
 {
   if (q[0] >= 0)
     return Vector3d::Zero();
-  const Vector3d stuck = -problem.stiffness * q;
+  Vector3d stuck = -problem.stiffness * q;
   if (cone_zone(problem.law, stuck) == ConeZone::inside)
     return stuck;
   const SlipEquation equation(problem, q);

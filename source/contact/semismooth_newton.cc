@@ -5,8 +5,10 @@
 
 #include <algorithm>
 
-namespace orthocone {
-namespace {
+namespace orthocone
+{
+namespace
+{
 /// Forces moved into the cone, where the law wants them.
 NodeVector admissible(const ContactProblem &problem, NodeVector force)
 {
@@ -29,11 +31,13 @@ struct LineSearch
     constexpr double smallest_step = 1. / 64;
     NodeVector moved;
     problem.compliance().vmult(moved, change);
-    for (double step = 1; step >= smallest_step; step /= 2) {
+    for (double step = 1; step >= smallest_step; step /= 2)
+    {
       NodeVector trial = force + step * change;
       NodeVector trial_displacement = displacement + step * moved;
       const double trial_error = problem.natural_map(trial, trial_displacement).norm();
-      if (trial_error <= (1 - sufficient_decrease * step) * error) {
+      if (trial_error <= (1 - sufficient_decrease * step) * error)
+      {
         force.swap(trial);
         displacement.swap(trial_displacement);
         error = trial_error;
@@ -46,7 +50,9 @@ struct LineSearch
 } // namespace
 
 SemismoothNewton::SemismoothNewton(const ContactProblem &problem, const ContactSolverOptions &options)
-    : problem_(problem), options_(options), sweeps_(problem, options)
+    : problem_(problem),
+      options_(options),
+      sweeps_(problem, options)
 {
 }
 
@@ -58,14 +64,16 @@ bool SemismoothNewton::iterate_while_it_pays(NodeVector &force, unsigned int &it
       0.7; // a sweep costs far less than an iteration that gains less than this
   LineSearch search{force, problem_.displacement(force), 0};
   search.error = problem_.natural_map(search.force, search.displacement).norm();
-  for (unsigned int i = 0; i < most_iterations && iterations < options_.maximum_iterations; ++i) {
+  for (unsigned int i = 0; i < most_iterations && iterations < options_.maximum_iterations; ++i)
+  {
     const double last_error = search.error;
     const NodeVector change = NewtonSystem(problem_, search.force, search.displacement).solve();
     ++iterations;
     if (!change.allFinite() || !search.advance(problem_, change))
       break;
     const NodeVector candidate = admissible(problem_, search.force);
-    if (problem_.residual(candidate) <= options_.tolerance) {
+    if (problem_.residual(candidate) <= options_.tolerance)
+    {
       force = candidate;
       return true;
     }
@@ -85,7 +93,8 @@ SolverReport SemismoothNewton::solve(NodeVector &force)
   unsigned int n_sweeps = first_sweeps;
   unsigned int iterations = 0;
   bool has_converged = problem_.residual(force) <= options_.tolerance;
-  while (!has_converged && iterations < options_.maximum_iterations) {
+  while (!has_converged && iterations < options_.maximum_iterations)
+  {
     for (unsigned int i = 0; i < n_sweeps && iterations < options_.maximum_iterations; ++i, ++iterations)
       sweeps_.sweep(force);
     has_converged =

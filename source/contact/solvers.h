@@ -7,7 +7,8 @@
 #include <orthocone/contact/contact_solver.h>
 #include <orthocone/contact/one_node.h>
 
-namespace orthocone {
+namespace orthocone
+{
 /// Gauss-Seidel sweeps: every node in turn is solved exactly with the forces of the others fixed.
 class GaussSeidel : public ContactSolver
 {

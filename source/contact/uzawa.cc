@@ -5,11 +5,14 @@
 #include <algorithm>
 #include <cmath>
 
-namespace orthocone {
+namespace orthocone
+{
 using Eigen::Index;
 
 Uzawa::Uzawa(const ContactProblem &problem, const ContactSolverOptions &options)
-    : problem_(problem), options_(options), rho_(3 * problem.n_nodes())
+    : problem_(problem),
+      options_(options),
+      rho_(3 * problem.n_nodes())
 {
   for (Index node = 0; node < problem.n_nodes(); ++node)
     rho_.segment<3>(3 * node).setConstant(problem.rho(node));
@@ -46,7 +49,8 @@ void Uzawa::iterate(NodeVector &force)
   const NodeVector g = modified(force);
   NodeVector prediction, change, g_predicted, g_change;
   double ratio = 0;
-  for (unsigned int reduction = 0; reduction < most_reductions; ++reduction) {
+  for (unsigned int reduction = 0; reduction < most_reductions; ++reduction)
+  {
     prediction = predicted(force, g, factor_);
     change = force - prediction;
     g_predicted = modified(prediction);
@@ -73,9 +77,10 @@ SolverReport Uzawa::solve(NodeVector &force)
   unsigned int n_iterations = 0;
   double residual = problem_.residual(force);
   while (residual > options_.tolerance && n_iterations < options_.maximum_iterations &&
-         std::isfinite(residual)) {
-    for (unsigned int i = 0; i < iterations_between_checks && n_iterations < options_.maximum_iterations;
-         ++i) {
+         std::isfinite(residual))
+  {
+    for (unsigned int i = 0; i < iterations_between_checks && n_iterations < options_.maximum_iterations; ++i)
+    {
       iterate(force);
       ++n_iterations;
     }

@@ -6,7 +6,8 @@
 
 #include <cmath>
 
-namespace orthocone {
+namespace orthocone
+{
 using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::MatrixXd;
@@ -20,7 +21,8 @@ SurfaceAxes::SurfaceAxes(const double angle)
   const double quarters = angle / right_angle;
   double cosine = std::cos(angle * dealii::numbers::PI / 180);
   double sine = std::sin(angle * dealii::numbers::PI / 180);
-  if (quarters == std::round(quarters)) {
+  if (quarters == std::round(quarters))
+  {
     cosine = std::round(cosine);
     sine = std::round(sine);
   }
@@ -37,7 +39,9 @@ Matrix3d SurfaceAxes::global_in_local() const
 
 CondensedBody::CondensedBody(const Discretization &discretization, const StiffnessFactor &factor,
                              const SurfaceAxes &axes)
-    : discretization_(discretization), factor_(factor), axes_(axes),
+    : discretization_(discretization),
+      factor_(factor),
+      axes_(axes),
       compliance_(local_compliance(factor.trailing_inverse()))
 {
 }
@@ -49,7 +53,8 @@ MatrixXd CondensedBody::local_compliance(const MatrixXd &inverse) const
   const Matrix3d turn = axes_.global_in_local();
   MatrixXd local(3 * nodes.size(), 3 * nodes.size());
   for (std::size_t j = 0; j < nodes.size(); ++j)
-    for (std::size_t i = 0; i < nodes.size(); ++i) {
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+    {
       Matrix3d block = Matrix3d::Zero();
       for (Index e = 0; e < 3; ++e)
         for (Index d = 0; d < 3; ++d)
@@ -76,7 +81,8 @@ VectorXd CondensedBody::volume_displacement(const std::array<double, 3> &top, co
   const auto &nodes = discretization_.contact_surface().nodes;
   const Matrix3d turn = axes_.global_in_local();
   VectorXd right_side = VectorXd::Zero(discretization_.n_free());
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
     const Vector3d global = turn * force.segment<3>(3 * static_cast<Index>(i));
     for (Index d = 0; d < 3; ++d)
       if (nodes[i].is_free[d])
@@ -84,7 +90,8 @@ VectorXd CondensedBody::volume_displacement(const std::array<double, 3> &top, co
   }
   VectorXd displacement = VectorXd::Zero(discretization_.n_dofs());
   displacement.head(discretization_.n_free()) = factor_.solve(right_side);
-  for (unsigned int d = 0; d < 3; ++d) {
+  for (unsigned int d = 0; d < 3; ++d)
+  {
     dealii::ComponentMask component(3, false);
     component.set(d, true);
     for (const auto dof : dealii::DoFTools::extract_dofs(discretization_.dof_handler(), component))

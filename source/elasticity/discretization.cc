@@ -9,14 +9,19 @@
 
 #include <algorithm>
 
-namespace orthocone {
-namespace {
+namespace orthocone
+{
+namespace
+{
 constexpr unsigned int dim = 3;
 } // namespace
 
 Discretization::Discretization(const dealii::Triangulation<3> &triangulation, const MeshOptions &options,
                                const TopFace top_face)
-    : scalar_fe_(options.degree), fe_(scalar_fe_, dim), mapping_(options.degree), dof_handler_(triangulation),
+    : scalar_fe_(options.degree),
+      fe_(scalar_fe_, dim),
+      mapping_(options.degree),
+      dof_handler_(triangulation),
       n_quadrature_points_(options.n_quadrature_points())
 {
   dof_handler_.distribute_dofs(fe_);
@@ -28,7 +33,8 @@ Discretization::Discretization(const dealii::Triangulation<3> &triangulation, co
 std::vector<bool> Discretization::held_dofs(const TopFace top_face) const
 {
   std::vector<bool> is_held(n_dofs(), false);
-  const auto hold = [&](const Boundary boundary, const std::vector<bool> &components) {
+  const auto hold = [&](const Boundary boundary, const std::vector<bool> &components)
+  {
     for (const auto dof :
          dealii::DoFTools::extract_boundary_dofs(dof_handler_, dealii::ComponentMask(components), {boundary}))
       is_held[dof] = true;
@@ -55,7 +61,8 @@ void Discretization::number_dofs(const std::vector<bool> &is_held)
   };
   std::vector<dealii::types::global_dof_index> new_number(n_dofs());
   unsigned int next = 0;
-  for (const Range wanted : {interior, contact, held}) {
+  for (const Range wanted : {interior, contact, held})
+  {
     for (unsigned int dof = 0; dof < n_dofs(); ++dof)
       if (range(dof) == wanted)
         new_number[dof] = next++;
@@ -88,14 +95,17 @@ void Discretization::add_contact_face(const dealii::DoFHandler<3>::active_cell_i
   std::vector<dealii::types::global_dof_index> dofs(fe_.n_dofs_per_cell());
   cell->get_dof_indices(dofs);
   std::vector<unsigned int> nodes;
-  for (unsigned int i = 0; i < n_face_nodes; ++i) {
+  for (unsigned int i = 0; i < n_face_nodes; ++i)
+  {
     ContactNode node{};
-    for (unsigned int d = 0; d < dim; ++d) {
+    for (unsigned int d = 0; d < dim; ++d)
+    {
       node.dofs[d] = dofs[fe_.component_to_system_index(d, hierarchic[i])];
       node.is_free[d] = node.dofs[d] < n_free_;
     }
     unsigned int &number = node_of_dof[node.dofs[dim - 1]];
-    if (number == dealii::numbers::invalid_unsigned_int) {
+    if (number == dealii::numbers::invalid_unsigned_int)
+    {
       const auto point =
           mapping_.transform_unit_to_real_cell(cell, scalar_fe_.unit_support_point(hierarchic[i]));
       node.position = {{point[0], point[1]}};
@@ -116,7 +126,8 @@ void Discretization::lump_areas()
   auto nodes = contact_surface_.faces.begin();
   for (const auto &cell : dof_handler_.get_triangulation().active_cell_iterators())
     for (const unsigned int face : cell->face_indices())
-      if (cell->face(face)->at_boundary() && cell->face(face)->boundary_id() == Boundary::contact_surface) {
+      if (cell->face(face)->at_boundary() && cell->face(face)->boundary_id() == Boundary::contact_surface)
+      {
         values.reinit(cell, face);
         for (unsigned int i = 0; i < nodes->size(); ++i)
           for (const unsigned int q : values.quadrature_point_indices())

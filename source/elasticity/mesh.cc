@@ -9,8 +9,10 @@
 
 #include <cmath>
 
-namespace orthocone {
-namespace {
+namespace orthocone
+{
+namespace
+{
 constexpr dealii::types::manifold_id rim_manifold = 1;
 
 /// Heights of the layers' faces; thickness grows or shrinks symmetrically from mid-height to both ends.
@@ -65,7 +67,8 @@ BodyMesh::BodyMesh(const GeometryOptions &geometry, const MeshOptions &options, 
   dealii::GridGenerator::extrude_triangulation(
       disc, layer_heights(geometry.height, options.layers, options.layer_grading), triangulation_);
   for (const auto &face : triangulation_.active_face_iterators())
-    if (face->at_boundary()) {
+    if (face->at_boundary())
+    {
       face->set_boundary_id(boundary_of(face, geometry, planes));
       // With its edges: set_all_manifold_ids_on_boundary() would pass over those, whose boundary ids are not
       // set.

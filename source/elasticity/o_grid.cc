@@ -7,8 +7,10 @@
 
 #include <cmath>
 
-namespace orthocone {
-namespace {
+namespace orthocone
+{
+namespace
+{
 using dealii::CellData;
 using dealii::Point;
 
@@ -18,7 +20,9 @@ class OGrid
 {
 public:
   OGrid(const double radius, const MeshOptions &options)
-      : n_(options.core_cells), n_rings_(options.n_rings()), radius_(radius),
+      : n_(options.core_cells),
+        n_rings_(options.n_rings()),
+        radius_(radius),
         half_side_(options.core_ratio * radius / std::sqrt(2.)),
         depth_(graded_positions(n_rings_, options.rim_grading))
   {
@@ -45,7 +49,8 @@ private:
   {
     const unsigned int along = place % n_;
     const auto number = [this](const unsigned int i, const unsigned int j) { return j * (n_ + 1) + i; };
-    switch (place / n_) {
+    switch (place / n_)
+    {
     case 0:
       return number(n_, along);
     case 1:
@@ -83,7 +88,8 @@ private:
   void make_cells()
   {
     for (unsigned int j = 0; j < n_; ++j)
-      for (unsigned int i = 0; i < n_; ++i) {
+      for (unsigned int i = 0; i < n_; ++i)
+      {
         const unsigned int first = j * (n_ + 1) + i;
         add_cell({{first, first + 1, first + n_ + 1, first + n_ + 2}});
       }

@@ -4,7 +4,8 @@
 
 #include <orthocone/elasticity/mesh.h>
 
-namespace orthocone {
+namespace orthocone
+{
 /// Disc of quadrilaterals around the origin, straight-sided: core block and graded rings.
 void make_o_grid_disc(double radius, const MeshOptions &options, const SymmetryPlanes &planes,
                       dealii::Triangulation<2> &triangulation);

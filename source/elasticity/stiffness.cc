@@ -9,8 +9,10 @@
 
 #include <Eigen/Dense>
 
-namespace orthocone {
-namespace {
+namespace orthocone
+{
+namespace
+{
 constexpr unsigned int dim = 3;
 
 /// Work space of one thread.
@@ -47,7 +49,8 @@ dofs_by_node(const dealii::DoFHandler<dim>::active_cell_iterator &cell)
   std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
   std::vector<dealii::types::global_dof_index> sorted(dofs.size());
   cell->get_dof_indices(dofs);
-  for (unsigned int i = 0; i < dofs.size(); ++i) {
+  for (unsigned int i = 0; i < dofs.size(); ++i)
+  {
     const auto [component, node] = fe.system_to_component_index(i);
     sorted[dim * node + component] = dofs[i];
   }
@@ -61,7 +64,8 @@ void integrate_gradient_products(const dealii::Triangulation<dim>::active_cell_i
   const unsigned int n_nodes = scratch.values.dofs_per_cell;
   scratch.gradients.resize(dim * n_nodes);
   scratch.products.setZero(dim * n_nodes, dim * n_nodes);
-  for (const unsigned int q : scratch.values.quadrature_point_indices()) {
+  for (const unsigned int q : scratch.values.quadrature_point_indices())
+  {
     for (unsigned int a = 0; a < n_nodes; ++a)
       for (unsigned int i = 0; i < dim; ++i)
         scratch.gradients[dim * a + i] = scratch.values.shape_grad(a, q)[i];
@@ -74,7 +78,8 @@ void combine(const Eigen::MatrixXd &products, const LameParameters &lame, Eigen:
 {
   matrix.resizeLike(products);
   for (Eigen::Index b = 0; b < products.cols(); b += dim)
-    for (Eigen::Index a = 0; a < products.rows(); a += dim) {
+    for (Eigen::Index a = 0; a < products.rows(); a += dim)
+    {
       const Eigen::Matrix3d block = products.block<dim, dim>(a, b);
       matrix.block<dim, dim>(a, b) = lame.lambda * block + lame.mu * block.transpose() +
                                      lame.mu * block.trace() * Eigen::Matrix3d::Identity();
@@ -101,11 +106,13 @@ void Stiffness::make_pattern(const Discretization &discretization)
   dealii::DynamicSparsityPattern pattern(n_free);
   std::vector<dealii::types::global_dof_index> dofs(discretization.fe().n_dofs_per_cell());
   std::vector<dealii::types::global_dof_index> columns;
-  for (const auto &cell : discretization.dof_handler().active_cell_iterators()) {
+  for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+  {
     cell->get_dof_indices(dofs);
     std::sort(dofs.begin(), dofs.end());
     columns.clear();
-    for (const auto row : dofs) {
+    for (const auto row : dofs)
+    {
       if (row >= n_free)
         break;
       columns.push_back(row);
@@ -118,13 +125,15 @@ void Stiffness::make_pattern(const Discretization &discretization)
 
 void Stiffness::assemble(const Discretization &discretization, const LameParameters &lame)
 {
-  const auto work = [&](const dealii::DoFHandler<dim>::active_cell_iterator &cell, Scratch &scratch,
-                        CellMatrix &copy) {
+  const auto work =
+      [&](const dealii::DoFHandler<dim>::active_cell_iterator &cell, Scratch &scratch, CellMatrix &copy)
+  {
     integrate_gradient_products(cell, scratch);
     combine(scratch.products, lame, copy.matrix);
     copy.dofs = dofs_by_node(cell);
   };
-  const auto add = [&](const CellMatrix &copy) {
+  const auto add = [&](const CellMatrix &copy)
+  {
     for (unsigned int i = 0; i < copy.dofs.size(); ++i)
       for (unsigned int j = 0; j < copy.dofs.size(); ++j)
         if (copy.dofs[i] < discretization.n_free() && copy.dofs[j] <= copy.dofs[i])

@@ -10,8 +10,10 @@
 #include <stdexcept>
 #include <string>
 
-namespace orthocone {
-namespace {
+namespace orthocone
+{
+namespace
+{
 /// CHOLMOD's settings and memory, with errors as exceptions.
 class Session
 {
@@ -56,9 +58,11 @@ cholmod_sparse *leading_block(const dealii::SparseMatrix<double> &matrix, const 
   auto *const rows = static_cast<int *>(block->i);
   auto *const values = static_cast<double *>(block->x);
   int next = 0;
-  for (unsigned int row = 0; row < n; ++row) {
+  for (unsigned int row = 0; row < n; ++row)
+  {
     starts[row] = next;
-    for (auto entry = matrix.begin(row); entry != matrix.end(row); ++entry, ++next) {
+    for (auto entry = matrix.begin(row); entry != matrix.end(row); ++entry, ++next)
+    {
       rows[next] = entry->column();
       values[next] = entry->value();
     }
@@ -93,7 +97,8 @@ struct StiffnessFactor::Cholmod
 };
 
 StiffnessFactor::StiffnessFactor(const dealii::SparseMatrix<double> &matrix, const unsigned int n_interior)
-    : cholmod_(std::make_unique<Cholmod>()), n_interior_(n_interior)
+    : cholmod_(std::make_unique<Cholmod>()),
+      n_interior_(n_interior)
 {
   Session &session = cholmod_->session;
   std::vector<int> order = elimination_order(matrix, n_interior, session);
@@ -138,7 +143,8 @@ Eigen::MatrixXd StiffnessFactor::trailing_factor() const
   const int n_interior = static_cast<int>(n_interior_);
   const auto n = static_cast<Eigen::Index>(factor.n) - n_interior;
   Eigen::MatrixXd trailing = Eigen::MatrixXd::Zero(n, n);
-  for (std::size_t s = 0; s < factor.nsuper; ++s) {
+  for (std::size_t s = 0; s < factor.nsuper; ++s)
+  {
     const int n_rows = first_row[s + 1] - first_row[s];
     for (int column = std::max(first_column[s], n_interior); column < first_column[s + 1]; ++column)
       for (int i = column - first_column[s]; i < n_rows; ++i)
@@ -158,7 +164,8 @@ Eigen::MatrixXd StiffnessFactor::trailing_inverse() const
   const auto *const order = static_cast<const int *>(cholmod_->factor->Perm) + n_interior_;
   Eigen::MatrixXd sorted(n, n);
   for (lapack_int j = 0; j < n; ++j)
-    for (lapack_int i = j; i < n; ++i) {
+    for (lapack_int i = j; i < n; ++i)
+    {
       const int row = order[i] - static_cast<int>(n_interior_);
       const int column = order[j] - static_cast<int>(n_interior_);
       if (row < 0 || column < 0)

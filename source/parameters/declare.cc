@@ -4,10 +4,12 @@
 
 #include "entries.h"
 
-namespace orthocone {
+namespace orthocone
+{
 using namespace entries;
 
-namespace {
+namespace
+{
 using dealii::ParameterHandler;
 
 void declare_geometry(GeometryOptions &geometry, ParameterHandler &handler)
@@ -94,7 +96,8 @@ void declare_output(OutputOptions &output, ParameterHandler &handler)
 
 void declare_parameters(Parameters &parameters, ParameterHandler &handler)
 {
-  const auto section = [&handler](const char *const name, auto declare, auto &options) {
+  const auto section = [&handler](const char *const name, auto declare, auto &options)
+  {
     handler.enter_subsection(name);
     declare(options, handler);
     handler.leave_subsection();

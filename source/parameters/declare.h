@@ -9,7 +9,8 @@
 
 #include <deal.II/base/parameter_handler.h>
 
-namespace orthocone {
+namespace orthocone
+{
 /// Declares all sections and binds the entries to `parameters`, whose present values are the defaults.
 /// `parameters` must outlive `handler`.
 void declare_parameters(Parameters &parameters, dealii::ParameterHandler &handler);

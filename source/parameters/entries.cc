@@ -2,12 +2,15 @@
 // Copyright (C) 2026 the orthocone authors
 #include "entries.h"
 
-namespace orthocone::entries {
-namespace {
+namespace orthocone::entries
+{
+namespace
+{
 std::string legs_text(const std::vector<Leg> &legs)
 {
   std::string text;
-  for (const Leg &leg : legs) {
+  for (const Leg &leg : legs)
+  {
     text += text.empty() ? "" : "; ";
     for (const double coordinate : leg.target)
       text += to_text(coordinate) + " ";
@@ -53,7 +56,8 @@ void add_entry(dealii::ParameterHandler &handler, const std::string &name, const
 void add_number(dealii::ParameterHandler &handler, const std::string &name, double &value, const Range &range,
                 const std::string &help)
 {
-  const auto test = [range](const std::string &text) {
+  const auto test = [range](const std::string &text)
+  {
     const auto number = parse_number(text);
     return number && range.contains(*number);
   };
@@ -64,13 +68,15 @@ void add_number(dealii::ParameterHandler &handler, const std::string &name, doub
 void add_pair(dealii::ParameterHandler &handler, const std::string &name, std::array<double, 2> &value,
               const Range &range, const std::string &help)
 {
-  const auto test = [range](const std::string &text) {
+  const auto test = [range](const std::string &text)
+  {
     const auto pair = parse_numbers(text, 2, ',');
     return pair && range.contains((*pair)[0]) && range.contains((*pair)[1]);
   };
   add_entry(handler, name, to_text(value[0]) + ", " + to_text(value[1]),
             Allowed("two numbers" + range.describe() + " separated by a comma", test), help,
-            [&value](const std::string &text) {
+            [&value](const std::string &text)
+            {
               const auto pair = *parse_numbers(text, 2, ',');
               value = {{pair[0], pair[1]}};
             });
@@ -79,7 +85,8 @@ void add_pair(dealii::ParameterHandler &handler, const std::string &name, std::a
 void add_count(dealii::ParameterHandler &handler, const std::string &name, unsigned int &value,
                const unsigned int lower, const unsigned int upper, const std::string &help)
 {
-  const auto test = [lower, upper](const std::string &text) {
+  const auto test = [lower, upper](const std::string &text)
+  {
     const auto count = parse_count(text);
     return count && *count >= lower && *count <= upper;
   };

@@ -11,7 +11,8 @@
 
 #include <functional>
 
-namespace orthocone::entries {
+namespace orthocone::entries
+{
 /// Interval of numbers, open at both ends unless said otherwise, and how to tell users of it.
 struct Range
 {
@@ -33,7 +34,9 @@ class Allowed : public dealii::Patterns::PatternBase
 public:
   using Test = std::function<bool(const std::string &)>;
 
-  Allowed(std::string description, Test test) : description_(std::move(description)), test_(std::move(test))
+  Allowed(std::string description, Test test)
+      : description_(std::move(description)),
+        test_(std::move(test))
   {
   }
 

@@ -14,8 +14,10 @@
 #include <regex>
 #include <sstream>
 
-namespace orthocone {
-namespace {
+namespace orthocone
+{
+namespace
+{
 using dealii::ParameterHandler;
 
 constexpr const char *not_an_entry = " is not an entry; 'orthocone --defaults' lists all of them";
@@ -39,7 +41,8 @@ unsigned int line_number(const std::string &text)
 std::string explain(const SourceText &source, const std::string &text, const std::string &file_name)
 {
   const unsigned int number = line_number(text);
-  if (number == 0) {
+  if (number == 0)
+  {
     const auto open = source.open_sections(source.n_lines() + 1);
     return open.empty() ? file_name + ": " + text
                         : source.line(open.back()).place() + ": '" + trimmed(source.line(open.back()).text) +
@@ -67,9 +70,12 @@ void parse_prm(const std::string &file_name, ParameterHandler &handler)
 {
   const SourceText source(file_name);
   std::istringstream stream(source.joined());
-  try {
+  try
+  {
     handler.parse_input(stream, file_name);
-  } catch (const dealii::ExceptionBase &exception) {
+  }
+  catch (const dealii::ExceptionBase &exception)
+  {
     throw InputError(explain(source, sentence(exception), file_name));
   }
 }
@@ -80,11 +86,16 @@ void set_entry(const std::string &place, const std::string &section, const std::
 {
   const std::string name = place + section + "/" + entry;
   handler.enter_subsection(section);
-  try {
+  try
+  {
     handler.set(entry, value);
-  } catch (const ParameterHandler::ExcEntryUndeclared &) {
+  }
+  catch (const ParameterHandler::ExcEntryUndeclared &)
+  {
     throw InputError(name + not_an_entry);
-  } catch (const dealii::ExceptionBase &exception) {
+  }
+  catch (const dealii::ExceptionBase &exception)
+  {
     std::smatch match;
     const std::string reason = sentence(exception);
     const bool is_pattern = std::regex_search(reason, match, std::regex("given pattern <(.*)>\\."));
@@ -102,7 +113,8 @@ void parse_json(const std::string &file_name, ParameterHandler &handler)
   const Json json = Json::parse(text, nullptr, false);
   if (json.is_discarded() || !json.is_object())
     throw InputError(place + "is not valid JSON of the form {\"Section\": {\"Entry\": value}}");
-  for (const auto &[section, entries] : json.items()) {
+  for (const auto &[section, entries] : json.items())
+  {
     if (!entries.is_object())
       throw InputError(place + section + not_an_entry);
     for (const auto &[entry, value] : entries.items())

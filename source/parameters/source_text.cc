@@ -12,8 +12,10 @@
 #include <fstream>
 #include <sstream>
 
-namespace orthocone {
-namespace {
+namespace orthocone
+{
+namespace
+{
 constexpr unsigned int deepest_include = 20;
 
 /// What stands behind `keyword` on this line, or "".
@@ -27,9 +29,9 @@ std::string behind_keyword(const std::string &line, const std::string &keyword)
 
 bool is_text(const std::string &content)
 {
-  return std::none_of(content.begin(), content.end(), [](const unsigned char c) {
-    return (c < 32 && c != '\t' && c != '\n' && c != '\r') || c == 127;
-  });
+  return std::none_of(content.begin(), content.end(),
+                      [](const unsigned char c)
+                      { return (c < 32 && c != '\t' && c != '\n' && c != '\r') || c == 127; });
 }
 } // namespace
 
@@ -64,7 +66,8 @@ void SourceText::append(const std::string &file_name, const std::string &asked_f
                      std::to_string(deepest_include) + " deep; does the file include itself?");
   std::istringstream stream(read_text_file(file_name, asked_from));
   SourceLine line{"", file_name, 0};
-  while (std::getline(stream, line.text)) {
+  while (std::getline(stream, line.text))
+  {
     ++line.number;
     const std::string included = behind_keyword(line.text, "include");
     if (included.empty())

@@ -7,7 +7,8 @@
 #include <string>
 #include <vector>
 
-namespace orthocone {
+namespace orthocone
+{
 struct SourceLine
 {
   std::string text;

@@ -7,8 +7,10 @@
 #include <cmath>
 #include <sstream>
 
-namespace orthocone {
-namespace {
+namespace orthocone
+{
+namespace
+{
 const char *const white_space = " \t\r\n";
 
 std::vector<std::string> words_of(const std::string &text)
@@ -22,9 +24,9 @@ std::vector<std::string> words_of(const std::string &text)
 
 bool is_file_name(const std::string &name)
 {
-  return !name.empty() && std::all_of(name.begin(), name.end(), [](const unsigned char c) {
-    return std::isalnum(c) != 0 || c == '-' || c == '_';
-  });
+  return !name.empty() &&
+         std::all_of(name.begin(), name.end(),
+                     [](const unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; });
 }
 
 std::optional<Leg> parse_leg(const std::string &text)
@@ -128,7 +130,8 @@ std::optional<std::vector<Probe>> parse_probes(const std::string &text)
   std::vector<Probe> probes;
   if (trimmed(text).empty())
     return probes;
-  for (const auto &piece : split(text, ';')) {
+  for (const auto &piece : split(text, ';'))
+  {
     const auto probe = parse_probe(piece);
     const auto has_its_name = [&](const Probe &other) { return other.name == probe->name; };
     if (!probe || std::any_of(probes.begin(), probes.end(), has_its_name))

@@ -2,7 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/simulation/contact_fields.h>
 
-namespace orthocone {
+namespace orthocone
+{
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
@@ -13,7 +14,10 @@ unsigned int n_images(const ContactNode &node, const SymmetryPlanes &planes)
 
 ContactFieldEvaluator::ContactFieldEvaluator(const ContactSurface &surface, const SymmetryPlanes &planes,
                                              const SurfaceAxes &axes, const OrthotropicFriction &law)
-    : surface_(surface), planes_(planes), axes_(axes), law_(law)
+    : surface_(surface),
+      planes_(planes),
+      axes_(axes),
+      law_(law)
 {
 }
 

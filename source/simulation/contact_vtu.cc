@@ -6,8 +6,10 @@
 
 #include <sstream>
 
-namespace orthocone {
-namespace {
+namespace orthocone
+{
+namespace
+{
 using Eigen::Vector3d;
 using Patch = dealii::DataOutBase::Patch<2, 3>;
 using VectorRanges =
@@ -47,7 +49,8 @@ private:
   void add(const std::string &name, const Vector3d &value)
   {
     const unsigned int first = values.size();
-    for (const double component : value) {
+    for (const double component : value)
+    {
       names.push_back(name);
       values.push_back(component);
     }
@@ -98,7 +101,8 @@ Patch make_patch(const ContactSurface &surface, const std::vector<unsigned int> 
   // A reflection turns the face over; running through its first direction backwards turns it back.
   const bool is_turned = signs.prod() < 0;
   const unsigned int n_side = surface.degree + 1;
-  for (unsigned int i = 0; i < face.size(); ++i) {
+  for (unsigned int i = 0; i < face.size(); ++i)
+  {
     const unsigned int node = face[is_turned ? i - i % n_side + (n_side - 1 - i % n_side) : i];
     for (unsigned int row = 0; row < n_rows; ++row)
       patch.data(row, i) = static_cast<float>(values[node][row]);
@@ -114,9 +118,11 @@ std::string contact_vtu(const ContactFieldEvaluator &evaluator, const ContactSta
 {
   const auto fields = evaluator.all_fields(state);
   std::vector<Patch> patches;
-  for (const Vector3d &signs : image_signs(evaluator.planes())) {
+  for (const Vector3d &signs : image_signs(evaluator.planes()))
+  {
     const auto values = image_values(fields, signs);
-    for (const auto &face : evaluator.surface().faces) {
+    for (const auto &face : evaluator.surface().faces)
+    {
       patches.push_back(make_patch(evaluator.surface(), face, values, signs));
       patches.back().patch_index = patches.size() - 1;
     }

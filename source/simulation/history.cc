@@ -7,8 +7,10 @@
 #include <cmath>
 #include <limits>
 
-namespace orthocone {
-namespace {
+namespace orthocone
+{
+namespace
+{
 using Eigen::Vector2d;
 
 std::string cell(const double value)
@@ -48,10 +50,12 @@ unsigned int nearest_node(const ContactSurface &surface, const Vector2d &positio
 {
   unsigned int nearest = 0;
   double least = std::numeric_limits<double>::max();
-  for (unsigned int node = 0; node < surface.nodes.size(); ++node) {
+  for (unsigned int node = 0; node < surface.nodes.size(); ++node)
+  {
     const auto &place = surface.nodes[node].position;
     const double distance = std::hypot(place[0] - position[0], place[1] - position[1]);
-    if (distance < least) {
+    if (distance < least)
+    {
       least = distance;
       nearest = node;
     }
@@ -60,7 +64,9 @@ unsigned int nearest_node(const ContactSurface &surface, const Vector2d &positio
 }
 } // namespace
 
-History::History(const RunFolder &folder, const ContactMethod method) : folder_(folder), method_(method)
+History::History(const RunFolder &folder, const ContactMethod method)
+    : folder_(folder),
+      method_(method)
 {
   folder_.append("history.csv",
                  "step,ux,uy,uz,force_x,force_y,force_z,max_slip,max_accumulated_slip,min_pressure,"
@@ -84,9 +90,11 @@ void History::write(const ContactState &state, const Totals &totals, const Solve
 
 ProbeHistories::ProbeHistories(const RunFolder &folder, const std::vector<Probe> &probes,
                                const ContactFieldEvaluator &evaluator)
-    : folder_(folder), evaluator_(evaluator)
+    : folder_(folder),
+      evaluator_(evaluator)
 {
-  for (const Probe &probe : probes) {
+  for (const Probe &probe : probes)
+  {
     const Vector2d signs = signs_of(probe, evaluator.planes());
     const Vector2d position = signs.cwiseProduct(Vector2d(probe.position[0], probe.position[1]));
     places_.push_back({"probe-" + probe.name + ".csv", nearest_node(evaluator.surface(), position), signs});
@@ -98,7 +106,8 @@ ProbeHistories::ProbeHistories(const RunFolder &folder, const std::vector<Probe>
 
 void ProbeHistories::write(const ContactState &state) const
 {
-  for (const Place &place : places_) {
+  for (const Place &place : places_)
+  {
     const ContactFields fields = evaluator_.fields(state, place.node);
     const Vector2d slip = place.signs.cwiseProduct(fields.slip.head<2>());
     const Vector2d force = place.signs.cwiseProduct(fields.nodal_force.head<2>());

@@ -5,8 +5,10 @@
 #include <algorithm>
 #include <cmath>
 
-namespace orthocone {
-namespace {
+namespace orthocone
+{
+namespace
+{
 /// Point between the ends of a leg, with the 15 digits that a user would write: -0.06, not
 /// -0.06000000000000001.
 double between(const double start, const double end, const double share)
@@ -24,8 +26,10 @@ void append(const std::vector<Leg> &legs, const unsigned int cycle, std::vector<
 {
   std::array<double, 3> start = steps.empty() ? std::array<double, 3>{} : steps.back().top;
   unsigned int phase = 0;
-  for (const Leg &leg : legs) {
-    for (unsigned int k = 1; k <= leg.steps; ++k) {
+  for (const Leg &leg : legs)
+  {
+    for (unsigned int k = 1; k <= leg.steps; ++k)
+    {
       LoadStep step{leg.target, static_cast<unsigned int>(steps.size()) + 1, k, cycle, phase++};
       if (k < leg.steps)
         for (unsigned int d = 0; d < 3; ++d)

@@ -10,9 +10,12 @@
 #include <iostream>
 #include <sstream>
 
-namespace orthocone {
+namespace orthocone
+{
 Log::Log(const RunFolder &folder, const bool is_quiet)
-    : folder_(folder), is_quiet_(is_quiet), is_terminal_(isatty(STDOUT_FILENO) == 1)
+    : folder_(folder),
+      is_quiet_(is_quiet),
+      is_terminal_(isatty(STDOUT_FILENO) == 1)
 {
 }
 

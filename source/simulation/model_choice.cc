@@ -8,8 +8,10 @@
 
 #include <cmath>
 
-namespace orthocone {
-namespace {
+namespace orthocone
+{
+namespace
+{
 bool is_isotropic(const FrictionOptions &friction)
 {
   return friction.mu[0] == friction.mu[1] && friction.p[0] == friction.p[1];
@@ -77,7 +79,8 @@ ModelChoice choose_model(const Parameters &parameters)
 {
   const SymmetryPlanes smallest = smallest_model(parameters);
   ModelChoice choice{{}, "as Mesh/Model says"};
-  switch (parameters.mesh.model) {
+  switch (parameters.mesh.model)
+  {
   case ModelKind::automatic:
     choice = {smallest, smallest.n_copies() == 4
                             ? "friction, load and mesh are symmetric about x = 0 and y = 0"

@@ -10,8 +10,10 @@
 
 #include <sstream>
 
-namespace orthocone {
-namespace {
+namespace orthocone
+{
+namespace
+{
 /// Returns what `work` returns and adds its wall time to `seconds`.
 template<typename Work>
 auto timed(double &seconds, const Work &work)
@@ -54,29 +56,34 @@ bool is_due(const unsigned int interval, const unsigned int step, const unsigned
 
 Body::Body(const Parameters &parameters, const SymmetryPlanes &planes)
     : mesh(timed(seconds.mesh, [&] { return BodyMesh(parameters.geometry, parameters.mesh, planes); })),
-      discretization(timed(seconds.mesh, [&] {
-        return Discretization(mesh.triangulation(), parameters.mesh, parameters.geometry.top_face);
-      }))
+      discretization(timed(
+          seconds.mesh, [&]
+          { return Discretization(mesh.triangulation(), parameters.mesh, parameters.geometry.top_face); }))
 {
 }
 
 QuasiStaticProblem::QuasiStaticProblem(const Parameters &parameters, const ModelChoice &model,
                                        const RunFolder &folder, Log &log)
-    : parameters_(parameters), model_(model), folder_(folder), log_(log), steps_(load_steps(parameters.load)),
-      body_(parameters_, model_.planes), factor_(factorize()), axes_(parameters_.friction.angle),
+    : parameters_(parameters),
+      model_(model),
+      folder_(folder),
+      log_(log),
+      steps_(load_steps(parameters.load)),
+      body_(parameters_, model_.planes),
+      factor_(factorize()),
+      axes_(parameters_.friction.angle),
       condensed_(timed(body_.seconds.condensation,
                        [&] { return CondensedBody(body_.discretization, factor_, axes_); })),
       problem_(condensed_.compliance(),
                std::vector<OrthotropicFriction>(body_.discretization.contact_surface().nodes.size(),
                                                 friction_of(parameters_.friction))),
-      solver_(condensed_, problem_, parameters_.contact_solver), state_(problem_.n_nodes()),
+      solver_(condensed_, problem_, parameters_.contact_solver),
+      state_(problem_.n_nodes()),
       evaluator_(body_.discretization.contact_surface(), model_.planes, axes_,
                  friction_of(parameters_.friction)),
       history_(folder_, parameters_.contact_solver.method),
-      probes_(folder_, parameters_.output.probes, evaluator_), summary_{
-                                                                   "running", parameters_, model_,
-                                                                   body_.discretization,
-                                                                   static_cast<unsigned int>(steps_.size())}
+      probes_(folder_, parameters_.output.probes, evaluator_),
+      summary_{"running", parameters_, model_, body_.discretization, static_cast<unsigned int>(steps_.size())}
 {
 }
 
@@ -94,11 +101,13 @@ StiffnessFactor QuasiStaticProblem::factorize()
 QuasiStaticProblem::Outcome QuasiStaticProblem::run()
 {
   Outcome outcome{true, ""};
-  for (const LoadStep &step : steps_) {
+  for (const LoadStep &step : steps_)
+  {
     double seconds = 0;
     const SolverReport report = timed(seconds, [&] { return solver_.solve(state_, step); });
     body_.seconds.contact += seconds;
-    if (!report.converged) {
+    if (!report.converged)
+    {
       outcome = failure(step, report);
       break;
     }
@@ -125,11 +134,13 @@ void QuasiStaticProblem::write_step(const LoadStep &step, const SolverReport &re
 void QuasiStaticProblem::write_fields(const LoadStep &step)
 {
   const OutputOptions &options = parameters_.output;
-  if (is_due(options.contact_interval, step.number, steps_.size())) {
+  if (is_due(options.contact_interval, step.number, steps_.size()))
+  {
     folder_.write(numbered("contact", step.number), contact_vtu(evaluator_, state_));
     add_record(folder_, "contact", step, contact_files_);
   }
-  if (is_due(options.volume_interval, step.number, steps_.size())) {
+  if (is_due(options.volume_interval, step.number, steps_.size()))
+  {
     folder_.write(numbered("volume", step.number),
                   volume_vtu(body_.discretization, parameters_.material,
                              condensed_.volume_displacement(state_.top, state_.force)));

@@ -10,8 +10,10 @@
 #include <regex>
 #include <vector>
 
-namespace orthocone {
-namespace {
+namespace orthocone
+{
+namespace
+{
 namespace fs = std::filesystem;
 
 [[noreturn]] void fail(const fs::path &file, const std::string &task, const std::string &cause)
@@ -30,7 +32,8 @@ void write_all(const fs::path &file, const std::string &content, const std::ios:
 }
 } // namespace
 
-RunFolder::RunFolder(const fs::path &path) : path_(path)
+RunFolder::RunFolder(const fs::path &path)
+    : path_(path)
 {
   std::error_code code;
   if (fs::exists(path_, code) && !fs::is_directory(path_, code))
@@ -66,13 +69,18 @@ void RunFolder::write(const std::string &name, const std::string &content) const
 {
   const fs::path temporary = path_ / (name + ".part");
   std::error_code code;
-  try {
+  try
+  {
     write_all(temporary, content, std::ios::trunc);
     fs::rename(temporary, path_ / name);
-  } catch (const fs::filesystem_error &error) {
+  }
+  catch (const fs::filesystem_error &error)
+  {
     fs::remove(temporary, code);
     fail(path_ / name, "cannot be written", error.code().message());
-  } catch (const FileError &) {
+  }
+  catch (const FileError &)
+  {
     fs::remove(temporary, code);
     throw;
   }

@@ -2,15 +2,18 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/simulation/step_solver.h>
 
-namespace orthocone {
+namespace orthocone
+{
 NodeVector StartForces::best(const ContactProblem &problem, const ContactState &state,
                              const LoadStep &step) const
 {
   NodeVector start = state.force;
   double least = problem.residual(start);
-  const auto consider = [&](const NodeVector &candidate) {
+  const auto consider = [&](const NodeVector &candidate)
+  {
     const double residual = problem.residual(candidate);
-    if (residual < least) {
+    if (residual < least)
+    {
       least = residual;
       start = candidate;
     }
@@ -31,7 +34,9 @@ void StartForces::remember(const NodeVector &before, const NodeVector &after, co
 
 StepSolver::StepSolver(const CondensedBody &body, ContactProblem &problem,
                        const ContactSolverOptions &options)
-    : body_(body), problem_(problem), solver_(make_contact_solver(problem, options))
+    : body_(body),
+      problem_(problem),
+      solver_(make_contact_solver(problem, options))
 {
 }
 
@@ -45,10 +50,12 @@ SolverReport StepSolver::solve(ContactState &state, const LoadStep &step)
   const ContactState before = state;
   set_problem(state, step.top);
   const SolverReport report = solve_to(state, step.top, starts_.best(problem_, state, step), 0);
-  if (report.converged) {
+  if (report.converged)
+  {
     starts_.remember(before.force, state.force, step);
     state.step = step.number;
-  } else
+  }
+  else
     state = before;
   return report;
 }
@@ -59,7 +66,8 @@ SolverReport StepSolver::solve_to(ContactState &state, const std::array<double, 
   constexpr unsigned int most_halvings = 3;
   set_problem(state, top);
   SolverReport report = solver_->solve(force);
-  if (report.converged) {
+  if (report.converged)
+  {
     advance(state, problem_, force, top);
     return report;
   }

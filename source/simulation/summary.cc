@@ -9,8 +9,10 @@
 
 #include <sstream>
 
-namespace orthocone {
-namespace {
+namespace orthocone
+{
+namespace
+{
 using Json = nlohmann::ordered_json;
 
 Json peak_json(const std::pair<double, unsigned int> &peak)

@@ -4,11 +4,14 @@
 
 #include <algorithm>
 
-namespace orthocone {
-namespace {
+namespace orthocone
+{
+namespace
+{
 void count_status(const NodeStatus status, const unsigned int n, const double area, Totals &totals)
 {
-  switch (status) {
+  switch (status)
+  {
   case NodeStatus::open:
     totals.n_open += n;
     break;
@@ -30,7 +33,8 @@ Totals compute_totals(const ContactFieldEvaluator &evaluator, const ContactState
   const unsigned int n_copies = planes.n_copies();
   Totals totals;
   totals.min_pressure = std::numeric_limits<double>::max();
-  for (unsigned int node = 0; node < evaluator.surface().nodes.size(); ++node) {
+  for (unsigned int node = 0; node < evaluator.surface().nodes.size(); ++node)
+  {
     const ContactNode &place = evaluator.surface().nodes[node];
     const ContactFields fields = evaluator.fields(state, node);
     const unsigned int n = n_images(place, planes);

@@ -8,7 +8,8 @@
 #include <cholmod.h>
 #include <dlfcn.h>
 
-namespace orthocone {
+namespace orthocone
+{
 std::string program_version()
 {
   return ORTHOCONE_VERSION " (" ORTHOCONE_REVISION ")";
@@ -28,9 +29,8 @@ std::string running_blas()
 
 std::vector<std::pair<std::string, std::string>> versions()
 {
-  const auto dotted = [](const int a, const int b, const int c) {
-    return std::to_string(a) + "." + std::to_string(b) + "." + std::to_string(c);
-  };
+  const auto dotted = [](const int a, const int b, const int c)
+  { return std::to_string(a) + "." + std::to_string(b) + "." + std::to_string(c); };
   return {{"orthocone", program_version()},
           {"deal.II", DEAL_II_PACKAGE_VERSION},
           {"Eigen", dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION)},

@@ -9,8 +9,10 @@
 #include <cmath>
 #include <sstream>
 
-namespace orthocone {
-namespace {
+namespace orthocone
+{
+namespace
+{
 using Stress = dealii::SymmetricTensor<2, 3>;
 
 /// Stress of a displacement gradient: lambda tr(eps) 1 + 2 mu eps.
@@ -27,14 +29,16 @@ class StressOutput : public dealii::DataPostprocessorTensor<3>
 {
 public:
   explicit StressOutput(const LameParameters &lame)
-      : dealii::DataPostprocessorTensor<3>("stress", dealii::update_gradients), lame_(lame)
+      : dealii::DataPostprocessorTensor<3>("stress", dealii::update_gradients),
+        lame_(lame)
   {
   }
 
   void evaluate_vector_field(const dealii::DataPostprocessorInputs::Vector<3> &input,
                              std::vector<dealii::Vector<double>> &computed) const override
   {
-    for (unsigned int p = 0; p < computed.size(); ++p) {
+    for (unsigned int p = 0; p < computed.size(); ++p)
+    {
       const Stress stress = stress_of(input.solution_gradients[p], lame_);
       for (unsigned int i = 0; i < 3; ++i)
         for (unsigned int j = 0; j < 3; ++j)
@@ -50,7 +54,8 @@ class VonMisesOutput : public dealii::DataPostprocessorScalar<3>
 {
 public:
   explicit VonMisesOutput(const LameParameters &lame)
-      : dealii::DataPostprocessorScalar<3>("von_mises_stress", dealii::update_gradients), lame_(lame)
+      : dealii::DataPostprocessorScalar<3>("von_mises_stress", dealii::update_gradients),
+        lame_(lame)
   {
   }
 

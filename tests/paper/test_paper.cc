@@ -8,8 +8,10 @@
 
 #include <string>
 
-namespace orthocone::test {
-namespace {
+namespace orthocone::test
+{
+namespace
+{
 std::string file_of(const std::string &name)
 {
   return ORTHOCONE_PRM_DIR "/paper/" + name + ".prm";
@@ -31,18 +33,21 @@ unsigned int compare_methods(const std::string &name, const ContactMethod method
   options.maximum_iterations = most_iterations;
   const auto solver = make_contact_solver(problem, options);
   unsigned int n_failures = 0;
-  scene.march([&](const ContactState &before, const ContactState &after, const LoadStep &step) {
-    problem.set_step(scene.condensed.free_displacement(step.top), before.displacement);
-    NodeVector force = before.force;
-    const SolverReport report = solver->solve(force);
-    EXPECT_DOUBLE_EQ(report.residual, problem.residual(force)) << "the report is not honest";
-    if (!report.converged)
-      ++n_failures;
-    else {
-      EXPECT_LE((force - after.force).norm(), 1e-6 * problem.force_scale(after.force))
-          << name << " step " << step.number;
-    }
-  });
+  scene.march(
+      [&](const ContactState &before, const ContactState &after, const LoadStep &step)
+      {
+        problem.set_step(scene.condensed.free_displacement(step.top), before.displacement);
+        NodeVector force = before.force;
+        const SolverReport report = solver->solve(force);
+        EXPECT_DOUBLE_EQ(report.residual, problem.residual(force)) << "the report is not honest";
+        if (!report.converged)
+          ++n_failures;
+        else
+        {
+          EXPECT_LE((force - after.force).norm(), 1e-6 * problem.force_scale(after.force))
+              << name << " step " << step.number;
+        }
+      });
   return n_failures;
 }
 } // namespace
@@ -66,11 +71,14 @@ INSTANTIATE_TEST_SUITE_P(Cases, Printed,
 TEST_P(Printed, LargestSlipAtTheFirstPeak)
 {
   Scene scene(read_parameters(file_of(GetParam().name)));
-  scene.march([&](const ContactState &, const ContactState &, const LoadStep &step) {
-    if (step.number == 5) {
-      EXPECT_NEAR(scene.totals().max_slip, GetParam().slip, 0.015 * GetParam().slip);
-    }
-  });
+  scene.march(
+      [&](const ContactState &, const ContactState &, const LoadStep &step)
+      {
+        if (step.number == 5)
+        {
+          EXPECT_NEAR(scene.totals().max_slip, GetParam().slip, 0.015 * GetParam().slip);
+        }
+      });
 }
 
 // With the printed mu_y = 0.25 the slip is half of the printed one: the figure was made with 0.15.
@@ -86,14 +94,16 @@ TEST(Quadratic, FullHalfAndQuarterAgree)
 {
   const std::vector<std::string> program{"Load program/Legs=0 0 -0.1 : 1 ; 0 0 -0.06 : 2",
                                          "Load program/Cycles=1"};
-  const auto with_model = [&](const std::string &model) {
+  const auto with_model = [&](const std::string &model)
+  {
     auto overrides = program;
     overrides.push_back("Mesh/Model=" + model);
     return read_parameters(file_of("case_c"), overrides);
   };
   Scene whole(with_model("full"));
   whole.march();
-  for (const std::string model : {"half", "quarter"}) {
+  for (const std::string model : {"half", "quarter"})
+  {
     Scene part(with_model(model));
     part.march();
     expect_same_fields(part, whole, 1e-8);
@@ -118,7 +128,8 @@ TEST_P(EveryFile, UzawaGivesTheForcesOfNewtonWhereItConverges)
 {
   const unsigned int n_failures = compare_methods(GetParam(), ContactMethod::uzawa, 5000);
   const bool is_associated = GetParam().substr(0, 6) != "case_c";
-  if (is_associated) {
+  if (is_associated)
+  {
     EXPECT_EQ(n_failures, 0u);
   }
 }

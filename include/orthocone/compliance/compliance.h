@@ -4,7 +4,8 @@
 
 #include <Eigen/Dense>
 
-namespace orthocone {
+namespace orthocone
+{
 /// Vectors over the contact nodes hold three numbers a node, in local axes: normal, x, y.
 using NodeVector = Eigen::VectorXd;
 

@@ -7,7 +7,8 @@
 
 #include <vector>
 
-namespace orthocone {
+namespace orthocone
+{
 /// Status of a contact node; the numbers are those of the output field `status`.
 enum class NodeStatus : int
 {

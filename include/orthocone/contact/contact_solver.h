@@ -7,7 +7,8 @@
 
 #include <memory>
 
-namespace orthocone {
+namespace orthocone
+{
 /// What a solver tells of one load step. All figures are recomputed from the final forces by make_report(),
 /// so that no solver judges itself.
 struct SolverReport

@@ -9,7 +9,8 @@
 
 #include <Eigen/Dense>
 
-namespace orthocone {
+namespace orthocone
+{
 /// Semi-axes of the friction ellipse (mu) and of the slip ellipse (p).
 struct OrthotropicFriction
 {

@@ -4,7 +4,8 @@
 
 #include <orthocone/contact/friction_law.h>
 
-namespace orthocone {
+namespace orthocone
+{
 /// The contact problem of one node with the forces of all others fixed: relative displacement d = q + W r.
 /// W symmetric positive definite; its inverse is kept because sweeps solve with it again and again.
 struct OneNodeProblem

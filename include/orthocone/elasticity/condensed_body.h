@@ -6,7 +6,8 @@
 #include <orthocone/elasticity/discretization.h>
 #include <orthocone/elasticity/stiffness_factor.h>
 
-namespace orthocone {
+namespace orthocone
+{
 /// Local axes of the contact surface: normal z, and tangents x, y turned about it.
 class SurfaceAxes
 {

@@ -5,7 +5,8 @@
 #include <array>
 #include <vector>
 
-namespace orthocone {
+namespace orthocone
+{
 /// A node of the contact surface.
 struct ContactNode
 {

@@ -10,7 +10,8 @@
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/mapping_q.h>
 
-namespace orthocone {
+namespace orthocone
+{
 /// Displacement space on a body mesh: isoparametric FE_Q, degrees of freedom numbered in three ranges:
 /// interior (free, not on the contact surface), contact (free, on the contact surface), held (zero).
 class Discretization

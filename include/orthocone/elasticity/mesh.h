@@ -8,7 +8,8 @@
 
 #include <string>
 
-namespace orthocone {
+namespace orthocone
+{
 /// Planes of symmetry through the axis of the body, of which only one side is modelled: x >= 0 and y >= 0.
 struct SymmetryPlanes
 {

@@ -7,7 +7,8 @@
 
 #include <deal.II/lac/sparse_matrix.h>
 
-namespace orthocone {
+namespace orthocone
+{
 /// Lame's parameters in MPa.
 struct LameParameters
 {

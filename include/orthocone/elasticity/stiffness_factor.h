@@ -9,7 +9,8 @@
 #include <memory>
 #include <vector>
 
-namespace orthocone {
+namespace orthocone
+{
 /// Sparse Cholesky factorization (CHOLMOD, supernodal) of a symmetric positive definite matrix whose last
 /// unknowns are eliminated last. The trailing block of the factor is then the factor of the Schur complement
 /// of these unknowns: condensation costs no solves.

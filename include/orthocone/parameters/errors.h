@@ -5,7 +5,8 @@
 #include <stdexcept>
 #include <string>
 
-namespace orthocone {
+namespace orthocone
+{
 /// Exit codes of the program, fixed by the contract with users.
 enum class ExitCode : int
 {

@@ -9,7 +9,8 @@
 #include <string>
 #include <vector>
 
-namespace orthocone {
+namespace orthocone
+{
 /// How the upper face is held: clamped (moves as a rigid plate) or guided (u_z prescribed, free sideways).
 enum class TopFace
 {

@@ -8,7 +8,8 @@
 #include <string>
 #include <vector>
 
-namespace orthocone {
+namespace orthocone
+{
 /// Reads a .prm or .json file and then the overrides "Section/Entry=value" in their order. A line `include
 /// FILE` of a .prm file reads FILE, relative to the folder of the including file, in its place. Throws
 /// InputError (one sentence: file and line, entry, value given, what is allowed) or FileError.

@@ -14,7 +14,8 @@
 #include <utility>
 #include <vector>
 
-namespace orthocone {
+namespace orthocone
+{
 /// Table of the words of an enumeration; specialised for each of them.
 template<typename Enum>
 struct Words;

@@ -5,7 +5,8 @@
 #include <orthocone/elasticity/condensed_body.h>
 #include <orthocone/simulation/contact_state.h>
 
-namespace orthocone {
+namespace orthocone
+{
 /// What users look at, at one node of the contact surface; vectors in global axes (x, y, z).
 struct ContactFields
 {

@@ -4,7 +4,8 @@
 
 #include <orthocone/contact/contact_problem.h>
 
-namespace orthocone {
+namespace orthocone
+{
 /// All that the next step needs to know of the past, and all that output reads. Per node of the model, local
 /// axes.
 struct ContactState

@@ -9,7 +9,8 @@
 #include <orthocone/simulation/run_folder.h>
 #include <orthocone/simulation/totals.h>
 
-namespace orthocone {
+namespace orthocone
+{
 /// history.csv and timing.csv: one row a step.
 class History
 {

@@ -4,7 +4,8 @@
 
 #include <orthocone/parameters/options.h>
 
-namespace orthocone {
+namespace orthocone
+{
 /// One load step: where the top stands at its end, and its place in the program.
 struct LoadStep
 {

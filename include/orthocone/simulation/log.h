@@ -9,7 +9,8 @@
 
 #include <chrono>
 
-namespace orthocone {
+namespace orthocone
+{
 /// Seconds since its construction.
 class Stopwatch
 {

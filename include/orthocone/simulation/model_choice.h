@@ -5,7 +5,8 @@
 #include <orthocone/elasticity/mesh.h>
 #include <orthocone/parameters/options.h>
 
-namespace orthocone {
+namespace orthocone
+{
 /// The part of the body that is modelled, and why.
 struct ModelChoice
 {

@@ -7,7 +7,8 @@
 #include <orthocone/simulation/step_solver.h>
 #include <orthocone/simulation/summary.h>
 
-namespace orthocone {
+namespace orthocone
+{
 /// Wall time of the phases of building the body, beside the body itself.
 struct Body
 {

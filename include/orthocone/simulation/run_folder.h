@@ -5,7 +5,8 @@
 #include <filesystem>
 #include <string>
 
-namespace orthocone {
+namespace orthocone
+{
 /// Folder that receives the files of one run. All writing throws FileError, naming file and cause.
 class RunFolder
 {

@@ -9,7 +9,8 @@
 #include <string>
 #include <utility>
 
-namespace orthocone {
+namespace orthocone
+{
 /// Wall time of the phases of a run, in seconds.
 struct PhaseSeconds
 {

@@ -4,7 +4,8 @@
 
 #include <orthocone/simulation/contact_fields.h>
 
-namespace orthocone {
+namespace orthocone
+{
 /// Figures of the whole body after a step, whatever part of it is modelled.
 struct Totals
 {

@@ -6,7 +6,8 @@
 #include <utility>
 #include <vector>
 
-namespace orthocone {
+namespace orthocone
+{
 /// Version and git revision of the program.
 std::string program_version();
 

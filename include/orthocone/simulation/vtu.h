@@ -7,7 +7,8 @@
 
 #include <string>
 
-namespace orthocone {
+namespace orthocone
+{
 /// VTU text of the contact surface of the whole body: the modelled part and its mirror images, so that
 /// pictures do not depend on the model. Lagrange cells for degree > 1.
 std::string contact_vtu(const ContactFieldEvaluator &evaluator, const ContactState &state);

@@ -8,7 +8,8 @@
 
 #include <orthocone/contact/contact_solver.h>
 
-namespace orthocone::test {
+namespace orthocone::test
+{
 /// Compliance of a grid of n x n nodes that feel each other over a distance: exp(-distance) times a 3 x 3
 /// block that couples normal and tangential directions. A product of positive definite kernels is positive
 /// definite.
@@ -20,7 +21,8 @@ inline Eigen::MatrixXd grid_compliance(const Eigen::Index n, const double normal
   block.col(0) *= std::sqrt(normal_to_tangential);
   Eigen::MatrixXd w(3 * n * n, 3 * n * n);
   for (Eigen::Index i = 0; i < n * n; ++i)
-    for (Eigen::Index j = 0; j < n * n; ++j) {
+    for (Eigen::Index j = 0; j < n * n; ++j)
+    {
       const double distance =
           std::hypot(static_cast<double>(i % n - j % n), static_cast<double>(i / n - j / n));
       w.block<3, 3>(3 * i, 3 * j) = std::exp(-distance) * block;
@@ -33,10 +35,12 @@ inline Eigen::MatrixXd grid_compliance(const Eigen::Index n, const double normal
 struct GridProblem
 {
   explicit GridProblem(const OrthotropicFriction &law, const Eigen::Index n = 5, const double push = 1)
-      : compliance(grid_compliance(n)), problem(compliance, std::vector<OrthotropicFriction>(n * n, law))
+      : compliance(grid_compliance(n)),
+        problem(compliance, std::vector<OrthotropicFriction>(n * n, law))
   {
     NodeVector free(3 * n * n);
-    for (Eigen::Index i = 0; i < n * n; ++i) {
+    for (Eigen::Index i = 0; i < n * n; ++i)
+    {
       const double x = static_cast<double>(i % n) / static_cast<double>(n - 1) - 0.5;
       const double y = static_cast<double>(i / n) / static_cast<double>(n - 1) - 0.5;
       free.segment<3>(3 * i) =

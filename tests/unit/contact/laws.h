@@ -9,7 +9,8 @@
 #include <cmath>
 #include <vector>
 
-namespace orthocone::test {
+namespace orthocone::test
+{
 /// The paper's cases A, B, C.
 const OrthotropicFriction case_a{0.2, 0.2, 0.2, 0.2};
 const OrthotropicFriction case_b{0.3, 0.15, 0.3, 0.15};
@@ -36,7 +37,8 @@ inline std::vector<Eigen::Vector3d> directions()
           all.push_back(Eigen::Vector3d(n, x, y).normalized());
   constexpr int n_spiral = 60;
   constexpr double golden_angle = 2.399963229728653;
-  for (int i = 0; i < n_spiral; ++i) {
+  for (int i = 0; i < n_spiral; ++i)
+  {
     const double height = 1 - 2 * (i + 0.5) / n_spiral;
     const double radius = std::sqrt(1 - height * height);
     all.emplace_back(height, radius * std::cos(golden_angle * i), radius * std::sin(golden_angle * i));

@@ -7,11 +7,13 @@
 
 #include <gtest/gtest.h>
 
-namespace orthocone::test {
+namespace orthocone::test
+{
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-namespace {
+namespace
+{
 /// Traction that the layer (shear stiffness 1, pressure 1) transmits after its top moved by `path` in `n`
 /// steps from full slip with the traction `start`.
 Vector2d march(const OrthotropicFriction &law, const Vector2d &start, const Vector2d &path, const int n)
@@ -22,7 +24,8 @@ Vector2d march(const OrthotropicFriction &law, const Vector2d &start, const Vect
   NodeVector force = Vector3d(1, -start[0], -start[1]); // of the plane on the body
   Vector2d slip = Vector2d::Zero();
   Vector2d top = start;
-  for (int step = 1; step <= n; ++step) {
+  for (int step = 1; step <= n; ++step)
+  {
     top += path / n;
     // Without forces the node follows the top, and it sinks by the layer's compression at unit pressure.
     problem.set_step(Vector3d(-1, top[0], top[1]), Vector3d(0, slip[0], slip[1]));
@@ -36,10 +39,10 @@ Vector2d march(const OrthotropicFriction &law, const Vector2d &start, const Vect
 /// |tau|^2.
 Vector2d exact(const OrthotropicFriction &law, double angle, const Vector2d &path)
 {
-  const auto traction = [&](const double a) {
-    return Vector2d(law.mu_x * std::cos(a), law.mu_y * std::sin(a));
-  };
-  const auto rate = [&](const double a) {
+  const auto traction = [&](const double a)
+  { return Vector2d(law.mu_x * std::cos(a), law.mu_y * std::sin(a)); };
+  const auto rate = [&](const double a)
+  {
     const Vector2d m(std::cos(a) / law.mu_x, std::sin(a) / law.mu_y);
     const Vector2d tangent(-law.mu_x * std::sin(a), law.mu_y * std::cos(a));
     const Vector2d slip =
@@ -48,7 +51,8 @@ Vector2d exact(const OrthotropicFriction &law, double angle, const Vector2d &pat
   };
   constexpr int n = 2000;
   constexpr double h = 1. / n;
-  for (int i = 0; i < n; ++i) {
+  for (int i = 0; i < n; ++i)
+  {
     const double k1 = rate(angle);
     const double k2 = rate(angle + 0.5 * h * k1);
     const double k3 = rate(angle + 0.5 * h * k2);
@@ -71,7 +75,8 @@ TEST(Layer, TurnsTheTractionToFirstOrder)
 {
   const std::vector<OrthotropicFriction> cases{
       {0.3, 0.3, 1, 1}, {0.3, 0.1, 0.3, 0.1}, {0.3, 0.15, 0.05, 0.2}};
-  for (const OrthotropicFriction &law : cases) {
+  for (const OrthotropicFriction &law : cases)
+  {
     const Vector2d start(law.mu_x, 0);
     const Vector2d path(0, 0.2);
     const Vector2d expected = exact(law, 0, path);

@@ -8,11 +8,13 @@
 
 #include <random>
 
-namespace orthocone::test {
+namespace orthocone::test
+{
 using Eigen::Matrix3d;
 using Eigen::Vector3d;
 
-namespace {
+namespace
+{
 OneNodeProblem make_problem(const OrthotropicFriction &law, const Matrix3d &compliance)
 {
   return {normalized(law), compliance, compliance.inverse()};
@@ -45,7 +47,8 @@ TEST(OneNode, SolvesTheLawExactlyWhateverTheLoadAndTheGuess)
   const std::vector<OrthotropicFriction> laws{
       case_a, case_b, case_c, {0.3, 0.15, 0.01, 1}, {0.3, 0.15, 1, 0.01}, {0.8, 0.05, 0.05, 0.8}};
   for (const OrthotropicFriction &law : laws)
-    for (int i = 0; i < 50; ++i) {
+    for (int i = 0; i < 50; ++i)
+    {
       const OneNodeProblem problem = make_problem(law, random_compliance(generator));
       for (const Vector3d &q : directions())
         for (const Vector3d &guess : {Vector3d(0, 0, 0), Vector3d(1, 0.1, -0.1), Vector3d(1, -0.2, 0)})
@@ -70,7 +73,8 @@ TEST(OneNode, IsOpenStuckOrSlippingAsItShould)
 TEST(OneNode, FindsNarrowAdmissibleArcs)
 {
   for (const double ratio : {1. / 4, 1. / 16, 1. / 64})
-    for (double angle = 0.001; angle < 6.28; angle += 0.0917) {
+    for (double angle = 0.001; angle < 6.28; angle += 0.0917)
+    {
       const OneNodeProblem problem = make_problem({0.3, 0.15, ratio, 1}, Vector3d(1, 1.2, 1.2).asDiagonal());
       const Vector3d q(-1, std::cos(angle), std::sin(angle));
       EXPECT_LE(natural_map(problem, q, solve_one_node(problem, q, Vector3d::Zero())), 1e-12)

@@ -4,16 +4,19 @@
 
 #include <gtest/gtest.h>
 
-namespace orthocone::test {
+namespace orthocone::test
+{
 using Eigen::Vector3d;
 
-namespace {
+namespace
+{
 /// Points near the surface of the cone and of its polar, where projections are hardest.
 std::vector<Vector3d> test_points(const OrthotropicFriction &law)
 {
   std::vector<Vector3d> points = directions();
   for (const Vector3d &d : directions())
-    for (const double shift : {-1e-9, 0., 1e-9}) {
+    for (const double shift : {-1e-9, 0., 1e-9})
+    {
       points.emplace_back(friction_norm(law, d[1], d[2]) * (1 + shift), d[1], d[2]);
       points.emplace_back(-dual_norm(law, d[1], d[2]) * (1 + shift), d[1], d[2]);
     }
@@ -36,7 +39,8 @@ double distance_to_polar(const OrthotropicFriction &law, const Vector3d &v)
 TEST(Projection, SplitsEveryPointByMoreau)
 {
   for (const OrthotropicFriction &law : wide_laws())
-    for (const Vector3d &tau : test_points(law)) {
+    for (const Vector3d &tau : test_points(law))
+    {
       const Vector3d r = project(law, tau);
       const Vector3d v = tau - r;
       const double tolerance = 1e-13 * std::max(tau.norm(), 1e-300);
@@ -60,7 +64,8 @@ TEST(Projection, ScalesWithItsArgumentOver24Decades)
 TEST(Projection, IsIdempotent)
 {
   for (const OrthotropicFriction &law : wide_laws())
-    for (const Vector3d &tau : test_points(law)) {
+    for (const Vector3d &tau : test_points(law))
+    {
       const Vector3d r = project(law, tau);
       EXPECT_LE((project(law, r) - r).norm(), 1e-14 * tau.norm());
     }
@@ -77,7 +82,8 @@ TEST(Projection, DoesNotExpandDistances)
 TEST(Projection, IsTheClosedFormOnACircularCone)
 {
   for (const double mu : {1e-3, 0.2, 1., 1e3})
-    for (const Vector3d &tau : directions()) {
+    for (const Vector3d &tau : directions())
+    {
       const OrthotropicFriction law{mu, mu, mu, mu};
       const double t = tau.tail<2>().norm();
       if (t <= mu * tau[0] || mu * t + tau[0] <= 0)
@@ -92,11 +98,13 @@ TEST(Projection, BeatsEveryOtherPointOfTheSurface)
 {
   constexpr int n_angles = 2000;
   for (const OrthotropicFriction &law : {case_b, OrthotropicFriction{0.05, 2, 0.05, 2}})
-    for (const Vector3d &tau : directions()) {
+    for (const Vector3d &tau : directions())
+    {
       if (cone_zone(law, tau) != ConeZone::outside)
         continue;
       double least = tau.norm(); // the apex
-      for (int i = 0; i < n_angles; ++i) {
+      for (int i = 0; i < n_angles; ++i)
+      {
         const double angle = 2 * M_PI * i / n_angles;
         const Vector3d ray = Vector3d(1, law.mu_x * std::cos(angle), law.mu_y * std::sin(angle)).normalized();
         least = std::min(least, (tau - std::max(0., ray.dot(tau)) * ray).norm());
@@ -111,17 +119,20 @@ TEST(Projection, HasTheDerivativeOfDifferences)
 {
   constexpr double step = 1e-6;
   for (const OrthotropicFriction &law : {case_a, case_b, OrthotropicFriction{2, 0.05, 2, 0.05}})
-    for (const Vector3d &tau : directions()) {
+    for (const Vector3d &tau : directions())
+    {
       const Eigen::Matrix3d derivative = project_with_derivative(law, tau).derivative();
       bool is_smooth = true;
       Eigen::Matrix3d differences;
-      for (int d = 0; d < 3; ++d) {
+      for (int d = 0; d < 3; ++d)
+      {
         const Vector3d change = step * Vector3d::Unit(d);
         is_smooth = is_smooth && cone_zone(law, tau + change) == cone_zone(law, tau) &&
                     cone_zone(law, tau - change) == cone_zone(law, tau);
         differences.col(d) = (project(law, tau + change) - project(law, tau - change)) / (2 * step);
       }
-      if (is_smooth) {
+      if (is_smooth)
+      {
         EXPECT_LE((derivative - differences).norm(), 1e-8) << tau.transpose();
       }
     }

@@ -4,11 +4,13 @@
 
 #include <gtest/gtest.h>
 
-namespace orthocone::test {
+namespace orthocone::test
+{
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-namespace {
+namespace
+{
 Vector2d unit(const double angle)
 {
   return {std::cos(angle), std::sin(angle)};
@@ -32,7 +34,8 @@ TEST(SlipRule, GivesTheKnownTractionsAt45Degrees)
 TEST(SlipRule, TractionLiesOnTheEllipseAndSlipFollowsFromIt)
 {
   for (const OrthotropicFriction &law : {case_a, case_b, case_c})
-    for (double angle = 0; angle < 360; angle += 7.5) {
+    for (double angle = 0; angle < 360; angle += 7.5)
+    {
       const Vector2d d = unit(angle * degree);
       const Vector2d t = sliding_traction(law, d[0], d[1]);
       EXPECT_NEAR(friction_norm(law, t[0], t[1]), 1, 1e-14);
@@ -50,12 +53,12 @@ TEST(NaturalMap, VanishesExactlyWhereTheLawHolds)
   constexpr double normal_force = 3;
   for (const OrthotropicFriction &law : {case_a, case_b, case_c})
     for (double angle = 0; angle < 360; angle += 7.5)
-      for (const double rho : {0.01, 1., 100.}) {
+      for (const double rho : {0.01, 1., 100.})
+      {
         const Vector2d d = unit(angle * degree);
         const Vector2d t = normal_force * sliding_traction(law, d[0], d[1]);
-        const auto map = [&](const Vector3d &r, const Vector3d &displacement) {
-          return (r - project(law, r - rho * modified_displacement(law, displacement))).norm();
-        };
+        const auto map = [&](const Vector3d &r, const Vector3d &displacement)
+        { return (r - project(law, r - rho * modified_displacement(law, displacement))).norm(); };
         const Vector3d slipping(normal_force, t[0], t[1]);
         const double seen = 0.05 * std::min(rho, 1.); // a violation moves the map by about rho times its size
         EXPECT_LE(map(slipping, {0, d[0], d[1]}), 1e-12); // slip
@@ -84,7 +87,8 @@ TEST(ModifiedDisplacement, HasTheDerivativeOfDifferences)
 {
   constexpr double step = 1e-6;
   for (const OrthotropicFriction &law : {case_a, case_b, case_c})
-    for (const Vector3d &d : directions()) {
+    for (const Vector3d &d : directions())
+    {
       if (d.tail<2>().norm() < 1e-3)
         continue; // the norm has a kink
       Eigen::Matrix3d differences;

@@ -8,11 +8,13 @@
 #include <limits>
 #include <stdexcept>
 
-namespace orthocone::test {
+namespace orthocone::test
+{
 using Eigen::Index;
 using Eigen::Vector3d;
 
-namespace {
+namespace
+{
 const std::array<OrthotropicFriction, 4> laws{{case_a, case_b, case_c, {1, 0.4, 1, 1}}};
 
 NodeVector solve(const ContactProblem &problem, const ContactSolverOptions &options)
@@ -28,7 +30,8 @@ NodeVector solve(const ContactProblem &problem, const ContactSolverOptions &opti
 void expect_law(const ContactProblem &problem, const NodeVector &force, const double tolerance)
 {
   const NodeVector d = problem.displacement(force);
-  for (Index node = 0; node < problem.n_nodes(); ++node) {
+  for (Index node = 0; node < problem.n_nodes(); ++node)
+  {
     const OrthotropicFriction &law = problem.law(node);
     const Vector3d r = force.segment<3>(3 * node);
     const Vector3d u = d.segment<3>(3 * node);
@@ -37,9 +40,12 @@ void expect_law(const ContactProblem &problem, const NodeVector &force, const do
     EXPECT_NEAR(r[0] * u[0], 0, tolerance);
     const double criterion = friction_norm(law, r[1], r[2]) - r[0];
     EXPECT_LE(criterion, tolerance);
-    if (criterion < -1e-6) {
+    if (criterion < -1e-6)
+    {
       EXPECT_LE(u.tail<2>().norm(), tolerance);
-    } else if (r[0] > 1e-6) {
+    }
+    else if (r[0] > 1e-6)
+    {
       const Eigen::Vector2d slip = slip_direction(law, r[1], r[2]).normalized();
       EXPECT_NEAR(slip[0] * u[2] - slip[1] * u[1], 0, tolerance);
       EXPECT_GE(slip.dot(u.tail<2>()), -tolerance);
@@ -61,7 +67,8 @@ INSTANTIATE_TEST_SUITE_P(Methods, EverySolver,
 TEST_P(EverySolver, ObeysTheLaw)
 {
   for (const OrthotropicFriction &law : laws)
-    for (const double push : {0.05, 1., 20.}) {
+    for (const double push : {0.05, 1., 20.})
+    {
       const GridProblem grid(law, 5, push);
       expect_law(grid.problem, solve(grid.problem, solver_options(GetParam())), 1e-8);
     }
@@ -69,7 +76,8 @@ TEST_P(EverySolver, ObeysTheLaw)
 
 TEST_P(EverySolver, GivesTheForcesOfTheSweeps)
 {
-  for (const OrthotropicFriction &law : laws) {
+  for (const OrthotropicFriction &law : laws)
+  {
     const GridProblem grid(law);
     const NodeVector expected = solve(grid.problem, solver_options(ContactMethod::gauss_seidel, 1e-13));
     const NodeVector force = solve(grid.problem, solver_options(GetParam()));
@@ -132,7 +140,8 @@ TEST(ScalingMap, HoldsForTheUnsymmetricOperatorOfNonAssociatedSlip)
   const Vector3d d(1, case_c.mu_x, case_c.mu_y);
   const Vector3d dc(1, case_c.mu_x * weights[0], case_c.mu_y * weights[1]);
   const NodeVector u = grid.problem.displacement(expected);
-  for (Index node = 0; node < grid.problem.n_nodes(); ++node) {
+  for (Index node = 0; node < grid.problem.n_nodes(); ++node)
+  {
     const Vector3d r = expected.segment<3>(3 * node).cwiseQuotient(d);
     const Vector3d v = modified_displacement(circular, u.segment<3>(3 * node).cwiseProduct(dc));
     EXPECT_LE((r - project(circular, r - v)).norm(), 1e-9);
@@ -143,7 +152,8 @@ TEST(ScalingMap, HoldsForTheUnsymmetricOperatorOfNonAssociatedSlip)
 // by more than it gains.
 TEST(Feng2006, FailsWhereRhoTimesTheLargestComplianceExceedsTwo)
 {
-  for (const double ratio : {1.5, 2.5}) {
+  for (const double ratio : {1.5, 2.5})
+  {
     const DenseCompliance compliance(Vector3d(1, 1, ratio).asDiagonal().toDenseMatrix());
     ContactProblem problem(compliance, {{0.5, 0.5, 0.5, 0.5}});
     problem.set_step(Vector3d(-1, 0, 0.1), Vector3d::Zero());
@@ -158,7 +168,8 @@ TEST(Feng2006, FailsWhereRhoTimesTheLargestComplianceExceedsTwo)
 
 TEST(Feng2006, GivesTheForcesOfTheSweepsWhereItConverges)
 {
-  for (const OrthotropicFriction &law : {case_a, case_b}) {
+  for (const OrthotropicFriction &law : {case_a, case_b})
+  {
     const GridProblem grid(law);
     const NodeVector expected = solve(grid.problem, solver_options(ContactMethod::gauss_seidel, 1e-13));
     const NodeVector force = solve(grid.problem, solver_options(ContactMethod::feng2006));
@@ -179,19 +190,24 @@ TEST(Relaxation, DoesNotChangeTheAnswer)
 {
   const GridProblem grid(case_b);
   const NodeVector expected = solve(grid.problem, solver_options(ContactMethod::gauss_seidel, 1e-13));
-  for (const double relaxation : {0.6, 1.3}) {
+  for (const double relaxation : {0.6, 1.3})
+  {
     ContactSolverOptions options = solver_options(ContactMethod::gauss_seidel);
     options.relaxation = relaxation;
     EXPECT_LE((solve(grid.problem, options) - expected).norm(), 1e-8 * expected.norm());
   }
 }
 
-namespace {
+namespace
+{
 /// A backend that can only multiply.
 class ProductsOnly : public Compliance
 {
 public:
-  explicit ProductsOnly(const DenseCompliance &inner) : inner_(inner) {}
+  explicit ProductsOnly(const DenseCompliance &inner)
+      : inner_(inner)
+  {
+  }
   Index n_nodes() const override { return inner_.n_nodes(); }
   void vmult(NodeVector &displacement, const NodeVector &force) const override
   {

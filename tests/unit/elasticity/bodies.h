@@ -11,7 +11,8 @@
 
 #include <functional>
 
-namespace orthocone::test {
+namespace orthocone::test
+{
 /// A small graded mesh; nothing in it is uniform or symmetric between top and base.
 inline MeshOptions small_mesh(const unsigned int degree)
 {
@@ -30,9 +31,11 @@ struct FactorizedBody
 {
   FactorizedBody(const GeometryOptions &geometry, const MeshOptions &mesh_options,
                  const MaterialOptions &material, const SymmetryPlanes &planes, const double angle = 0)
-      : lame(material), mesh(geometry, mesh_options, planes),
+      : lame(material),
+        mesh(geometry, mesh_options, planes),
         discretization(mesh.triangulation(), mesh_options, geometry.top_face),
-        stiffness(discretization, material), factor(stiffness.matrix(), discretization.n_interior()),
+        stiffness(discretization, material),
+        factor(stiffness.matrix(), discretization.n_interior()),
         condensed(discretization, factor, SurfaceAxes(angle))
   {
   }
@@ -64,10 +67,12 @@ internal_forces(const Discretization &discretization,
                                  dealii::update_quadrature_points | dealii::update_JxW_values);
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(discretization.n_dofs());
   std::vector<dealii::types::global_dof_index> dofs(discretization.fe().n_dofs_per_cell());
-  for (const auto &cell : discretization.dof_handler().active_cell_iterators()) {
+  for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+  {
     values.reinit(cell);
     cell->get_dof_indices(dofs);
-    for (const unsigned int q : values.quadrature_point_indices()) {
+    for (const unsigned int q : values.quadrature_point_indices())
+    {
       const Stress s = stress(values, q);
       for (unsigned int i = 0; i < dofs.size(); ++i)
         forces[dofs[i]] +=
@@ -96,7 +101,8 @@ inline std::vector<dealii::Point<3>> dof_positions(const Discretization &discret
 {
   std::vector<dealii::Point<3>> positions(discretization.n_dofs());
   std::vector<dealii::types::global_dof_index> dofs(discretization.fe().n_dofs_per_cell());
-  for (const auto &cell : discretization.dof_handler().active_cell_iterators()) {
+  for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+  {
     cell->get_dof_indices(dofs);
     for (unsigned int i = 0; i < dofs.size(); ++i)
       positions[dofs[i]] = discretization.mapping().transform_unit_to_real_cell(

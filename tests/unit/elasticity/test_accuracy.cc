@@ -4,10 +4,12 @@
 
 #include <gtest/gtest.h>
 
-namespace orthocone::test {
+namespace orthocone::test
+{
 using Eigen::VectorXd;
 
-namespace {
+namespace
+{
 const MaterialOptions material;
 
 /// A smooth displacement that vanishes on the clamped top z = 10, and its strain.
@@ -51,9 +53,8 @@ double energy_error(const unsigned int degree, const unsigned int n_cells)
   const unsigned int n_points = degree + 3;
   const VectorXd load = internal_forces(
       discretization,
-      [&](const dealii::FEValues<3> &values, const unsigned int q) {
-        return stress_of(exact_strain(values.quadrature_point(q)), body.lame);
-      },
+      [&](const dealii::FEValues<3> &values, const unsigned int q)
+      { return stress_of(exact_strain(values.quadrature_point(q)), body.lame); },
       n_points);
   VectorXd u = VectorXd::Zero(discretization.n_dofs());
   u.head(discretization.n_free()) = body.factor.solve(load.head(discretization.n_free()));
@@ -61,9 +62,11 @@ double energy_error(const unsigned int degree, const unsigned int n_cells)
                              dealii::update_gradients | dealii::update_quadrature_points |
                                  dealii::update_JxW_values);
   double energy = 0;
-  for (const auto &cell : discretization.dof_handler().active_cell_iterators()) {
+  for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+  {
     values.reinit(cell);
-    for (const unsigned int q : values.quadrature_point_indices()) {
+    for (const unsigned int q : values.quadrature_point_indices())
+    {
       const Stress error =
           strain_at(values, q, discretization.dof_handler(), u) - exact_strain(values.quadrature_point(q));
       energy += error * stress_of(error, body.lame) * values.JxW(q);
@@ -86,7 +89,8 @@ TEST(Accuracy, PatchTestOnEveryDegreeAndGradedMeshes)
   GeometryOptions geometry;
   geometry.top_face = TopFace::guided;
   for (const double poisson : {0.3, 0., -0.4, 0.49})
-    for (const unsigned int degree : {1, 2, 3}) {
+    for (const unsigned int degree : {1, 2, 3})
+    {
       MaterialOptions foam;
       foam.poisson_ratio = poisson;
       const FactorizedBody body(geometry, small_mesh(degree), foam, {true, true});
@@ -97,7 +101,8 @@ TEST(Accuracy, PatchTestOnEveryDegreeAndGradedMeshes)
         force.segment<3>(3 * static_cast<Eigen::Index>(i)) << pressure * nodes[i].area, 0, 0;
       const VectorXd u = body.condensed.volume_displacement({{0, 0, 0}}, force);
       const double strain = -pressure / foam.young_modulus;
-      for (const ContactNode &node : nodes) {
+      for (const ContactNode &node : nodes)
+      {
         EXPECT_NEAR(u[node.dofs[2]], -strain * geometry.height, 1e-12);
         for (unsigned int d = 0; d < 2; ++d)
           EXPECT_NEAR(u[node.dofs[d]], -poisson * strain * node.position[d], 1e-12);

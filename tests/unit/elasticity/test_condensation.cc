@@ -6,12 +6,14 @@
 
 #include <gtest/gtest.h>
 
-namespace orthocone::test {
+namespace orthocone::test
+{
 using Eigen::Index;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-namespace {
+namespace
+{
 constexpr SymmetryPlanes full{};
 constexpr SymmetryPlanes quarter{true, true};
 const GeometryOptions geometry;
@@ -23,9 +25,8 @@ VectorXd forces_of(const FactorizedBody &body, const VectorXd &displacement)
   const auto &discretization = body.discretization;
   return internal_forces(
       discretization,
-      [&](const dealii::FEValues<3> &values, const unsigned int q) {
-        return stress_of(strain_at(values, q, discretization.dof_handler(), displacement), body.lame);
-      },
+      [&](const dealii::FEValues<3> &values, const unsigned int q)
+      { return stress_of(strain_at(values, q, discretization.dof_handler(), displacement), body.lame); },
       discretization.n_quadrature_points());
 }
 } // namespace
@@ -35,7 +36,8 @@ VectorXd forces_of(const FactorizedBody &body, const VectorXd &displacement)
 TEST(Condensation, SatisfiesTheFullSystem)
 {
   for (const SymmetryPlanes &planes : {full, quarter})
-    for (const unsigned int degree : {1, 2, 3}) {
+    for (const unsigned int degree : {1, 2, 3})
+    {
       const FactorizedBody body(geometry, small_mesh(degree), material, planes);
       const auto &surface = body.discretization.contact_surface();
       NodeVector force = uneven_forces(static_cast<Index>(surface.nodes.size()));
@@ -49,14 +51,16 @@ TEST(Condensation, SatisfiesTheFullSystem)
       EXPECT_EQ(u.tail(u.size() - body.discretization.n_free()).norm(), 0);
       NodeVector moved;
       body.condensed.compliance().vmult(moved, force);
-      for (std::size_t i = 0; i < surface.nodes.size(); ++i) {
+      for (std::size_t i = 0; i < surface.nodes.size(); ++i)
+      {
         const auto &node = surface.nodes[i];
         const Vector3d r = force.segment<3>(3 * static_cast<Index>(i));
         const Vector3d w = moved.segment<3>(3 * static_cast<Index>(i));
         EXPECT_NEAR(u[node.dofs[2]], w[0], 1e-11 * moved.norm());
         EXPECT_NEAR(internal[node.dofs[2]], r[0], 1e-10 * force.norm());
         for (Index d = 0; d < 2; ++d)
-          if (node.is_free[d]) {
+          if (node.is_free[d])
+          {
             EXPECT_NEAR(u[node.dofs[d]], w[1 + d], 1e-11 * moved.norm());
             EXPECT_NEAR(internal[node.dofs[d]], r[1 + d], 1e-10 * force.norm());
           }
@@ -75,11 +79,13 @@ TEST(Condensation, KeepsTheBodyInEquilibrium)
   Vector3d top_force = Vector3d::Zero();
   Vector3d top_moment = Vector3d::Zero();
   const auto &dof_handler = body.discretization.dof_handler();
-  for (unsigned int d = 0; d < 3; ++d) {
+  for (unsigned int d = 0; d < 3; ++d)
+  {
     dealii::ComponentMask component(3, false);
     component.set(d, true);
     for (const auto dof : dealii::DoFTools::extract_dofs(dof_handler, component))
-      if (dof >= body.discretization.n_free()) {
+      if (dof >= body.discretization.n_free())
+      {
         const auto &x = positions[dof];
         const Vector3d reaction = internal[static_cast<Index>(dof)] * Vector3d::Unit(d);
         top_force += reaction;
@@ -89,7 +95,8 @@ TEST(Condensation, KeepsTheBodyInEquilibrium)
   Vector3d base_force = Vector3d::Zero();
   Vector3d base_moment = Vector3d::Zero();
   const auto &nodes = body.discretization.contact_surface().nodes;
-  for (std::size_t i = 0; i < nodes.size(); ++i) {
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
     const Vector3d local = force.segment<3>(3 * static_cast<Index>(i));
     const Vector3d r(local[1], local[2], local[0]);
     base_force += r;

@@ -9,8 +9,10 @@
 #include <map>
 #include <set>
 
-namespace orthocone::test {
-namespace {
+namespace orthocone::test
+{
+namespace
+{
 constexpr SymmetryPlanes full{};
 constexpr SymmetryPlanes half_x{true, false};
 constexpr SymmetryPlanes half_y{false, true};
@@ -34,9 +36,11 @@ using CellKey = std::set<std::array<double, 3>>;
 std::set<CellKey> cells_of(const BodyMesh &mesh)
 {
   std::set<CellKey> cells;
-  for (const auto &cell : mesh.triangulation().active_cell_iterators()) {
+  for (const auto &cell : mesh.triangulation().active_cell_iterators())
+  {
     CellKey key;
-    for (const unsigned int vertex : cell->vertex_indices()) {
+    for (const unsigned int vertex : cell->vertex_indices())
+    {
       const auto &x = cell->vertex(vertex);
       key.insert(std::array<double, 3>{{x[0], x[1], x[2]}});
     }
@@ -67,7 +71,8 @@ TEST(Mesh, FillsTheCylinder)
   const double polygon = 16 * geometry.radius * geometry.radius * std::sin(2 * M_PI / 32);
   const std::map<unsigned int, double> tolerance{{2, 2e-5}, {3, 5e-8}};
   for (const SymmetryPlanes &planes : {full, half_x, half_y, quarter})
-    for (const unsigned int degree : {1, 2, 3}) {
+    for (const unsigned int degree : {1, 2, 3})
+    {
       MeshOptions options;
       options.degree = degree;
       options.layers = 2;
@@ -88,7 +93,8 @@ TEST(Mesh, OfAPartIsExactlyThatPartOfTheFullMesh)
   MeshOptions options = small_mesh(2);
   options.core_cells = 4;
   const auto all = cells_of(BodyMesh(geometry, options, full));
-  for (const SymmetryPlanes &planes : {half_x, half_y, quarter}) {
+  for (const SymmetryPlanes &planes : {half_x, half_y, quarter})
+  {
     const auto part = cells_of(BodyMesh(geometry, options, planes));
     EXPECT_EQ(part.size() * planes.n_copies(), all.size());
     for (const CellKey &cell : part)
@@ -106,7 +112,8 @@ TEST(Mesh, HonoursGradings)
   std::set<double> heights;
   std::set<double> radii; // along the x axis, beyond the core
   const double core = options.core_ratio * geometry.radius / std::sqrt(2.);
-  for (const auto &vertex : mesh.triangulation().get_vertices()) {
+  for (const auto &vertex : mesh.triangulation().get_vertices())
+  {
     heights.insert(vertex[2]);
     if (vertex[2] == 0 && vertex[1] == 0 && vertex[0] > core - 1e-12)
       radii.insert(vertex[0]);
@@ -114,7 +121,8 @@ TEST(Mesh, HonoursGradings)
   ASSERT_EQ(heights.size(), 6u);
   ASSERT_EQ(radii.size(), 4u);
   const std::vector<double> z(heights.begin(), heights.end());
-  for (const unsigned int layer : {0, 1}) {
+  for (const unsigned int layer : {0, 1})
+  {
     EXPECT_NEAR((z[layer + 1] - z[layer]) / (z[layer + 2] - z[layer + 1]), 0.8, 1e-12);
     EXPECT_NEAR(z[layer] + z[5 - layer], geometry.height, 1e-12);
   }
@@ -127,7 +135,8 @@ TEST(Mesh, HonoursGradings)
 TEST(Mesh, PutsTheRimNodesOnTheCircle)
 {
   const GeometryOptions geometry;
-  for (const unsigned int degree : {1, 2, 3}) {
+  for (const unsigned int degree : {1, 2, 3})
+  {
     const MeshOptions options = small_mesh(degree);
     const BodyMesh mesh(geometry, options, quarter);
     const Discretization discretization(mesh.triangulation(), options, geometry.top_face);
@@ -142,23 +151,27 @@ TEST(Mesh, PutsTheRimNodesOnTheCircle)
 TEST(Discretization, HoldsTopAndSymmetryPlanesOnly)
 {
   GeometryOptions geometry;
-  for (const TopFace top : {TopFace::clamped, TopFace::guided}) {
+  for (const TopFace top : {TopFace::clamped, TopFace::guided})
+  {
     geometry.top_face = top;
     const MeshOptions options = small_mesh(2);
     const BodyMesh mesh(geometry, options, quarter);
     const Discretization discretization(mesh.triangulation(), options, geometry.top_face);
     const auto positions = dof_positions(discretization);
-    const auto components = [&] {
+    const auto components = [&]
+    {
       std::vector<unsigned int> list(discretization.n_dofs());
       std::vector<dealii::types::global_dof_index> dofs(discretization.fe().n_dofs_per_cell());
-      for (const auto &cell : discretization.dof_handler().active_cell_iterators()) {
+      for (const auto &cell : discretization.dof_handler().active_cell_iterators())
+      {
         cell->get_dof_indices(dofs);
         for (unsigned int i = 0; i < dofs.size(); ++i)
           list[dofs[i]] = discretization.fe().system_to_component_index(i).first;
       }
       return list;
     }();
-    for (unsigned int dof = 0; dof < discretization.n_dofs(); ++dof) {
+    for (unsigned int dof = 0; dof < discretization.n_dofs(); ++dof)
+    {
       const auto &x = positions[dof];
       const unsigned int d = components[dof];
       const bool is_top = std::abs(x[2] - geometry.height) < 1e-12 && (top == TopFace::clamped || d == 2);

@@ -10,15 +10,18 @@
 #include <fstream>
 #include <sstream>
 
-namespace orthocone::test {
-namespace {
+namespace orthocone::test
+{
+namespace
+{
 namespace fs = std::filesystem;
 
 /// A folder that is gone after the test.
 class Folder
 {
 public:
-  Folder() : path_(fs::temp_directory_path() / ("orthocone-test-" + std::to_string(::getpid())))
+  Folder()
+      : path_(fs::temp_directory_path() / ("orthocone-test-" + std::to_string(::getpid())))
   {
     fs::create_directories(path_ / "part");
   }
@@ -58,7 +61,8 @@ Parameters unusual_parameters()
 TEST(Parameters, SurviveBeingWrittenAndReadAgain)
 {
   const Folder folder;
-  for (const Parameters &parameters : {Parameters(), unusual_parameters()}) {
+  for (const Parameters &parameters : {Parameters(), unusual_parameters()})
+  {
     Parameters complete = parameters;
     if (complete.load.legs.empty())
       complete.load.legs = {Leg{{{0, 0, -0.1}}, 5}};
@@ -88,10 +92,13 @@ TEST(Parameters, NameFileAndLineOfAFaultInAnIncludedFile)
   const std::string part =
       folder.write("part/base.prm", "subsection Geometry\n\n  set Radius = -4 # mm\nend\n");
   const std::string file = folder.write("top.prm", "include part/base.prm\n");
-  try {
+  try
+  {
     read_parameters(file);
     FAIL() << "a negative radius was accepted";
-  } catch (const InputError &error) {
+  }
+  catch (const InputError &error)
+  {
     EXPECT_EQ(std::string(error.what()), part + ":3: Geometry/Radius = -4: allowed is a number > 0");
   }
 }

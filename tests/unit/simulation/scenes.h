@@ -14,7 +14,8 @@
 #include <cmath>
 #include <functional>
 
-namespace orthocone::test {
+namespace orthocone::test
+{
 /// Parameters of a small cylinder under the paper's cycle with the friction of its case B.
 inline Parameters small_scene(const unsigned int degree = 1)
 {
@@ -34,12 +35,14 @@ class Scene
 public:
   explicit Scene(const Parameters &parameters_)
       : parameters(parameters_),
-        planes(choose_model(parameters).planes), law{parameters.friction.mu[0], parameters.friction.mu[1],
-                                                     parameters.friction.p[0], parameters.friction.p[1]},
+        planes(choose_model(parameters).planes),
+        law{parameters.friction.mu[0], parameters.friction.mu[1], parameters.friction.p[0],
+            parameters.friction.p[1]},
         mesh(parameters.geometry, parameters.mesh, planes),
         discretization(mesh.triangulation(), parameters.mesh, parameters.geometry.top_face),
         factor(Stiffness(discretization, parameters.material).matrix(), discretization.n_interior()),
-        axes(parameters.friction.angle), condensed(discretization, factor, axes),
+        axes(parameters.friction.angle),
+        condensed(discretization, factor, axes),
         problem(condensed.compliance(),
                 std::vector<OrthotropicFriction>(condensed.compliance().n_nodes(), law)),
         evaluator(discretization.contact_surface(), planes, axes, law),
@@ -53,7 +56,8 @@ public:
   void march(const Watcher &on_step = {})
   {
     StepSolver solver(condensed, problem, parameters.contact_solver);
-    for (const LoadStep &step : load_steps(parameters.load)) {
+    for (const LoadStep &step : load_steps(parameters.load))
+    {
       const ContactState before = state;
       const SolverReport report = solver.solve(state, step);
       ASSERT_TRUE(report.converged) << "step " << step.number << " residual " << report.residual;
@@ -94,7 +98,8 @@ inline void expect_same_fields(const Scene &part, const Scene &whole, const doub
   const double force = whole.totals().force[2] / static_cast<double>(whole.state.n_nodes());
   const double slip = std::max(whole.totals().max_slip, 1e-12);
   const auto &nodes = part.discretization.contact_surface().nodes;
-  for (unsigned int i = 0; i < nodes.size(); ++i) {
+  for (unsigned int i = 0; i < nodes.size(); ++i)
+  {
     const int other = node_at(whole, nodes[i].position);
     ASSERT_GE(other, 0);
     const ContactFields a = part.evaluator.fields(part.state, i);

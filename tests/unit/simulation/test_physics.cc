@@ -2,11 +2,13 @@
 // Copyright (C) 2026 the orthocone authors
 #include "scenes.h"
 
-namespace orthocone::test {
+namespace orthocone::test
+{
 using Eigen::Index;
 using Eigen::Vector2d;
 
-namespace {
+namespace
+{
 constexpr double tolerance = 1e-8;
 
 const std::array<std::array<double, 2>, 2> slip_ellipses{{{{0.3, 0.15}}, {{0.05, 0.2}}}};
@@ -30,7 +32,8 @@ void expect_uniform_pressure(const Scene &scene)
 
 TEST(Physics, PressureIsUniformWithoutFriction)
 {
-  for (const unsigned int degree : {1, 2, 3}) {
+  for (const unsigned int degree : {1, 2, 3})
+  {
     Parameters parameters = small_scene(degree);
     parameters.mesh.rim_grading = 0.6;
     parameters.mesh.layer_grading = 0.7;
@@ -67,10 +70,12 @@ TEST(Physics, StickingEverywhereIsClampedAtTheBase)
 
 TEST(Physics, MonotoneLoadingIsProportional)
 {
-  for (const auto &p : slip_ellipses) {
+  for (const auto &p : slip_ellipses)
+  {
     Scene once(loaded_in(1, p));
     once.march();
-    for (const unsigned int n_steps : {5, 50}) {
+    for (const unsigned int n_steps : {5, 50})
+    {
       Scene often(loaded_in(n_steps, p));
       often.march();
       expect_same_fields(often, once, tolerance);
@@ -105,18 +110,22 @@ TEST(Physics, ScalesWithDisplacementAndModulus)
 
 TEST(Physics, FrictionNeverDrives)
 {
-  for (const auto &p : slip_ellipses) {
+  for (const auto &p : slip_ellipses)
+  {
     Parameters parameters = small_scene(1);
     parameters.friction.p = p;
     Scene scene(parameters);
-    scene.march([](const ContactState &before, const ContactState &after, const LoadStep &step) {
-      for (Index i = 0; i < after.n_nodes(); ++i) {
-        const Vector2d change =
-            after.displacement.segment<2>(3 * i + 1) - before.displacement.segment<2>(3 * i + 1);
-        EXPECT_LE(after.force.segment<2>(3 * i + 1).dot(change), 1e-9)
-            << "step " << step.number << " node " << i;
-      }
-    });
+    scene.march(
+        [](const ContactState &before, const ContactState &after, const LoadStep &step)
+        {
+          for (Index i = 0; i < after.n_nodes(); ++i)
+          {
+            const Vector2d change =
+                after.displacement.segment<2>(3 * i + 1) - before.displacement.segment<2>(3 * i + 1);
+            EXPECT_LE(after.force.segment<2>(3 * i + 1).dot(change), 1e-9)
+                << "step " << step.number << " node " << i;
+          }
+        });
   }
 }
 
@@ -124,22 +133,25 @@ TEST(Physics, FrictionNeverDrives)
 // except for the work of the normal forces at nodes that open or close within a step.
 TEST(Physics, EnergyBalances)
 {
-  for (const auto &p : slip_ellipses) {
+  for (const auto &p : slip_ellipses)
+  {
     Parameters parameters = small_scene(2);
     parameters.friction.p = p;
     parameters.load.legs = {Leg{{{0, 0, -0.1}}, 2}, Leg{{{0.004, 0.003, -0.08}}, 3}, Leg{{{0, 0, -0.03}}, 4}};
     Scene scene(parameters);
     Totals last;
     double work = 0;
-    scene.march([&](const ContactState &before, const ContactState &after, const LoadStep &) {
-      const Totals now = scene.totals();
-      ASSERT_EQ(now.n_open, 0u);
-      for (unsigned int d = 0; d < 3; ++d)
-        work -= 0.5 * (last.force[d] + now.force[d]) * (after.top[d] - before.top[d]);
-      last = now;
-      EXPECT_NEAR(work, now.elastic_energy + now.total_dissipation, 1e-9 * work);
-      EXPECT_GT(now.total_dissipation, 0);
-    });
+    scene.march(
+        [&](const ContactState &before, const ContactState &after, const LoadStep &)
+        {
+          const Totals now = scene.totals();
+          ASSERT_EQ(now.n_open, 0u);
+          for (unsigned int d = 0; d < 3; ++d)
+            work -= 0.5 * (last.force[d] + now.force[d]) * (after.top[d] - before.top[d]);
+          last = now;
+          EXPECT_NEAR(work, now.elastic_energy + now.total_dissipation, 1e-9 * work);
+          EXPECT_GT(now.total_dissipation, 0);
+        });
   }
 }
 
@@ -147,7 +159,8 @@ TEST(Physics, EnergyBalances)
 // to the time integration's error, which falls with the number of steps.
 TEST(Physics, FullUnloadingErasesTheHistory)
 {
-  for (const auto &p : slip_ellipses) {
+  for (const auto &p : slip_ellipses)
+  {
     Parameters parameters = small_scene(1);
     parameters.friction.p = p;
     parameters.load.cycles = 2;
@@ -155,12 +168,14 @@ TEST(Physics, FullUnloadingErasesTheHistory)
     std::vector<NodeVector> forces;
     double loop = 0;
     double last_force = 0;
-    scene.march([&](const ContactState &before, const ContactState &after, const LoadStep &) {
-      forces.push_back(after.force);
-      const double force = scene.totals().force[2];
-      loop -= 0.5 * (last_force + force) * (after.top[2] - before.top[2]);
-      last_force = force;
-    });
+    scene.march(
+        [&](const ContactState &before, const ContactState &after, const LoadStep &)
+        {
+          forces.push_back(after.force);
+          const double force = scene.totals().force[2];
+          loop -= 0.5 * (last_force + force) * (after.top[2] - before.top[2]);
+          last_force = force;
+        });
     EXPECT_EQ(scene.totals().force.norm(), 0);
     EXPECT_LE(scene.totals().max_slip, 1e-14);
     EXPECT_NEAR(loop, scene.totals().total_dissipation, 1e-2 * loop);
@@ -176,17 +191,20 @@ TEST(Physics, PartialUnloadingKeepsTheHistory)
   parameters.load.legs = {Leg{{{0, 0, -0.1}}, 3}, Leg{{{0, 0, -0.02}}, 5}};
   Scene scene(parameters);
   Eigen::VectorXd preloaded;
-  scene.march([&](const ContactState &, const ContactState &after, const LoadStep &step) {
-    if (step.number == 1)
-      preloaded = after.displacement;
-  });
+  scene.march(
+      [&](const ContactState &, const ContactState &after, const LoadStep &step)
+      {
+        if (step.number == 1)
+          preloaded = after.displacement;
+      });
   EXPECT_GT((scene.state.displacement - preloaded).norm(), 0.1 * preloaded.norm());
 }
 
 // The whole body in steady gross sliding: every node follows the top, and the resultant is the slip rule's.
 TEST(Physics, GrossSlidingHasTheResultantOfTheSlipRule)
 {
-  for (const auto &p : std::vector<std::array<double, 2>>{{{0.8, 0.4}}, {{1, 1}}}) {
+  for (const auto &p : std::vector<std::array<double, 2>>{{{0.8, 0.4}}, {{1, 1}}})
+  {
     Parameters parameters = small_scene(1);
     parameters.friction.mu = {{0.8, 0.4}};
     parameters.friction.p = p;

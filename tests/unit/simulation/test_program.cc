@@ -6,8 +6,10 @@
 
 #include <gtest/gtest.h>
 
-namespace orthocone::test {
-namespace {
+namespace orthocone::test
+{
+namespace
+{
 Parameters scene()
 {
   Parameters parameters;
@@ -36,7 +38,8 @@ TEST(LoadProgram, PassesThroughPreloadAndCycles)
   EXPECT_EQ(steps[4].step_of_leg, 1u);
   for (std::size_t i = 0; i < steps.size(); ++i)
     EXPECT_EQ(steps[i].number, i + 1);
-  for (std::size_t i = 8; i < steps.size(); ++i) {
+  for (std::size_t i = 8; i < steps.size(); ++i)
+  {
     EXPECT_EQ(steps[i].top, steps[i - 6].top); // to the last bit
     EXPECT_EQ(steps[i].phase, steps[i - 6].phase);
   }
@@ -75,10 +78,13 @@ TEST(ModelChoice, RejectsWhatIsNotExactAndSaysWhatIs)
   Parameters parameters = scene();
   parameters.load.legs.push_back(Leg{{{0.1, 0, 0}}, 1});
   parameters.mesh.model = ModelKind::quarter;
-  try {
+  try
+  {
     choose_model(parameters);
     FAIL() << "a quarter with a tangential leg was accepted";
-  } catch (const InputError &error) {
+  }
+  catch (const InputError &error)
+  {
     EXPECT_NE(std::string(error.what()).find("possible models are full, half"), std::string::npos)
         << error.what();
   }

@@ -2,8 +2,10 @@
 // Copyright (C) 2026 the orthocone authors
 #include "scenes.h"
 
-namespace orthocone::test {
-namespace {
+namespace orthocone::test
+{
+namespace
+{
 constexpr double tolerance = 1e-8;
 
 Parameters with_model(Parameters parameters, const ModelKind model)
@@ -31,13 +33,15 @@ TEST(Symmetry, ReducedModelsGiveTheAnswersOfTheFullOne)
 {
   for (const unsigned int degree : {1, 2})
     for (const std::array<double, 2> p :
-         {std::array<double, 2>{{0.3, 0.15}}, std::array<double, 2>{{0.05, 0.2}}}) {
+         {std::array<double, 2>{{0.3, 0.15}}, std::array<double, 2>{{0.05, 0.2}}})
+    {
       Parameters parameters = small_scene(degree);
       parameters.friction.p = p;
       parameters.load.legs = {Leg{{{0, 0, -0.1}}, 1}, Leg{{{0, 0, -0.05}}, 3}};
       Scene whole(with_model(parameters, ModelKind::full));
       whole.march();
-      for (const ModelKind model : {ModelKind::half, ModelKind::quarter}) {
+      for (const ModelKind model : {ModelKind::half, ModelKind::quarter})
+      {
         Scene part(with_model(parameters, model));
         part.march();
         expect_same_fields(part, whole, tolerance);
@@ -48,7 +52,8 @@ TEST(Symmetry, ReducedModelsGiveTheAnswersOfTheFullOne)
 
 TEST(Symmetry, HalfFollowsATangentialLeg)
 {
-  for (const bool along_x : {true, false}) {
+  for (const bool along_x : {true, false})
+  {
     Parameters parameters = small_scene(1);
     const double x = along_x ? 0.01 : 0;
     const double y = along_x ? 0 : 0.01;
@@ -82,7 +87,8 @@ TEST(Symmetry, FieldsTurnWithTheScene)
   turned.march();
   expect_same_fields(turned, exchanged, tolerance);
   const auto &nodes = original.discretization.contact_surface().nodes;
-  for (unsigned int i = 0; i < nodes.size(); ++i) {
+  for (unsigned int i = 0; i < nodes.size(); ++i)
+  {
     const int other = node_at(turned, {{nodes[i].position[1], nodes[i].position[0]}});
     ASSERT_GE(other, 0);
     const Eigen::Vector3d a = original.evaluator.fields(original.state, i).slip;
