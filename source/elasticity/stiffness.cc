@@ -62,8 +62,9 @@ void integrate_gradient_products(const dealii::Triangulation<dim>::active_cell_i
 {
   scratch.values.reinit(cell);
   const unsigned int n_nodes = scratch.values.dofs_per_cell;
-  scratch.gradients.resize(dim * n_nodes);
-  scratch.products.setZero(dim * n_nodes, dim * n_nodes);
+  const Eigen::Index n = static_cast<Eigen::Index>(dim) * n_nodes;
+  scratch.gradients.resize(n);
+  scratch.products.setZero(n, n);
   for (const unsigned int q : scratch.values.quadrature_point_indices())
   {
     for (unsigned int a = 0; a < n_nodes; ++a)

@@ -24,8 +24,9 @@ ContactFieldEvaluator::ContactFieldEvaluator(const ContactSurface &surface, cons
 ContactFields ContactFieldEvaluator::fields(const ContactState &state, const unsigned int node) const
 {
   const ContactNode &place = surface_.nodes[node];
-  const Vector3d d = state.displacement.segment<3>(3 * node);
-  const Vector3d r = state.force.segment<3>(3 * node);
+  const Eigen::Index first = 3 * static_cast<Eigen::Index>(node);
+  const Vector3d d = state.displacement.segment<3>(first);
+  const Vector3d r = state.force.segment<3>(first);
   const Vector2d slip = axes_.to_global(d.tail<2>());
   const Vector2d friction = axes_.to_global(r.tail<2>());
   // A node on a plane of symmetry carries in the model only its share of the force.
