@@ -4,6 +4,7 @@
 
 #include <orthocone/parameters/text.h>
 
+#include <sys/ioctl.h>
 #include <unistd.h>
 
 #include <iomanip>
@@ -12,6 +13,17 @@
 
 namespace orthocone
 {
+namespace
+{
+/// The text, cut to the width of the terminal: a line that wraps cannot be overwritten in place.
+std::string fitted(const std::string &text)
+{
+  winsize size{};
+  const bool is_known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
+  return is_known ? text.substr(0, size.ws_col - 1) : text;
+}
+} // namespace
+
 Log::Log(const RunFolder &folder, const bool is_quiet)
     : folder_(folder),
       is_quiet_(is_quiet),
@@ -41,7 +53,7 @@ void Log::progress(const LoadStep &step, const unsigned int n_steps, const Total
   if (is_quiet_)
     return;
   if (is_terminal_)
-    std::cout << "\r\033[K" << text.str() << std::flush;
+    std::cout << "\r\033[K" << fitted(text.str()) << std::flush;
   else
     std::cout << text.str() << std::endl;
   is_in_place_ = is_terminal_;

@@ -5,6 +5,7 @@
 Usage: test_contract.py PROGRAM [unittest options]"""
 import csv
 import json
+import math
 import os
 import pathlib
 import subprocess
@@ -100,8 +101,29 @@ class ContractTest(unittest.TestCase):
             self.assertIn(expected, result.stdout)
         self.assertEqual(list(self.folder.iterdir()), [])
 
+    def verified(self, name, *settings):
+        file = ROOT / f"prm/verification/{name}.prm"
+        result = self.run_program("--output", "run", "--quiet", settings=settings, file=file)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        return {key: float(value) for key, value in self.history()[-1].items() if key != "method"}
+
+    def test_patch_test(self):
+        row = self.verified("patch_test")
+        for pressure in (row["min_pressure"], row["max_pressure"]):
+            self.assertAlmostEqual(pressure / 2100, 1, delta=1e-6)
+        self.assertAlmostEqual(row["max_slip"] / 0.03, 1, delta=1e-6)
+        self.assertAlmostEqual(row["force_z"] / (2100 * math.pi * 100), 1, delta=1e-3)  # the rim is a parabola a cell
+
+    def test_gross_sliding(self):
+        for slip_ellipse, ratio, angle in (("0.8, 0.4", 0.73756, 14.04), ("1, 1", 0.50596, 45)):
+            row = self.verified("gross_sliding", f"Friction/Slip potential={slip_ellipse}")
+            force = math.hypot(row["force_x"], row["force_y"])
+            self.assertAlmostEqual(force / row["force_z"], ratio, delta=5e-6)
+            self.assertAlmostEqual(math.degrees(math.atan2(-row["force_y"], -row["force_x"])), angle, delta=5e-3)
+            self.assertEqual(row["n_stick"], 0)  # some nodes at the trailing rim are lifted, the others slip
+
     def test_shipped_files_are_read(self):
-        files = sorted((ROOT / "prm").rglob("*.prm"))
+        files = sorted((ROOT / "prm/paper").rglob("*.prm"))
         self.assertGreaterEqual(len(files), 9)
         for file in files:
             if file.name in ("scene.prm", "bricks.prm"):
