@@ -34,7 +34,7 @@ double norm_slope(const OrthotropicFriction &law, const Vector2d &r, const doubl
 ///
 /// Newton's method runs on psi / ||r_t||_m, which is linear in lambda for a circular cone; a bracket catches
 /// the rest. The root of psi is 1 for tau_n = 0 and lies on the side of 1 that the sign of tau_n tells.
-/// Chosen before the closed quartic, which loses digits for mu_x ~ mu_y and near the axes.
+/// The quartic that multiplying out gives is not used: its terms cancel for small coefficients.
 double multiplier(const OrthotropicFriction &law, const Vector3d &tau)
 {
   double lower = tau[0] > 0 ? 0 : 1;

@@ -48,7 +48,8 @@ void Log::progress(const LoadStep &step, const unsigned int n_steps, const Total
   text << "step " << step.number << " of " << n_steps << "  u_z " << to_text(step.top[2])
        << " mm  open/stick/slip " << totals.n_open << "/" << totals.n_stick << "/" << totals.n_slip << "  "
        << report.iterations << " iterations  residual " << std::scientific << std::setprecision(1)
-       << report.residual << std::fixed << "  " << elapsed << " s, " << remaining << " s left";
+       << report.residual << "  penetration " << report.penetration << " mm" << std::fixed << "  " << elapsed
+       << " s, " << remaining << " s left";
   folder_.append("log.txt", text.str() + "\n");
   if (is_quiet_)
     return;

@@ -2,7 +2,10 @@
 // Copyright (C) 2026 the orthocone authors
 #include "laws.h"
 
+#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
+
+#include <complex>
 
 namespace orthocone::test
 {
@@ -113,6 +116,65 @@ TEST(Projection, BeatsEveryOtherPointOfTheSurface)
       EXPECT_LE(distance, least + 1e-14);
       EXPECT_NEAR(distance, least, 1e-4);
     }
+}
+
+namespace
+{
+/// Projection by the quartic of the paper, from the eigenvalues of its companion matrix.
+Vector3d project_by_quartic(const OrthotropicFriction &law, const Vector3d &tau)
+{
+  using Polynomial = Eigen::Matrix<double, 5, 1>; // coefficients of 1, lambda, ..., lambda^4
+  const auto square_times_square =
+      [](const double a, const double sign_a, const double b, const double sign_b)
+  {
+    const Vector3d p(a * a, 2 * a * sign_a, 1);
+    const Vector3d q(b * b, 2 * b * sign_b, 1);
+    Polynomial product = Polynomial::Zero();
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < 3; ++j)
+        product[i + j] += p[i] * q[j];
+    return product;
+  };
+  const double x = law.mu_x * law.mu_x;
+  const double y = law.mu_y * law.mu_y;
+  const Polynomial quartic = tau[1] * tau[1] * x * square_times_square(y, 1, 1, -1) +
+                             tau[2] * tau[2] * y * square_times_square(x, 1, 1, -1) -
+                             tau[0] * tau[0] * square_times_square(x, 1, y, 1);
+  Eigen::Matrix4d companion = Eigen::Matrix4d::Zero();
+  companion.diagonal(-1).setOnes();
+  companion.col(3) = -quartic.head<4>() / quartic[4];
+  Vector3d nearest = Vector3d::Zero();
+  const Eigen::EigenSolver<Eigen::Matrix4d> solver(companion);
+  for (const std::complex<double> &root : solver.eigenvalues())
+  {
+    const double lambda = root.real();
+    const Vector3d r(tau[0] / (1 - lambda), tau[1] / (1 + lambda / x), tau[2] / (1 + lambda / y));
+    const bool is_wanted = lambda > 0 && r[0] > 0 && std::abs(root.imag()) < 1e-3 * std::abs(lambda);
+    if (is_wanted && (tau - r).norm() < (tau - nearest).norm())
+      nearest = r;
+  }
+  return nearest;
+}
+
+double error_of_quartic(const OrthotropicFriction &law)
+{
+  double error = 0;
+  for (const Vector3d &tau : directions())
+    if (cone_zone(law, tau) == ConeZone::outside && std::abs(tau[0]) > 0.01)
+      error = std::max(error, (project_by_quartic(law, tau) - project(law, tau)).norm());
+  return error;
+}
+} // namespace
+
+// The paper's quartic has the same root. For small coefficients its terms cancel, and up to seven digits are
+// lost, where Moreau's conditions hold to 1e-13 for the program's own equation (above).
+TEST(Projection, AgreesWithTheQuarticAndKeepsTheDigitsThatItLoses)
+{
+  for (const OrthotropicFriction &law : {case_a, case_b, OrthotropicFriction{0.9, 0.5, 1, 1}})
+    EXPECT_LE(error_of_quartic(law), 1e-12);
+  const double lost = error_of_quartic({1e-3, 1e-3, 1, 1});
+  EXPECT_GT(lost, 1e-10);
+  EXPECT_LE(lost, 1e-7);
 }
 
 TEST(Projection, HasTheDerivativeOfDifferences)
