@@ -37,14 +37,13 @@ function(orthocone_library name)
   orthocone_warnings(${target})
 endfunction()
 
-# Compiles version and git revision into one file.
-function(orthocone_add_version target file)
-  execute_process(COMMAND git describe --always --dirty
-    WORKING_DIRECTORY ${CMAKE_CURRENT_SOURCE_DIR}
-    OUTPUT_VARIABLE revision OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET)
-  if(NOT revision)
-    set(revision "no git revision")
-  endif()
-  set_source_files_properties(${file} PROPERTIES COMPILE_DEFINITIONS
-    "ORTHOCONE_VERSION=\"${PROJECT_VERSION}\";ORTHOCONE_REVISION=\"${revision}\"")
+# Provides the header orthocone_revision.h to the sources of a library.
+function(orthocone_add_revision target)
+  set(folder ${CMAKE_BINARY_DIR}/revision)
+  add_custom_target(${target}_revision
+    BYPRODUCTS ${folder}/orthocone_revision.h
+    COMMAND ${CMAKE_COMMAND} -DHEADER=${folder}/orthocone_revision.h -DVERSION=${PROJECT_VERSION}
+      -DSOURCE_DIR=${CMAKE_CURRENT_SOURCE_DIR} -P ${CMAKE_CURRENT_SOURCE_DIR}/cmake/write_revision.cmake)
+  add_dependencies(${target} ${target}_revision)
+  target_include_directories(${target} PRIVATE ${folder})
 endfunction()

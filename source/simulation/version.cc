@@ -7,6 +7,7 @@
 #include <Eigen/Core>
 #include <cholmod.h>
 #include <dlfcn.h>
+#include <orthocone_revision.h>
 
 namespace orthocone
 {
