@@ -4,6 +4,7 @@
 
 #include <orthocone/parameters/errors.h>
 #include <orthocone/parameters/parameters.h>
+#include <orthocone/parameters/text.h>
 #include <orthocone/simulation/quasi_static_problem.h>
 #include <orthocone/simulation/version.h>
 
@@ -46,8 +47,8 @@ void keep_parameters(const RunFolder &folder, const CommandLine &line, const Par
   std::ostringstream complete;
   write_parameters(parameters, complete);
   folder.remove_earlier_run();
+  folder.write("parameters.prm", complete.str()); // first: it marks the folder as one of a run
   folder.write(is_json ? "input.json" : "input.prm", verbatim.str());
-  folder.write("parameters.prm", complete.str());
 }
 
 /// Checks what entries have to do with each other; faults are told with the name of the file.
@@ -79,6 +80,13 @@ int run(const CommandLine &line)
   return outcome.is_complete ? exit_code(ExitCode::done) : fail(ExitCode::unsolved_step, outcome.message);
 }
 
+void print_defaults()
+{
+  std::ostringstream text; // deal.II has a sentence of its own for a stream that fails
+  write_parameters(Parameters(), text);
+  std::cout << text.str();
+}
+
 int dispatch(const int argc, const char *const *const argv)
 {
   const CommandLine line = parse_command_line(argc, argv);
@@ -88,9 +96,11 @@ int dispatch(const int argc, const char *const *const argv)
     for (const auto &[name, version] : versions())
       std::cout << name << " " << version << "\n";
   else if (line.defaults)
-    write_parameters(Parameters(), std::cout);
+    print_defaults();
   else
     return run(line);
+  if (!std::cout.flush())
+    throw FileError("standard output: cannot be written");
   return exit_code(ExitCode::done);
 }
 } // namespace
@@ -109,11 +119,15 @@ int main(const int argc, const char *const *const argv)
   {
     return fail(ExitCode::file_error, error.what());
   }
+  catch (const std::filesystem::filesystem_error &error)
+  {
+    return fail(ExitCode::file_error, error.path1().string() + ": " + error.code().message());
+  }
   catch (const dealii::ExceptionBase &error)
   {
     std::ostringstream text;
     error.print_info(text);
-    return fail(ExitCode::unsolved_step, text.str());
+    return fail(ExitCode::unsolved_step, trimmed(text.str()));
   }
   catch (const std::bad_alloc &)
   {

@@ -33,16 +33,8 @@ void Feng2006::sweep(NodeVector &force) const
 
 SolverReport Feng2006::solve(NodeVector &force)
 {
-  constexpr unsigned int sweeps_between_checks = 5;
-  unsigned int n_sweeps = 0;
-  double residual = problem_.residual(force);
-  while (residual > options_.tolerance && n_sweeps < options_.maximum_iterations && std::isfinite(residual))
-  {
-    for (unsigned int i = 0; i < sweeps_between_checks && n_sweeps < options_.maximum_iterations;
-         ++i, ++n_sweeps)
-      sweep(force);
-    residual = problem_.residual(force);
-  }
-  return make_report(problem_, force, n_sweeps, options_.tolerance);
+  constexpr unsigned int iterations_between_checks = 5;
+  return iterate_until_converged(problem_, options_, iterations_between_checks, force,
+                                 [this](NodeVector &r) { sweep(r); });
 }
 } // namespace orthocone

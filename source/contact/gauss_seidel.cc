@@ -40,13 +40,8 @@ void GaussSeidel::sweep(NodeVector &force) const
 
 SolverReport GaussSeidel::solve(NodeVector &force)
 {
-  // The residual costs as much as a sweep.
-  constexpr unsigned int sweeps_between_checks = 5;
-  unsigned int n_sweeps = 0;
-  while (problem_.residual(force) > options_.tolerance && n_sweeps < options_.maximum_iterations)
-    for (unsigned int i = 0; i < sweeps_between_checks && n_sweeps < options_.maximum_iterations;
-         ++i, ++n_sweeps)
-      sweep(force);
-  return make_report(problem_, force, n_sweeps, options_.tolerance);
+  constexpr unsigned int iterations_between_checks = 5;
+  return iterate_until_converged(problem_, options_, iterations_between_checks, force,
+                                 [this](NodeVector &r) { sweep(r); });
 }
 } // namespace orthocone

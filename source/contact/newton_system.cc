@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include "newton_system.h"
 
+#include <limits>
+
 namespace orthocone
 {
 using Eigen::Index;
@@ -95,7 +97,12 @@ VectorXd NewtonSystem::right_side() const
 
 NodeVector NewtonSystem::solve() const
 {
-  const VectorXd unknowns = matrix().partialPivLu().solve(right_side());
+  const MatrixXd left = matrix();
+  const VectorXd right = right_side();
+  // LAPACK leaves the pivots of such a matrix undefined.
+  if (!left.allFinite() || !right.allFinite())
+    return NodeVector::Constant(3 * problem_.n_nodes(), std::numeric_limits<double>::quiet_NaN());
+  const VectorXd unknowns = left.partialPivLu().solve(right);
   NodeVector change(3 * problem_.n_nodes());
   for (Index i = 0; i < problem_.n_nodes(); ++i)
   {

@@ -15,7 +15,7 @@ public:
   /// `displacement` belongs to `force`; the problem needs its dense compliance.
   NewtonSystem(const ContactProblem &problem, const NodeVector &force, const NodeVector &displacement);
 
-  /// Newton's change of the forces. Not finite if the matrix is singular.
+  /// Newton's change of the forces. Not finite if the matrix is singular or itself not finite.
   NodeVector solve() const;
 
   Eigen::Index n_unknowns() const { return n_unknowns_; }

@@ -47,17 +47,23 @@ struct LineSearch
     return false;
   }
 };
+/// The relaxation factor is for the sweeps as a method of their own.
+ContactSolverOptions unrelaxed(ContactSolverOptions options)
+{
+  options.relaxation = 1;
+  return options;
+}
 } // namespace
 
 SemismoothNewton::SemismoothNewton(const ContactProblem &problem, const ContactSolverOptions &options)
     : problem_(problem),
       options_(options),
-      sweeps_(problem, options)
+      sweeps_(problem, unrelaxed(options))
 {
 }
 
-/// Newton iterations while each of them pays; true when converged. Leaves the best forces.
-bool SemismoothNewton::iterate_while_it_pays(NodeVector &force, unsigned int &iterations) const
+/// Newton iterations while each of them pays. Leaves the best forces.
+void SemismoothNewton::iterate_while_it_pays(NodeVector &force, unsigned int &iterations) const
 {
   constexpr unsigned int most_iterations = 12;
   constexpr double paying_reduction =
@@ -75,7 +81,7 @@ bool SemismoothNewton::iterate_while_it_pays(NodeVector &force, unsigned int &it
     if (problem_.residual(candidate) <= options_.tolerance)
     {
       force = candidate;
-      return true;
+      return;
     }
     if (search.error > paying_reduction * last_error)
       break;
@@ -83,7 +89,6 @@ bool SemismoothNewton::iterate_while_it_pays(NodeVector &force, unsigned int &it
   const NodeVector candidate = admissible(problem_, search.force);
   if (problem_.residual(candidate) < problem_.residual(force))
     force = candidate;
-  return false;
 }
 
 SolverReport SemismoothNewton::solve(NodeVector &force)
@@ -92,13 +97,14 @@ SolverReport SemismoothNewton::solve(NodeVector &force)
   constexpr unsigned int most_sweeps = 160;
   unsigned int n_sweeps = first_sweeps;
   unsigned int iterations = 0;
-  bool has_converged = problem_.residual(force) <= options_.tolerance;
-  while (!has_converged && iterations < options_.maximum_iterations)
+  double residual = problem_.residual(force);
+  while (residual > options_.tolerance && iterations < options_.maximum_iterations && std::isfinite(residual))
   {
     for (unsigned int i = 0; i < n_sweeps && iterations < options_.maximum_iterations; ++i, ++iterations)
       sweeps_.sweep(force);
-    has_converged =
-        problem_.residual(force) <= options_.tolerance || iterate_while_it_pays(force, iterations);
+    if (problem_.residual(force) > options_.tolerance)
+      iterate_while_it_pays(force, iterations);
+    residual = problem_.residual(force);
     n_sweeps = std::min(2 * n_sweeps, most_sweeps);
   }
   return make_report(problem_, force, iterations, options_.tolerance);

@@ -7,6 +7,8 @@
 #include <orthocone/contact/contact_solver.h>
 #include <orthocone/contact/one_node.h>
 
+#include <cmath>
+
 namespace orthocone
 {
 /// Gauss-Seidel sweeps: every node in turn is solved exactly with the forces of the others fixed.
@@ -73,12 +75,30 @@ public:
   SolverReport solve(NodeVector &force) override;
 
 private:
-  bool iterate_while_it_pays(NodeVector &force, unsigned int &iterations) const;
+  void iterate_while_it_pays(NodeVector &force, unsigned int &iterations) const;
 
   const ContactProblem &problem_;
   ContactSolverOptions options_;
   GaussSeidel sweeps_;
 };
+
+/// Calls `iterate` until the residual is within the tolerance, the iterations are used up, or the forces are
+/// no longer numbers. The residual costs about as much as an iteration and is looked at every `interval` of
+/// them.
+template<typename Iterate>
+SolverReport iterate_until_converged(const ContactProblem &problem, const ContactSolverOptions &options,
+                                     const unsigned int interval, NodeVector &force, const Iterate &iterate)
+{
+  unsigned int n_iterations = 0;
+  double residual = problem.residual(force);
+  while (residual > options.tolerance && n_iterations < options.maximum_iterations && std::isfinite(residual))
+  {
+    for (unsigned int i = 0; i < interval && n_iterations < options.maximum_iterations; ++i, ++n_iterations)
+      iterate(force);
+    residual = problem.residual(force);
+  }
+  return make_report(problem, force, n_iterations, options.tolerance);
+}
 
 /// The dense compliance, or std::invalid_argument naming the method that wants it.
 const Eigen::MatrixXd &dense_compliance(const ContactProblem &problem, const char *method);

@@ -74,18 +74,7 @@ void Uzawa::iterate(NodeVector &force)
 SolverReport Uzawa::solve(NodeVector &force)
 {
   constexpr unsigned int iterations_between_checks = 10;
-  unsigned int n_iterations = 0;
-  double residual = problem_.residual(force);
-  while (residual > options_.tolerance && n_iterations < options_.maximum_iterations &&
-         std::isfinite(residual))
-  {
-    for (unsigned int i = 0; i < iterations_between_checks && n_iterations < options_.maximum_iterations; ++i)
-    {
-      iterate(force);
-      ++n_iterations;
-    }
-    residual = problem_.residual(force);
-  }
-  return make_report(problem_, force, n_iterations, options_.tolerance);
+  return iterate_until_converged(problem_, options_, iterations_between_checks, force,
+                                 [this](NodeVector &r) { iterate(r); });
 }
 } // namespace orthocone

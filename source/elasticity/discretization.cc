@@ -134,5 +134,8 @@ void Discretization::lump_areas()
             contact_surface_.nodes[(*nodes)[i]].area += values.shape_value(hierarchic[i], q) * values.JxW(q);
         ++nodes;
       }
+  for (const ContactNode &node : contact_surface_.nodes)
+    AssertThrow(node.area > 0,
+                dealii::ExcMessage("the mesh is too distorted: a contact node has no positive area"));
 }
 } // namespace orthocone

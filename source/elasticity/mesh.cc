@@ -3,17 +3,32 @@
 #include <orthocone/elasticity/mesh.h>
 
 #include "o_grid.h"
+#include "ring_manifold.h"
 
 #include <deal.II/grid/grid_generator.h>
-#include <deal.II/grid/manifold_lib.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace orthocone
 {
 namespace
 {
-constexpr dealii::types::manifold_id rim_manifold = 1;
+constexpr unsigned int n_ring_blocks = 4;
+constexpr dealii::types::manifold_id first_ring_manifold = 1;
+
+/// Quarter turns from the positive x axis to the outer block in which a cell lies, or n_ring_blocks for the
+/// core.
+unsigned int block_of(const dealii::Point<3> &centre, const double half_side)
+{
+  const double x = centre[0];
+  const double y = centre[1];
+  if (std::max(std::abs(x), std::abs(y)) < half_side)
+    return n_ring_blocks;
+  if (std::abs(x) > std::abs(y))
+    return x > 0 ? 0 : 2;
+  return y > 0 ? 1 : 3;
+}
 
 /// Heights of the layers' faces; thickness grows or shrinks symmetrically from mid-height to both ends.
 std::vector<double> layer_heights(const double height, const unsigned int n_layers, const double grading)
@@ -68,13 +83,17 @@ BodyMesh::BodyMesh(const GeometryOptions &geometry, const MeshOptions &options, 
       disc, layer_heights(geometry.height, options.layers, options.layer_grading), triangulation_);
   for (const auto &face : triangulation_.active_face_iterators())
     if (face->at_boundary())
-    {
       face->set_boundary_id(boundary_of(face, geometry, planes));
-      // With its edges: set_all_manifold_ids_on_boundary() would pass over those, whose boundary ids are not
-      // set.
-      if (face->boundary_id() == Boundary::lateral_surface)
-        face->set_all_manifold_ids(rim_manifold);
-    }
-  triangulation_.set_manifold(rim_manifold, dealii::CylindricalManifold<3>(2));
+  curve_rings(geometry.radius, options.core_ratio);
+}
+
+void BodyMesh::curve_rings(const double radius, const double core_ratio)
+{
+  const double half_side = core_half_side(radius, core_ratio);
+  for (const auto &cell : triangulation_.active_cell_iterators())
+    if (const unsigned int block = block_of(cell->center(), half_side); block < n_ring_blocks)
+      cell->set_all_manifold_ids(first_ring_manifold + block);
+  for (unsigned int block = 0; block < n_ring_blocks; ++block)
+    triangulation_.set_manifold(first_ring_manifold + block, RingManifold(radius, half_side, block));
 }
 } // namespace orthocone

@@ -23,7 +23,7 @@ public:
       : n_(options.core_cells),
         n_rings_(options.n_rings()),
         radius_(radius),
-        half_side_(options.core_ratio * radius / std::sqrt(2.)),
+        half_side_(core_half_side(radius, options.core_ratio)),
         depth_(graded_positions(n_rings_, options.rim_grading))
   {
     for (unsigned int j = 0; j <= n_; ++j)
@@ -114,6 +114,11 @@ bool is_modelled(const CellData<2> &cell, const std::vector<Point<2>> &vertices,
   return (!planes.normal_to_x || sum[0] > 0) && (!planes.normal_to_y || sum[1] > 0);
 }
 } // namespace
+
+double core_half_side(const double radius, const double core_ratio)
+{
+  return core_ratio * radius / std::sqrt(2.);
+}
 
 std::vector<double> graded_positions(const unsigned int n, const double grading)
 {

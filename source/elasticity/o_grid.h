@@ -10,6 +10,9 @@ namespace orthocone
 void make_o_grid_disc(double radius, const MeshOptions &options, const SymmetryPlanes &planes,
                       dealii::Triangulation<2> &triangulation);
 
+/// Half the side of the core square whose corners are `core_ratio` * `radius` off the axis.
+double core_half_side(double radius, double core_ratio);
+
 /// Positions from 0 to 1 of `n` intervals, each `grading` times as wide as the one before.
 std::vector<double> graded_positions(unsigned int n, double grading);
 } // namespace orthocone

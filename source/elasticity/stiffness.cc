@@ -9,6 +9,8 @@
 
 #include <Eigen/Dense>
 
+#include <algorithm>
+
 namespace orthocone
 {
 namespace

@@ -35,7 +35,7 @@ void declare_mesh(MeshOptions &mesh, ParameterHandler &handler)
   add_count(handler, "Degree", mesh.degree, 1, 3, "Polynomial degree of the elements.");
   add_count(handler, "Quadrature points", mesh.quadrature_points, 0, 10,
             "Gauss points per direction, more than the degree; 0 = degree + 1.");
-  add_number(handler, "Core ratio", mesh.core_ratio, Range{0, 1},
+  add_number(handler, "Core ratio", mesh.core_ratio, Range{0.01, 1, true, false},
              "Distance of the core's corners from the axis / radius.");
   add_number(handler, "Rim grading", mesh.rim_grading, Range{0, 10, false, true},
              "Each ring is this many times as thick as the next inner one; 1 = uniform.");
@@ -78,7 +78,7 @@ void declare_contact_solver(ContactSolverOptions &solver, ParameterHandler &hand
   add_number(handler, "Tolerance", solver.tolerance, Range{1e-14, 1, true, false},
              "Bound of the natural-map residual relative to the contact forces.");
   add_count(handler, "Maximum iterations", solver.maximum_iterations, 1, 10000000,
-            "Sweeps or iterations in one load step.");
+            "Sweeps or iterations for one load step, and for each part of one that has to be halved.");
   add_number(handler, "Relaxation", solver.relaxation, Range{0, 2},
              "Relaxation factor of the sweeps of gauss-seidel: 1 takes the one-node solutions as they are.");
 }

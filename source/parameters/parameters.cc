@@ -10,8 +10,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include <cmath>
-#include <regex>
+#include <optional>
 #include <sstream>
 
 namespace orthocone
@@ -27,14 +26,39 @@ std::string sentence(const dealii::ExceptionBase &exception)
 {
   std::ostringstream text;
   exception.print_info(text);
-  return trimmed(std::regex_replace(text.str(), std::regex("\\s+"), " "));
+  std::istringstream words(text.str());
+  std::string line;
+  for (std::string word; words >> word;)
+    line += (line.empty() ? "" : " ") + word;
+  return line;
+}
+
+/// The part of `text` between two marks ("" as the second: to the end), or nothing. Plain searches: regular
+/// expressions recurse once a character, and users' values may be long.
+std::optional<std::string> between(const std::string &text, const std::string &before,
+                                   const std::string &after)
+{
+  const auto found = text.find(before);
+  if (found == std::string::npos)
+    return std::nullopt;
+  const auto first = found + before.size();
+  const auto last = after.empty() ? text.size() : text.find(after, first);
+  if (last == std::string::npos)
+    return std::nullopt;
+  return trimmed(text.substr(first, last - first));
+}
+
+/// A value as messages show it.
+std::string shown(const std::string &value)
+{
+  constexpr std::size_t most = 200;
+  return value.size() <= most ? value : value.substr(0, most) + "...";
 }
 
 /// The number in deal.II's "Line <N> of file ...", or 0.
 unsigned int line_number(const std::string &text)
 {
-  std::smatch match;
-  return std::regex_search(text, match, std::regex("Line <(\\d+)>")) ? *parse_count(match[1].str()) : 0;
+  return parse_count(between(text, "Line <", ">").value_or("")).value_or(0);
 }
 
 /// The sentence for users of a fault that deal.II found in the joined text of a .prm file.
@@ -51,13 +75,12 @@ std::string explain(const SourceText &source, const std::string &text, const std
   const SourceLine &line = source.line(number);
   const std::string place = line.place() + ": ";
   const std::string path = source.path_at(number);
-  std::smatch match;
-  if (std::regex_search(text, match,
-                        std::regex("entry value ?(.*) for the entry named (.*) does not match the given "
-                                   "pattern: ?(.*)")))
-    return place + path + match[2].str() + " = " + trimmed(match[1].str()) + ": allowed is " + match[3].str();
-  if (std::regex_search(text, match, std::regex("No entry with name <(.*)> was declared")))
-    return place + path + match[1].str() + not_an_entry;
+  constexpr const char *mismatch = "does not match the given pattern:";
+  if (const auto entry = between(text, "for the entry named", mismatch))
+    return place + path + *entry + " = " + shown(*between(text, "The entry value", "for the entry named")) +
+           ": allowed is " + *between(text, mismatch, "");
+  if (const auto unknown = between(text, "No entry with name <", "> was declared"))
+    return place + path + *unknown + not_an_entry;
   if (text.find("no such subsection") != std::string::npos)
     return place + "'" + trimmed(line.text) +
            "' opens an unknown section; 'orthocone --defaults' lists all of them";
@@ -69,6 +92,8 @@ std::string explain(const SourceText &source, const std::string &text, const std
 void parse_prm(const std::string &file_name, ParameterHandler &handler)
 {
   const SourceText source(file_name);
+  if (!source.sets_anything())
+    throw InputError(file_name + ": sets no entry; 'orthocone --defaults' prints a complete parameter file");
   std::istringstream stream(source.joined());
   try
   {
@@ -96,10 +121,9 @@ void set_entry(const std::string &place, const std::string &section, const std::
   }
   catch (const dealii::ExceptionBase &exception)
   {
-    std::smatch match;
     const std::string reason = sentence(exception);
-    const bool is_pattern = std::regex_search(reason, match, std::regex("given pattern <(.*)>\\."));
-    throw InputError(name + " = " + value + ": allowed is " + (is_pattern ? match[1].str() : reason));
+    throw InputError(name + " = " + shown(value) + ": allowed is " +
+                     between(reason, "the given pattern <", ">.").value_or(reason));
   }
   handler.leave_subsection();
 }
@@ -151,27 +175,5 @@ void write_parameters(const Parameters &parameters, std::ostream &out)
   ParameterHandler handler;
   declare_parameters(copy, handler);
   handler.print_parameters(out, ParameterHandler::PRM | ParameterHandler::KeepDeclarationOrder);
-}
-
-void check_parameters(const Parameters &parameters)
-{
-  const MeshOptions &mesh = parameters.mesh;
-  if (mesh.n_quadrature_points() <= mesh.degree)
-    throw InputError("Mesh/Quadrature points = " + std::to_string(mesh.quadrature_points) +
-                     ": with Mesh/Degree = " + std::to_string(mesh.degree) +
-                     " allowed is 0 or more than the degree (fewer points leave " +
-                     "deformations without stiffness)");
-  const LoadOptions &load = parameters.load;
-  if (load.preload.empty() && (load.legs.empty() || load.cycles == 0))
-    throw InputError((load.legs.empty() ? "Load program/Legs is empty" : "Load program/Cycles = 0") +
-                     std::string(" and Load program/Preload is empty: allowed is at least one leg, such as "
-                                 "'0 0 -0.1 : 5'"));
-  constexpr double rounding = 1e-12;
-  for (const Probe &probe : parameters.output.probes)
-    if (std::hypot(probe.position[0], probe.position[1]) > (1 + rounding) * parameters.geometry.radius)
-      throw InputError("Output/Probes: '" + probe.name + "' at (" + to_text(probe.position[0]) + ", " +
-                       to_text(probe.position[1]) +
-                       ") is off the contact surface: allowed are points within " +
-                       "Geometry/Radius = " + to_text(parameters.geometry.radius) + " of the axis");
 }
 } // namespace orthocone

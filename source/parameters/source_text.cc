@@ -86,6 +86,12 @@ std::string SourceText::joined() const
   return text;
 }
 
+bool SourceText::sets_anything() const
+{
+  return std::any_of(lines_.begin(), lines_.end(),
+                     [](const SourceLine &source) { return !behind_keyword(source.text, "set").empty(); });
+}
+
 std::vector<unsigned int> SourceText::open_sections(const unsigned int number) const
 {
   std::vector<unsigned int> open;

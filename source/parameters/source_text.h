@@ -36,6 +36,9 @@ public:
   /// "Section/" of the sections that are open before a line of the joined text.
   std::string path_at(unsigned int number) const;
 
+  /// Whether any line sets an entry.
+  bool sets_anything() const;
+
   unsigned int n_lines() const { return lines_.size(); }
 
 private:

@@ -17,6 +17,18 @@ ContactState::ContactState(const Index n_nodes)
 {
 }
 
+namespace
+{
+/// Work of friction along the slip `change`, >= 0. The mean of the forces before and after is exact while
+/// they are proportional. It is wrong where the old force drives the slip (a reversal within the step) and
+/// where the node ends in the air: there the force that the law gives at the end counts.
+double dissipation(const Vector2d &before, const Vector2d &after, const Vector2d &change, const double gap)
+{
+  const bool has_reversed = before.dot(change) > 0;
+  return has_reversed || gap > 0 ? -after.dot(change) : -0.5 * (before + after).dot(change);
+}
+} // namespace
+
 void advance(ContactState &state, const ContactProblem &problem, const NodeVector &force,
              const std::array<double, 3> &top)
 {
@@ -25,11 +37,14 @@ void advance(ContactState &state, const ContactProblem &problem, const NodeVecto
   for (Index node = 0; node < state.n_nodes(); ++node)
   {
     const Vector2d change = d.segment<2>(3 * node + 1);
-    const Vector2d mean_force = 0.5 * (state.force.segment<2>(3 * node + 1) + force.segment<2>(3 * node + 1));
+    const bool was_open = state.status[node] == NodeStatus::open;
     state.status[node] = problem.status(node, force, d);
-    if (state.status[node] != NodeStatus::open)
+    const bool is_open = state.status[node] == NodeStatus::open;
+    if (!was_open || !is_open)
       state.accumulated_slip[node] += change.norm();
-    state.dissipated_energy[node] -= mean_force.dot(change);
+    state.dissipated_energy[node] +=
+        dissipation(state.force.segment<2>(3 * node + 1), force.segment<2>(3 * node + 1), change,
+                    is_open ? d[3 * node] : 0);
     state.displacement[3 * node] = d[3 * node];
     state.displacement.segment<2>(3 * node + 1) += change;
   }

@@ -39,17 +39,21 @@ void Log::line(const std::string &text)
     std::cout << text << std::endl;
 }
 
+void Log::start_steps()
+{
+  watch_ = Stopwatch();
+}
+
 void Log::progress(const LoadStep &step, const unsigned int n_steps, const Totals &totals,
                    const SolverReport &report)
 {
   const double elapsed = watch_.seconds();
-  const double remaining = elapsed / step.number * (n_steps - step.number);
   std::ostringstream text;
-  text << "step " << step.number << " of " << n_steps << "  u_z " << to_text(step.top[2])
-       << " mm  open/stick/slip " << totals.n_open << "/" << totals.n_stick << "/" << totals.n_slip << "  "
-       << report.iterations << " iterations  residual " << std::scientific << std::setprecision(1)
-       << report.residual << "  penetration " << report.penetration << " mm" << std::fixed << "  " << elapsed
-       << " s, " << remaining << " s left";
+  text << std::fixed << std::setprecision(1) << "step " << step.number << " of " << n_steps << ", " << elapsed
+       << " s, " << elapsed / step.number * (n_steps - step.number) << " s left: u_z " << to_text(step.top[2])
+       << " mm, open/stick/slip " << totals.n_open << "/" << totals.n_stick << "/" << totals.n_slip << ", "
+       << report.iterations << " iterations, residual " << std::scientific << report.residual
+       << ", penetration " << report.penetration << " mm";
   folder_.append("log.txt", text.str() + "\n");
   if (is_quiet_)
     return;

@@ -101,6 +101,7 @@ StiffnessFactor QuasiStaticProblem::factorize()
 QuasiStaticProblem::Outcome QuasiStaticProblem::run()
 {
   Outcome outcome{true, ""};
+  log_.start_steps();
   for (const LoadStep &step : steps_)
   {
     double seconds = 0;

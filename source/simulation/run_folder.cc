@@ -49,12 +49,17 @@ RunFolder::RunFolder(const fs::path &path)
 void RunFolder::remove_earlier_run() const
 {
   const std::regex ours(
-      "(contact|volume)(-\\d+\\.vtu|\\.pvd)|probe-.*\\.csv|(history|timing)\\.csv|summary\\.json|"
-      "(input|parameters)\\.prm|input\\.json|log\\.txt");
+      "((contact|volume)(-\\d+\\.vtu|\\.pvd)|probe-.*\\.csv|(history|timing)\\.csv|summary\\.json|"
+      "(input|parameters)\\.prm|input\\.json|log\\.txt)(\\.part)?");
   std::vector<fs::path> files;
   for (const auto &entry : fs::directory_iterator(path_))
     if (std::regex_match(entry.path().filename().string(), ours))
       files.push_back(entry.path());
+  const bool is_ours = fs::exists(path_ / "parameters.prm") || fs::exists(path_ / "parameters.prm.part");
+  if (!files.empty() && !is_ours)
+    fail(path_, "cannot be the run folder",
+         "it holds a " + files.front().filename().string() +
+             " that no run left there, for parameters.prm is missing; --output DIR takes another one");
   // Before anything is removed, everything must be removable.
   for (const fs::path &file : files)
     if (fs::is_directory(file))

@@ -18,6 +18,7 @@ NodeVector StartForces::best(const ContactProblem &problem, const ContactState &
       start = candidate;
     }
   };
+  consider(NodeVector::Zero(start.size())); // full unloading
   if (step.step_of_leg > 1)
     consider(state.force + change_);
   if (const auto last_cycle = of_phase_.find(step.phase); step.cycle > 1 && last_cycle != of_phase_.end())

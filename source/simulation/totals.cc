@@ -3,6 +3,7 @@
 #include <orthocone/simulation/totals.h>
 
 #include <algorithm>
+#include <limits>
 
 namespace orthocone
 {

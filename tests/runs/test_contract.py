@@ -58,7 +58,7 @@ class ContractTest(unittest.TestCase):
         self.assertFalse(list(run.glob("*.part")))
 
     def test_parameters_repeat_the_run(self):
-        self.run_program("--output", "first", settings=SMALL)
+        self.run_program("--output", "first", settings=["Mesh/Core cells=4", "Load program/Cycles=1"])
         again = self.run_program("--output", "second", file=self.folder / "first/parameters.prm")
         self.assertEqual(again.returncode, 0, again.stderr)
         for name in ("history.csv", "probe-P.csv", "contact-0007.vtu", "volume-0007.vtu"):
@@ -73,6 +73,42 @@ class ContractTest(unittest.TestCase):
         names = sorted(file.name for file in (self.folder / "run").glob("volume-*.vtu"))
         self.assertEqual(names, [f"volume-{step:04d}.vtu" for step in (4, 8, 12, 15)])
         self.assertEqual((self.folder / "run/notes.txt").read_text(), "mine")
+
+    def test_files_that_no_run_left_are_safe(self):
+        (self.folder / "mine").mkdir()
+        (self.folder / "mine/log.txt").write_text("precious")
+        result = self.run_program("--output", "mine", settings=SMALL)
+        self.assertEqual(result.returncode, 4)
+        self.assertRegex(result.stderr, r"^orthocone: mine: cannot be the run folder \(it holds a log\.txt that no run left")
+        self.assertEqual([(file.name, file.read_text()) for file in (self.folder / "mine").iterdir()],
+                         [("log.txt", "precious")])
+
+    def test_full_standard_output(self):
+        with open("/dev/full", "w", encoding="ascii") as full:
+            result = subprocess.run([PROGRAM, "--defaults"], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+        self.assertEqual((result.returncode, result.stderr), (4, "orthocone: standard output: cannot be written\n"))
+
+    def test_terminal_line_shows_the_times(self):
+        leader, follower = os.openpty()
+        with subprocess.Popen([PROGRAM, CASE_B, *[f"--set={setting}" for setting in SMALL]], stdout=follower,
+                              cwd=self.folder) as process:
+            os.close(follower)
+            text = b""
+            while piece := self.read_from(leader):
+                text += piece
+            self.assertEqual(process.wait(), 0)
+        os.close(leader)
+        lines = text.decode().split("\r\x1b[K")[1:]
+        self.assertEqual(len(lines), 45)
+        for line in lines:
+            self.assertRegex(line, r"^step \d+ of 45, \d+\.\d s, \d+\.\d s left: ")
+
+    @staticmethod
+    def read_from(descriptor):
+        try:
+            return os.read(descriptor, 65536)
+        except OSError:  # the other side is closed
+            return b""
 
     def test_unsolved_step(self):
         settings = [*SMALL, "Contact solver/Method=feng2006", "Friction/Slip potential=0.01, 0.3",

@@ -32,7 +32,7 @@ WRONG_VALUES = [
     ("Mesh", "Model", "auto | full | half | quarter", ["eighth"]),
     ("Mesh", "Layers", "a whole number from 1 to 200", ["-1", "0", "2.5", "two", "99999999999"]),
     ("Mesh", "Degree", "a whole number from 1 to 3", ["9", "0"]),
-    ("Mesh", "Core ratio", "a number > 0 and < 1", ["1", "0"]),
+    ("Mesh", "Core ratio", "a number >= 0.01 and < 1", ["1", "0"]),
     ("Mesh", "Rim grading", "a number > 0 and <= 10", ["0"]),
     ("Contact solver", "Method", "newton | gauss-seidel | uzawa | feng2006", ["magic"]),
     ("Contact solver", "Tolerance", "a number >= 1e-14 and < 1", ["0"]),
@@ -52,6 +52,9 @@ WRONG_VALUES = [(f"{section}/{entry} = {value}", section, entry, value, allowed)
 CONTRADICTIONS = [
     (["Load program/Legs="], "Load program/Legs.*empty.*allowed is at least one leg"),
     (["Load program/Cycles=0"], r"Load program/Cycles = 0\b.*allowed"),
+    (["Load program/Legs=0 0 -0.1 : 4000000000"], r"Load program: .* 4e\+?0?9 load steps: allowed are 1000000"),
+    (["Mesh/Rim grading=1e-6", "Mesh/Rings=3"], r"Mesh/Rim grading = 1e-0?6 with 3 rings: allowed is"),
+    (["Mesh/Layer grading=1e-6", "Mesh/Layers=8"], r"Mesh/Layer grading = 1e-0?6 with 8 layers: allowed is"),
     (["Mesh/Quadrature points=1"], r"Mesh/Quadrature points = 1\b.*Mesh/Degree = 1\b.*allowed is 0 or more than the"),
     (["Mesh/Degree=3", "Mesh/Quadrature points=3"], r"Mesh/Quadrature points = 3\b.*Mesh/Degree = 3\b.*allowed is"),
     (["Output/Probes=P: 0 0; Far: 8 -8"], r"Output/Probes.*Far.*8.*-8.*allowed .*Geometry/Radius = 10\b"),
@@ -99,7 +102,7 @@ WRONG_TEXTS = [
     (LEGS + "include\n", 2, r"case\.prm:4: 'include'" + GRAMMAR),
     ("", 2, r"case\.prm: is empty.*--defaults"),
     ("\n   \n\t\n", 2, r"case\.prm: is empty.*--defaults"),
-    ("# nothing but a comment\n", 2, r"case\.prm: Load program/Legs.*empty.*allowed is at least one leg"),
+    ("# nothing but a comment\n", 2, r"case\.prm: sets no entry.*--defaults"),
     (SCENE + "\0\1\2\0", 2, r"case\.prm: is not a text file.*\.prm or \.json"),
 ]
 

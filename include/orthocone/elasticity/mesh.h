@@ -34,8 +34,8 @@ enum Boundary : dealii::types::boundary_id
 };
 
 /// Cylinder of hexahedra: an o-grid disc (a square core block and four outer blocks) extruded into layers.
-/// The mesh of a half or a quarter consists of exactly those cells of the full mesh that lie there. The rim
-/// is curved by a cylindrical manifold. Half and quarter need an even number of core cells.
+/// The mesh of a half or a quarter consists of exactly those cells of the full mesh that lie there. All
+/// rings are curved. Half and quarter need an even number of core cells.
 class BodyMesh
 {
 public:
@@ -44,6 +44,8 @@ public:
   const dealii::Triangulation<3> &triangulation() const { return triangulation_; }
 
 private:
+  void curve_rings(double radius, double core_ratio);
+
   dealii::Triangulation<3> triangulation_;
 };
 } // namespace orthocone

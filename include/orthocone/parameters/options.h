@@ -89,7 +89,7 @@ struct Leg
 struct LoadOptions
 {
   std::vector<Leg> preload;
-  std::vector<Leg> legs;
+  std::vector<Leg> legs{{{{0, 0, -0.1}}, 5}, {{{0, 0, 0}}, 10}}; ///< the paper's cycle
   unsigned int cycles = 1;
 };
 

@@ -18,13 +18,14 @@ struct ContactState
   std::array<double, 3> top{{0, 0, 0}}; ///< mm
   NodeVector force;                     ///< of the plane on the body, N
   NodeVector displacement;              ///< relative to the plane (gap, slip), mm
-  Eigen::VectorXd accumulated_slip;     ///< path length of the slip while in contact, mm
+  Eigen::VectorXd accumulated_slip;     ///< path length of the slip in steps that begin or end in contact, mm
   Eigen::VectorXd dissipated_energy;    ///< N mm
   std::vector<NodeStatus> status;
 };
 
-/// Enters the solution of a step into the state. Dissipation by the trapezoidal rule -(r_old + r_new)/2 .
-/// du_t, which is exact for proportional loading.
+/// Enters the solution of a step into the state: displacement, status, accumulated slip and dissipation,
+/// which is the work of the mean friction force, or of the final one where the slip reverses or the node
+/// lifts off.
 void advance(ContactState &state, const ContactProblem &problem, const NodeVector &force,
              const std::array<double, 3> &top);
 } // namespace orthocone

@@ -31,6 +31,9 @@ public:
   /// A line for the screen and for log.txt.
   void line(const std::string &text);
 
+  /// Elapsed and remaining time count from here.
+  void start_steps();
+
   /// Progress after `step` of `n_steps`.
   void progress(const LoadStep &step, unsigned int n_steps, const Totals &totals, const SolverReport &report);
 

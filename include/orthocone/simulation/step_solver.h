@@ -12,8 +12,8 @@
 namespace orthocone
 {
 /// Remembers forces from which the next step may start: those of the last step, their extrapolation along the
-/// leg (exact while the load is proportional), and those at the same phase of the last cycle (exact once the
-/// response is periodic).
+/// leg (exact while the load is proportional), those at the same phase of the last cycle (exact once the
+/// response is periodic), and none (exact at full unloading).
 class StartForces
 {
 public:

@@ -132,6 +132,45 @@ TEST(Mesh, HonoursGradings)
   EXPECT_EQ(r[3], geometry.radius);
 }
 
+// Rings are equally thick all along, between vertices too, and strong grading leaves no node without area.
+TEST(Mesh, CurvesEveryRing)
+{
+  const GeometryOptions geometry;
+  for (const unsigned int degree : {2, 3})
+    for (const unsigned int core_cells : {1, 2, 4})
+    {
+      MeshOptions options;
+      options.degree = degree;
+      options.core_cells = core_cells;
+      options.rings = 8;
+      options.layers = 1;
+      options.rim_grading = 0.35;
+      const BodyMesh mesh(geometry, options, full);
+      const Discretization discretization(mesh.triangulation(), options, geometry.top_face);
+      const double disc = M_PI * geometry.radius * geometry.radius;
+      const double rim_thickness_at_axis = [&]
+      {
+        std::set<double> radii;
+        for (const auto &vertex : mesh.triangulation().get_vertices())
+          if (vertex[2] == 0)
+            radii.insert(std::round(1e9 * std::hypot(vertex[0], vertex[1])) / 1e9);
+        return geometry.radius - *std::prev(radii.end(), 2);
+      }();
+      double rim_area = 0;
+      for (const ContactNode &node : discretization.contact_surface().nodes)
+      {
+        EXPECT_GT(node.area, 0);
+        if (std::hypot(node.position[0], node.position[1]) > geometry.radius - 1e-9)
+          rim_area += node.area;
+      }
+      // End weights of the Gauss-Lobatto rules: 1/6 for degree 2, 1/12 for degree 3.
+      const double expected =
+          (degree == 2 ? 1. / 6 : 1. / 12) * 2 * M_PI * geometry.radius * rim_thickness_at_axis;
+      EXPECT_NEAR(rim_area, expected, 0.2 * expected) << core_cells << " cells, degree " << degree;
+      EXPECT_NEAR(contact_area(discretization), disc, 0.02 * disc);
+    }
+}
+
 TEST(Mesh, PutsTheRimNodesOnTheCircle)
 {
   const GeometryOptions geometry;

@@ -63,10 +63,7 @@ TEST(Parameters, SurviveBeingWrittenAndReadAgain)
   const Folder folder;
   for (const Parameters &parameters : {Parameters(), unusual_parameters()})
   {
-    Parameters complete = parameters;
-    if (complete.load.legs.empty())
-      complete.load.legs = {Leg{{{0, 0, -0.1}}, 5}};
-    const std::string text = text_of(complete);
+    const std::string text = text_of(parameters);
     EXPECT_EQ(text_of(read_parameters(folder.write("all.prm", text))), text);
   }
 }
@@ -100,6 +97,25 @@ TEST(Parameters, NameFileAndLineOfAFaultInAnIncludedFile)
   catch (const InputError &error)
   {
     EXPECT_EQ(std::string(error.what()), part + ":3: Geometry/Radius = -4: allowed is a number > 0");
+  }
+}
+
+TEST(Parameters, TellOfAFaultInALongValueWithoutRepeatingAllOfIt)
+{
+  const Folder folder;
+  std::string legs;
+  for (unsigned int i = 0; i < 5000; ++i)
+    legs += "0 0 -0.1 : 5 ; ";
+  const std::string file =
+      folder.write("long.prm", "subsection Load program\n  set Legs = " + legs + "0 0 : 1\nend\n");
+  try
+  {
+    read_parameters(file);
+    FAIL() << "a leg of two coordinates was accepted";
+  }
+  catch (const InputError &error)
+  {
+    EXPECT_LT(std::string(error.what()).size(), 600u);
   }
 }
 

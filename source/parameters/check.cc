@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/parameters/errors.h>
+#include <orthocone/parameters/parameters.h>
+#include <orthocone/parameters/text.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace orthocone
+{
+namespace
+{
+/// Thickness of the thinnest of `n` intervals, each `grading` times as thick as the one before, relative to
+/// all.
+double thinnest(const unsigned int n, const double grading)
+{
+  double sum = 0;
+  double thickness = 1;
+  double least = 1;
+  for (unsigned int i = 0; i < n; ++i, thickness *= grading)
+  {
+    sum += thickness;
+    least = std::min(least, thickness);
+  }
+  return least / sum;
+}
+
+void check_mesh(const MeshOptions &mesh)
+{
+  constexpr double least_thickness = 1e-6;
+  if (mesh.n_quadrature_points() <= mesh.degree)
+    throw InputError(
+        "Mesh/Quadrature points = " + std::to_string(mesh.quadrature_points) +
+        ": with Mesh/Degree = " + std::to_string(mesh.degree) +
+        " allowed is 0 or more than the degree (fewer points leave deformations without stiffness)");
+  if (thinnest(mesh.n_rings(), mesh.rim_grading) < least_thickness)
+    throw InputError("Mesh/Rim grading = " + to_text(mesh.rim_grading) + " with " +
+                     std::to_string(mesh.n_rings()) +
+                     " rings: allowed is what leaves every ring 1e-6 of their common thickness");
+  if (thinnest((mesh.layers + 1) / 2, mesh.layer_grading) < least_thickness)
+    throw InputError("Mesh/Layer grading = " + to_text(mesh.layer_grading) + " with " +
+                     std::to_string(mesh.layers) +
+                     " layers: allowed is what leaves every layer 1e-6 of the height");
+}
+
+void check_load(const LoadOptions &load)
+{
+  constexpr double most_steps = 1e6;
+  if (load.preload.empty() && (load.legs.empty() || load.cycles == 0))
+    throw InputError((load.legs.empty() ? "Load program/Legs is empty" : "Load program/Cycles = 0") +
+                     std::string(" and Load program/Preload is empty: allowed is at least one leg, such as "
+                                 "'0 0 -0.1 : 5'"));
+  double n_steps = 0;
+  for (const Leg &leg : load.preload)
+    n_steps += leg.steps;
+  for (const Leg &leg : load.legs)
+    n_steps += static_cast<double>(load.cycles) * leg.steps;
+  if (n_steps > most_steps)
+    throw InputError("Load program: Preload, Legs and Cycles = " + std::to_string(load.cycles) + " make " +
+                     to_text(n_steps) + " load steps: allowed are 1000000");
+}
+
+void check_probes(const std::vector<Probe> &probes, const double radius)
+{
+  constexpr double rounding = 1e-12;
+  for (const Probe &probe : probes)
+    if (std::hypot(probe.position[0], probe.position[1]) > (1 + rounding) * radius)
+      throw InputError("Output/Probes: '" + probe.name + "' at (" + to_text(probe.position[0]) + ", " +
+                       to_text(probe.position[1]) +
+                       ") is off the contact surface: allowed are points within " +
+                       "Geometry/Radius = " + to_text(radius) + " of the axis");
+}
+} // namespace
+
+void check_parameters(const Parameters &parameters)
+{
+  check_mesh(parameters.mesh);
+  check_load(parameters.load);
+  check_probes(parameters.output.probes, parameters.geometry.radius);
+}
+} // namespace orthocone
