@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include <orthocone/simulation/vtu.h>
+#include "vtu_flags.h"
 
-#include <deal.II/base/data_out_base.h>
+#include <orthocone/simulation/vtu.h>
 
 #include <sstream>
 
@@ -127,13 +127,10 @@ std::string contact_vtu(const ContactFieldEvaluator &evaluator, const ContactSta
       patches.back().patch_index = patches.size() - 1;
     }
   }
-  dealii::DataOutBase::VtkFlags flags;
-  flags.print_date_and_time = false;
-  flags.compression_level = dealii::DataOutBase::VtkFlags::best_speed;
-  flags.write_higher_order_cells = evaluator.surface().degree > 1;
   const FieldList list{ContactFields()};
   std::ostringstream text;
-  dealii::DataOutBase::write_vtu(patches, list.names, list.vectors, flags, text);
+  dealii::DataOutBase::write_vtu(patches, list.names, list.vectors, vtu_flags(evaluator.surface().degree),
+                                 text);
   return text.str();
 }
 } // namespace orthocone

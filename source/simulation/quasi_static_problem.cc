@@ -8,6 +8,7 @@
 
 #include <deal.II/base/data_out_base.h>
 
+#include <cmath>
 #include <sstream>
 
 namespace orthocone
@@ -177,7 +178,9 @@ QuasiStaticProblem::Outcome QuasiStaticProblem::failure(const LoadStep &step,
        << report.residual << " > tolerance " << options.tolerance << ", penetration " << report.penetration
        << " mm, worst node at (" << place[0] << ", " << place[1] << ") mm after " << report.iterations
        << " iterations.\nThe files of the steps before stay. ";
-  if (options.method == ContactMethod::newton)
+  if (!std::isfinite(report.residual))
+    text << "The forces are no longer numbers: are lengths in mm, forces in N, moduli in MPa?";
+  else if (options.method == ContactMethod::newton)
     text << "Try more Contact solver/Maximum iterations, or a tolerance that rounding allows.";
   else
     text << "Try Contact solver/Method = newton, or more Maximum iterations.";

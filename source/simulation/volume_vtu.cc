@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
+#include "vtu_flags.h"
+
 #include <orthocone/simulation/vtu.h>
 
 #include <deal.II/base/symmetric_tensor.h>
@@ -86,11 +88,7 @@ std::string volume_vtu(const Discretization &discretization, const MaterialOptio
   data.add_data_vector(values, von_mises);
   const unsigned int degree = discretization.fe().degree;
   data.build_patches(discretization.mapping(), degree, dealii::DataOut<3>::curved_inner_cells);
-  dealii::DataOutBase::VtkFlags flags;
-  flags.print_date_and_time = false;
-  flags.compression_level = dealii::DataOutBase::VtkFlags::best_speed;
-  flags.write_higher_order_cells = degree > 1;
-  data.set_flags(flags);
+  data.set_flags(vtu_flags(degree));
   std::ostringstream text;
   data.write_vtu(text);
   return text.str();
