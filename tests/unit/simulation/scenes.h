@@ -16,6 +16,9 @@
 
 namespace orthocone::test
 {
+/// Slip ellipses of the paper's cases B and C, for the friction ellipse (0.3, 0.15).
+const std::array<std::array<double, 2>, 2> slip_ellipses{{{{0.3, 0.15}}, {{0.05, 0.2}}}};
+
 /// Parameters of a small cylinder under the paper's cycle with the friction of its case B.
 inline Parameters small_scene(const unsigned int degree = 1)
 {

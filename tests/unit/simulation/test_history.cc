@@ -1,0 +1,209 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// What depends on the path: dissipation, energy, memory of slip, and steps that are halved.
+#include "scenes.h"
+
+namespace orthocone::test
+{
+using Eigen::Index;
+using Eigen::Vector2d;
+
+namespace
+{
+constexpr double tolerance = 1e-8;
+} // namespace
+
+// Friction takes energy at every node in every step: by the law -r.du, and as it is reported.
+TEST(History, FrictionNeverDrives)
+{
+  for (const unsigned int degree : {1, 2})
+    for (const auto &p : slip_ellipses)
+    {
+      Parameters parameters = small_scene(degree);
+      parameters.friction.p = p;
+      parameters.load.legs.push_back(Leg{{{0, 0, -0.1}}, 1});
+      parameters.load.legs.push_back(Leg{{{0.1, 0.05, -0.1}}, 2});
+      parameters.load.legs.push_back(Leg{{{-0.1, 0, -0.02}}, 2});
+      parameters.load.legs.push_back(Leg{{{-0.1, 0.1, 0.1}}, 1});
+      Scene scene(parameters);
+      scene.march(
+          [](const ContactState &before, const ContactState &after, const LoadStep &step)
+          {
+            const double largest = after.dissipated_energy.maxCoeff();
+            for (Index i = 0; i < after.n_nodes(); ++i)
+            {
+              const Vector2d change =
+                  after.displacement.segment<2>(3 * i + 1) - before.displacement.segment<2>(3 * i + 1);
+              EXPECT_LE(after.force.segment<2>(3 * i + 1).dot(change), 1e-9) << "step " << step.number;
+              EXPECT_GE(after.dissipated_energy[i] - before.dissipated_energy[i], -1e-10 * largest)
+                  << "step " << step.number << " node " << i;
+            }
+          });
+    }
+}
+
+namespace
+{
+/// |work of the top - elastic energy - dissipation| over a program with reversals, relative to the
+/// dissipation.
+double energy_defect(const std::array<double, 2> &p, const unsigned int refinement)
+{
+  Parameters parameters = small_scene(1);
+  parameters.friction.p = p;
+  parameters.load.legs = {Leg{{{0, 0, -0.1}}, 2 * refinement}, Leg{{{0.004, 0.003, -0.08}}, 3 * refinement},
+                          Leg{{{0, 0, -0.03}}, 4 * refinement}};
+  Scene scene(parameters);
+  Totals last;
+  double work = 0;
+  scene.march(
+      [&](const ContactState &before, const ContactState &after, const LoadStep &)
+      {
+        const Totals now = scene.totals();
+        for (unsigned int d = 0; d < 3; ++d)
+          work -= 0.5 * (last.force[d] + now.force[d]) * (after.top[d] - before.top[d]);
+        last = now;
+      });
+  return std::abs(work - last.elastic_energy - last.total_dissipation) / last.total_dissipation;
+}
+} // namespace
+
+// Work of the top = change of elastic energy + dissipation, up to a defect of the time integration that falls
+// with the steps.
+TEST(History, EnergyBalancesBetterWithSmallerSteps)
+{
+  for (const auto &p : slip_ellipses)
+  {
+    const double coarse = energy_defect(p, 1);
+    const double fine = energy_defect(p, 8);
+    EXPECT_LE(coarse, 0.05);
+    EXPECT_LE(fine, coarse / 4) << "coarse " << coarse << " fine " << fine;
+  }
+}
+
+// Down and up again: everything is undone, every node has slid there and back, and the dissipation of both
+// cycles is the same.
+TEST(History, FullUnloadingErasesTheHistory)
+{
+  for (const auto &p : slip_ellipses)
+  {
+    Parameters parameters = small_scene(1);
+    parameters.friction.p = p;
+    parameters.load.cycles = 2;
+    Scene scene(parameters);
+    std::vector<NodeVector> forces;
+    double largest_slip = 0;
+    double dissipation_of_first_cycle = 0;
+    scene.march(
+        [&](const ContactState &, const ContactState &after, const LoadStep &step)
+        {
+          forces.push_back(after.force);
+          largest_slip = std::max(largest_slip, scene.totals().max_slip);
+          if (step.cycle == 1)
+            dissipation_of_first_cycle = scene.totals().total_dissipation;
+        });
+    EXPECT_EQ(scene.totals().force.norm(), 0);
+    EXPECT_EQ(scene.totals().n_stick + scene.totals().n_slip, 0u);
+    EXPECT_LE(scene.totals().max_slip, 1e-14);
+    EXPECT_GE(scene.totals().max_accumulated_slip, 4 * largest_slip * (1 - 1e-12));
+    EXPECT_NEAR(scene.totals().total_dissipation / dissipation_of_first_cycle, 2, tolerance);
+    for (std::size_t i = 0; i < forces.size() / 2; ++i)
+      EXPECT_LE((forces[i] - forces[i + forces.size() / 2]).norm(), tolerance * forces[4].norm());
+  }
+}
+
+namespace
+{
+/// The last step of the scene's program, from the end of the step before, with few iterations; the steps
+/// before are solved as usual.
+SolverReport solve_last_step(Scene &scene, const unsigned int most_iterations)
+{
+  const std::vector<LoadStep> steps = load_steps(scene.parameters.load);
+  StepSolver patient(scene.condensed, scene.problem, scene.parameters.contact_solver);
+  for (std::size_t i = 0; i + 1 < steps.size(); ++i)
+    EXPECT_TRUE(patient.solve(scene.state, steps[i]).converged);
+  ContactSolverOptions options = scene.parameters.contact_solver;
+  options.maximum_iterations = most_iterations;
+  return StepSolver(scene.condensed, scene.problem, options).solve(scene.state, steps.back());
+}
+} // namespace
+
+namespace
+{
+double relative_difference(const Eigen::VectorXd &a, const Eigen::VectorXd &b)
+{
+  return (a - b).norm() / b.norm();
+}
+
+/// The program with its last leg, one step, cut at the given shares of it.
+Parameters with_ends_of_last_leg(Parameters parameters, const std::vector<double> &ends)
+{
+  auto &legs = parameters.load.legs;
+  const std::array<double, 3> start = legs[legs.size() - 2].target;
+  const std::array<double, 3> end = legs.back().target;
+  legs.pop_back();
+  for (const double share : ends)
+  {
+    Leg leg;
+    for (unsigned int d = 0; d < 3; ++d)
+      leg.target[d] = start[d] + share * (end[d] - start[d]);
+    legs.push_back(leg);
+  }
+  return parameters;
+}
+} // namespace
+
+// A step that fails is halved from the state before it: the answer is that of explicit sub-steps. If these
+// fail, too, nothing of the attempt is left.
+TEST(History, AFailedStepIsHalvedWithItsSlipHistoryRolledBack)
+{
+  Parameters parameters = small_scene(1);
+  parameters.friction.p = {{0.05, 0.2}};
+  parameters.contact_solver.method = ContactMethod::gauss_seidel;
+  parameters.load.legs = {Leg{{{0, 0, -0.1}}, 1}, Leg{{{0, 0, -0.05}}, 1}, Leg{{{0.005, 0.01, -0.09}}, 1}};
+  Scene failed(parameters);
+  EXPECT_FALSE(solve_last_step(failed, 1).converged);
+  EXPECT_EQ(failed.state.step, 2u);
+  Scene before(parameters);
+  EXPECT_FALSE(solve_last_step(before, 2).converged);
+  EXPECT_EQ(failed.state.force, before.state.force);
+  EXPECT_EQ(failed.state.displacement, before.state.displacement);
+  EXPECT_EQ(failed.state.dissipated_energy, before.state.dissipated_energy);
+
+  parameters.contact_solver.method = ContactMethod::newton;
+  Scene whole(parameters);
+  const unsigned int too_few = solve_last_step(whole, 5000).iterations - 1;
+  Scene halved(parameters);
+  const SolverReport report = solve_last_step(halved, too_few);
+  ASSERT_TRUE(report.converged);
+  EXPECT_GT(report.iterations, too_few); // the failed attempts count
+  EXPECT_GT(relative_difference(halved.state.force, whole.state.force), 1e-6);
+  // One of the two halves may have been halved again.
+  double least = 1;
+  for (const std::vector<double> &ends : {std::vector<double>{0.5, 1}, {0.25, 0.5, 1}, {0.5, 0.75, 1}})
+  {
+    Scene stepwise(with_ends_of_last_leg(parameters, ends));
+    stepwise.march();
+    least = std::min(least, std::max(relative_difference(stepwise.state.force, halved.state.force),
+                                     relative_difference(stepwise.state.dissipated_energy,
+                                                         halved.state.dissipated_energy)));
+  }
+  EXPECT_LE(least, tolerance);
+}
+
+TEST(History, PartialUnloadingKeepsTheHistory)
+{
+  Parameters parameters = small_scene(1);
+  parameters.load.preload = {Leg{{{0, 0, -0.02}}, 1}};
+  parameters.load.legs = {Leg{{{0, 0, -0.1}}, 3}, Leg{{{0, 0, -0.02}}, 5}};
+  Scene scene(parameters);
+  Eigen::VectorXd preloaded;
+  scene.march(
+      [&](const ContactState &, const ContactState &after, const LoadStep &step)
+      {
+        if (step.number == 1)
+          preloaded = after.displacement;
+      });
+  EXPECT_GT((scene.state.displacement - preloaded).norm(), 0.1 * preloaded.norm());
+}
+} // namespace orthocone::test
