@@ -18,8 +18,6 @@ public:
   /// Newton's change of the forces. Not finite if the matrix is singular or itself not finite.
   NodeVector solve() const;
 
-  Eigen::Index n_unknowns() const { return n_unknowns_; }
-
 private:
   /// What the linearization says of one node. The change of force is fixed + basis * unknowns; the equations
   /// are rows^T (change of displacement) + diagonal * unknowns = right_side.

@@ -174,9 +174,4 @@ Eigen::MatrixXd StiffnessFactor::trailing_inverse() const
     }
   return sorted;
 }
-
-double StiffnessFactor::n_entries() const
-{
-  return static_cast<double>(cholmod_->factor->xsize);
-}
 } // namespace orthocone

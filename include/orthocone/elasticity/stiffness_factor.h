@@ -30,9 +30,6 @@ public:
   /// Inverse of the Schur complement of the last unknowns, in their order; dense and symmetric.
   Eigen::MatrixXd trailing_inverse() const;
 
-  /// Entries of the factor.
-  double n_entries() const;
-
 private:
   struct Cholmod;
   Eigen::MatrixXd trailing_factor() const;

@@ -9,7 +9,8 @@
 
 namespace orthocone
 {
-/// Wall time of the phases of building the body, beside the body itself.
+/// Mesh and unknowns of the body: all that --check needs. Holds the wall times of all phases, of which its
+/// own are the first.
 struct Body
 {
   Body(const Parameters &parameters, const SymmetryPlanes &planes);
