@@ -21,6 +21,7 @@ po::options_description visible_options()
                         "\"Section/Entry=value\": overrides one entry; may be repeated")(
       "output", po::value<std::string>(), "run folder (default: output/<parameter file's stem>)")(
       "check", "read everything, print the resolved model, compute nothing")(
+      "resume", "continue from the checkpoint in the run folder")(
       "defaults", "print a complete commented parameter file and stop")("quiet", "print errors only")(
       "help", "print this text and stop")("version", "print the versions of program and libraries and stop");
   return options;
@@ -36,6 +37,7 @@ CommandLine from(const po::variables_map &values)
   if (values.count("file") != 0)
     line.parameter_file = values["file"].as<std::string>();
   line.check = values.count("check") != 0;
+  line.resume = values.count("resume") != 0;
   line.defaults = values.count("defaults") != 0;
   line.quiet = values.count("quiet") != 0;
   line.help = values.count("help") != 0;
@@ -77,7 +79,8 @@ std::string usage()
        << "Elastic body on a rigid plane under cyclic loads with orthotropic friction.\n\n"
        << visible_options()
        << "\nexit codes: 0 done, 2 wrong command line or parameter file, 3 a load step could not "
-       << "be solved,\n            4 a file could not be read or written\n";
+       << "be solved,\n            4 a file could not be read or written, 130 interrupted (--resume goes "
+          "on)\n";
   return text.str();
 }
 } // namespace orthocone

@@ -14,6 +14,7 @@ struct CommandLine
   std::vector<std::string> overrides;
   std::string output_folder; ///< empty: output/<stem of the parameter file>
   bool check = false;
+  bool resume = false;
   bool defaults = false;
   bool quiet = false;
   bool help = false;

@@ -5,6 +5,7 @@
 #include <orthocone/parameters/errors.h>
 #include <orthocone/parameters/parameters.h>
 #include <orthocone/parameters/text.h>
+#include <orthocone/simulation/interrupt.h>
 #include <orthocone/simulation/quasi_static_problem.h>
 #include <orthocone/simulation/version.h>
 
@@ -32,9 +33,12 @@ int fail(const ExitCode code, const std::string &message)
 
 int print_model(const Parameters &parameters, const ModelChoice &model)
 {
-  const Body body(parameters, model.planes);
+  PhaseSeconds seconds;
+  const Body body(parameters, model.planes, seconds);
   std::cout << describe_model(parameters, model, body.discretization, load_steps(parameters.load).size())
-            << std::endl;
+            << "\n";
+  for (const std::string &warning : parameter_warnings(parameters))
+    std::cout << "warning: " << warning << "\n";
   return exit_code(ExitCode::done);
 }
 
@@ -49,6 +53,12 @@ void keep_parameters(const RunFolder &folder, const CommandLine &line, const Par
   folder.remove_earlier_run();
   folder.write("parameters.prm", complete.str()); // first: it marks the folder as one of a run
   folder.write(is_json ? "input.json" : "input.prm", verbatim.str());
+}
+
+std::filesystem::path run_folder_of(const CommandLine &line)
+{
+  return line.output_folder.empty() ? "output" / std::filesystem::path(line.parameter_file).stem()
+                                    : std::filesystem::path(line.output_folder);
 }
 
 /// Checks what entries have to do with each other; faults are told with the name of the file.
@@ -71,13 +81,15 @@ int run(const CommandLine &line)
   const ModelChoice model = resolve(line, parameters);
   if (line.check)
     return print_model(parameters, model);
-  const std::filesystem::path file(line.parameter_file);
-  const RunFolder folder(line.output_folder.empty() ? std::filesystem::path("output") / file.stem()
-                                                    : std::filesystem::path(line.output_folder));
-  keep_parameters(folder, line, parameters);
+  catch_signals();
+  const RunFolder folder(run_folder_of(line));
+  const auto checkpoint =
+      line.resume ? find_checkpoint(folder, parameters, line.parameter_file) : std::nullopt;
+  if (!checkpoint)
+    keep_parameters(folder, line, parameters);
   Log log(folder, line.quiet);
-  const auto outcome = QuasiStaticProblem(parameters, model, folder, log).run();
-  return outcome.is_complete ? exit_code(ExitCode::done) : fail(ExitCode::unsolved_step, outcome.message);
+  const auto outcome = QuasiStaticProblem(parameters, model, folder, log).run(checkpoint);
+  return outcome.code == ExitCode::done ? exit_code(ExitCode::done) : fail(outcome.code, outcome.message);
 }
 
 void print_defaults()

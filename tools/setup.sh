@@ -2,14 +2,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 #
-# Installs what is missing, configures and builds. Called by ./run and ./test with a CMake preset (release, debug).
+#   tools/setup.sh PRESET [figures] [tests]
+#
+# Installs what is missing, configures and builds with a CMake preset (release, debug, fuzz); `figures` and `tests` add
+# the packages of the tools that draw and of the tests. Called by ./run, ./test and the tools.
 # Nothing is done twice: installed packages, a configured build folder and compiled files are left alone.
 set -eu
 
 packages="g++ cmake ninja-build git
   libdeal.ii-dev libsuitesparse-dev libeigen3-dev libopenblas-pthread-dev liblapacke-dev
-  libboost-program-options-dev nlohmann-json3-dev
-  libgtest-dev python3 python3-numpy python3-vtk9 python3-matplotlib"
+  libboost-program-options-dev nlohmann-json3-dev libgtest-dev"
+figures_packages="python3 python3-numpy python3-matplotlib python3-meshio"
+# ParaView's Python brings the vtk modules, and takes the place of the package python3-vtk9 where that is installed.
+tests_packages="$figures_packages paraview python3-paraview xvfb xauth chromium chromium-driver python3-selenium"
+fuzz_packages="clang libclang-rt-14-dev"
 
 say() { echo "setup: $*" >&2; }
 
@@ -34,6 +40,14 @@ install_packages() {
 }
 
 preset=$1
+shift
+for group in "$preset" "$@"; do
+  case $group in
+    figures) packages="$packages $figures_packages" ;;
+    tests) packages="$packages $tests_packages" ;;
+    fuzz) packages="$packages $fuzz_packages" ;;
+  esac
+done
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
 cd "$root"
 

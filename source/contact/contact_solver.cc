@@ -18,6 +18,7 @@ SolverReport make_report(const ContactProblem &problem, const NodeVector &force,
   report.iterations = iterations;
   report.residual = problem.residual(force, d);
   report.converged = report.residual <= tolerance;
+  report.law = law_errors(problem, force, d);
   double worst = -1;
   for (Eigen::Index node = 0; node < problem.n_nodes(); ++node)
   {

@@ -57,12 +57,11 @@ public:
 private:
   NodeVector modified(const NodeVector &force) const;
   NodeVector predicted(const NodeVector &force, const NodeVector &direction, double factor) const;
-  void iterate(NodeVector &force);
+  void iterate(NodeVector &force, double &factor) const;
 
   const ContactProblem &problem_;
   ContactSolverOptions options_;
   NodeVector rho_; ///< step of each unknown; the metric of the method is diag(1 / rho)
-  double factor_;  ///< common factor of the steps, kept from one load step to the next
 };
 
 /// Semismooth Newton on the natural map with a backtracking line search, started by exact sweeps and

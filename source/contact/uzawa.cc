@@ -16,7 +16,6 @@ Uzawa::Uzawa(const ContactProblem &problem, const ContactSolverOptions &options)
 {
   for (Index node = 0; node < problem.n_nodes(); ++node)
     rho_.segment<3>(3 * node).setConstant(problem.rho(node));
-  factor_ = 1 / (problem.largest_compliance() * rho_.maxCoeff());
 }
 
 NodeVector Uzawa::modified(const NodeVector &force) const
@@ -36,7 +35,7 @@ NodeVector Uzawa::predicted(const NodeVector &force, const NodeVector &direction
 }
 
 /// One prediction and one correction.
-void Uzawa::iterate(NodeVector &force)
+void Uzawa::iterate(NodeVector &force, double &factor) const
 {
   // Values that He and Liao recommend: the prediction is accepted while `ratio` <= largest_ratio, and the
   // step grows when it was far too careful.
@@ -51,30 +50,32 @@ void Uzawa::iterate(NodeVector &force)
   double ratio = 0;
   for (unsigned int reduction = 0; reduction < most_reductions; ++reduction)
   {
-    prediction = predicted(force, g, factor_);
+    prediction = predicted(force, g, factor);
     change = force - prediction;
     g_predicted = modified(prediction);
-    g_change = factor_ * rho_.cwiseProduct(g - g_predicted);
+    g_change = factor * rho_.cwiseProduct(g - g_predicted);
     const double size = std::sqrt((change.array().square() / rho_.array()).sum());
     if (size == 0)
       return;
     ratio = std::sqrt((g_change.array().square() / rho_.array()).sum()) / size;
     if (ratio <= largest_ratio)
       break;
-    factor_ *= 2. / 3 * std::min(1., 1 / ratio);
+    factor *= 2. / 3 * std::min(1., 1 / ratio);
   }
   const NodeVector descent = change - g_change;
   const double length = (change.array() * descent.array() / rho_.array()).sum() /
                         (descent.array().square() / rho_.array()).sum();
-  force = predicted(force, g_predicted, over_relaxation * length * factor_);
+  force = predicted(force, g_predicted, over_relaxation * length * factor);
   if (ratio <= careful_ratio)
-    factor_ *= growth;
+    factor *= growth;
 }
 
 SolverReport Uzawa::solve(NodeVector &force)
 {
   constexpr unsigned int iterations_between_checks = 10;
+  // Nothing is kept from one load step to the next: a resumed run must go the same way.
+  double factor = 1 / (problem_.largest_compliance() * rho_.maxCoeff());
   return iterate_until_converged(problem_, options_, iterations_between_checks, force,
-                                 [this](NodeVector &r) { iterate(r); });
+                                 [&](NodeVector &r) { iterate(r, factor); });
 }
 } // namespace orthocone

@@ -4,6 +4,7 @@
 
 #include <deal.II/dofs/dof_tools.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace orthocone
@@ -76,20 +77,26 @@ NodeVector CondensedBody::free_displacement(const std::array<double, 3> &top) co
   return Vector3d(top[2], tangential[0], tangential[1]).replicate(compliance_.n_nodes(), 1);
 }
 
-VectorXd CondensedBody::volume_displacement(const std::array<double, 3> &top, const NodeVector &force) const
+/// Contact forces (local axes) as forces on the free unknowns of the body.
+VectorXd CondensedBody::on_free_unknowns(const NodeVector &force) const
 {
   const auto &nodes = discretization_.contact_surface().nodes;
   const Matrix3d turn = axes_.global_in_local();
-  VectorXd right_side = VectorXd::Zero(discretization_.n_free());
+  VectorXd forces = VectorXd::Zero(discretization_.n_free());
   for (std::size_t i = 0; i < nodes.size(); ++i)
   {
     const Vector3d global = turn * force.segment<3>(3 * static_cast<Index>(i));
     for (Index d = 0; d < 3; ++d)
       if (nodes[i].is_free[d])
-        right_side[nodes[i].dofs[d]] = global[d];
+        forces[nodes[i].dofs[d]] = global[d];
   }
+  return forces;
+}
+
+VectorXd CondensedBody::volume_displacement(const std::array<double, 3> &top, const NodeVector &force) const
+{
   VectorXd displacement = VectorXd::Zero(discretization_.n_dofs());
-  displacement.head(discretization_.n_free()) = factor_.solve(right_side);
+  displacement.head(discretization_.n_free()) = factor_.solve(on_free_unknowns(force));
   for (unsigned int d = 0; d < 3; ++d)
   {
     dealii::ComponentMask component(3, false);
@@ -98,5 +105,25 @@ VectorXd CondensedBody::volume_displacement(const std::array<double, 3> &top, co
       displacement[static_cast<Index>(dof)] += top[d];
   }
   return displacement;
+}
+
+CondensedBody::Mismatch CondensedBody::mismatch(const Stiffness &stiffness, const NodeVector &force,
+                                                const NodeVector &elastic) const
+{
+  const VectorXd forces = on_free_unknowns(force);
+  const VectorXd u = factor_.solve(forces);
+  Mismatch mismatch{(stiffness.vmult(u) - forces).norm(), 0};
+  if (mismatch.unbalanced != 0)
+    mismatch.unbalanced /= forces.norm();
+  const auto &nodes = discretization_.contact_surface().nodes;
+  const Matrix3d turn = axes_.global_in_local();
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    const Vector3d global = turn * elastic.segment<3>(3 * static_cast<Index>(i));
+    for (Index d = 0; d < 3; ++d)
+      mismatch.displacement = std::max(mismatch.displacement,
+                                       std::abs(global[d] - (nodes[i].is_free[d] ? u[nodes[i].dofs[d]] : 0)));
+  }
+  return mismatch;
 }
 } // namespace orthocone

@@ -146,4 +146,18 @@ void Stiffness::assemble(const Discretization &discretization, const LameParamet
   dealii::WorkStream::run(dof_handler.begin_active(), dof_handler.end(), work, add, Scratch(discretization),
                           CellMatrix());
 }
+
+Eigen::VectorXd Stiffness::vmult(const Eigen::VectorXd &displacement) const
+{
+  Eigen::VectorXd forces = Eigen::VectorXd::Zero(displacement.size());
+  for (unsigned int row = 0; row < matrix_.m(); ++row)
+    for (auto entry = matrix_.begin(row); entry != matrix_.end(row); ++entry)
+    {
+      const unsigned int column = entry->column();
+      forces[row] += entry->value() * displacement[column];
+      if (column != row)
+        forces[column] += entry->value() * displacement[row];
+    }
+  return forces;
+}
 } // namespace orthocone

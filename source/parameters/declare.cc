@@ -83,12 +83,40 @@ void declare_contact_solver(ContactSolverOptions &solver, ParameterHandler &hand
              "Relaxation factor of the sweeps of gauss-seidel: 1 takes the one-node solutions as they are.");
 }
 
+void declare_checks(CheckOptions &checks, ParameterHandler &handler)
+{
+  const std::string times = " Bound in multiples of Contact solver/Tolerance.";
+  add_number(
+      handler, "Equilibrium", checks.equilibrium, positive,
+      "Every step is checked from its final state; one that exceeds a bound stops the run (exit code 3). "
+      "Bound of the forces in the body that contact forces do not balance, relative to these, and of the "
+      "difference between the displacements of body and contact surface.");
+  add_number(handler, "Penetration", checks.penetration, positive,
+             "Largest negative gap relative to the largest displacement." + times);
+  add_number(handler, "Complementarity", checks.complementarity, positive,
+             "Gap and normal force, each relative to its largest: the smaller of both must vanish." + times);
+  add_number(handler, "Friction cone", checks.friction_cone, positive,
+             "Largest ||r_t||_m - r_n relative to the largest force." + times);
+  add_number(
+      handler, "Slip rule", checks.slip_rule, positive,
+      "Change of slip that is not along the normal of the slip ellipse, or not on the cone, weighted with "
+      "the normal force." +
+          times);
+  add_number(
+      handler, "Energy defect", checks.energy_defect, positive,
+      "Work of the upper face minus change of elastic energy minus dissipation in a step, relative to the "
+      "largest energy so far. It falls with the square of the steps; 1 passes legs of a single step, whose "
+      "loops are not to be trusted. A warning is given above 0.05.");
+}
+
 void declare_output(OutputOptions &output, ParameterHandler &handler)
 {
   add_count(handler, "Contact fields", output.contact_interval, 0, 1000000,
             "Every how many steps the fields on the contact surface are written; 0 = never.");
   add_count(handler, "Volume fields", output.volume_interval, 0, 1000000,
             "Every how many steps displacement and stress of the body are written; 0 = never.");
+  add_number(handler, "Checkpoint", output.checkpoint_seconds, Range{0, 1e9, true, true},
+             "Least seconds between two checkpoints, from which --resume goes on; 0 = one after every step.");
   add_probes(handler, "Probes", output.probes,
              "Points of the contact surface whose history is written; the nearest contact node is taken.");
 }
@@ -108,6 +136,7 @@ void declare_parameters(Parameters &parameters, ParameterHandler &handler)
   section("Friction", declare_friction, parameters.friction);
   section("Load program", declare_load, parameters.load);
   section("Contact solver", declare_contact_solver, parameters.contact_solver);
+  section("Checks", declare_checks, parameters.checks);
   section("Output", declare_output, parameters.output);
 }
 } // namespace orthocone

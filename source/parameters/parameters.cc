@@ -3,6 +3,7 @@
 #include <orthocone/parameters/parameters.h>
 
 #include "declare.h"
+#include "faults.h"
 #include "source_text.h"
 
 #include <orthocone/parameters/errors.h>
@@ -10,7 +11,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include <optional>
 #include <sstream>
 
 namespace orthocone
@@ -18,76 +18,6 @@ namespace orthocone
 namespace
 {
 using dealii::ParameterHandler;
-
-constexpr const char *not_an_entry = " is not an entry; 'orthocone --defaults' lists all of them";
-
-/// deal.II's sentence of an exception, on one line and without its C++ stack.
-std::string sentence(const dealii::ExceptionBase &exception)
-{
-  std::ostringstream text;
-  exception.print_info(text);
-  std::istringstream words(text.str());
-  std::string line;
-  for (std::string word; words >> word;)
-    line += (line.empty() ? "" : " ") + word;
-  return line;
-}
-
-/// The part of `text` between two marks ("" as the second: to the end), or nothing. Plain searches: regular
-/// expressions recurse once a character, and users' values may be long.
-std::optional<std::string> between(const std::string &text, const std::string &before,
-                                   const std::string &after)
-{
-  const auto found = text.find(before);
-  if (found == std::string::npos)
-    return std::nullopt;
-  const auto first = found + before.size();
-  const auto last = after.empty() ? text.size() : text.find(after, first);
-  if (last == std::string::npos)
-    return std::nullopt;
-  return trimmed(text.substr(first, last - first));
-}
-
-/// A value as messages show it.
-std::string shown(const std::string &value)
-{
-  constexpr std::size_t most = 200;
-  return value.size() <= most ? value : value.substr(0, most) + "...";
-}
-
-/// The number in deal.II's "Line <N> of file ...", or 0.
-unsigned int line_number(const std::string &text)
-{
-  return parse_count(between(text, "Line <", ">").value_or("")).value_or(0);
-}
-
-/// The sentence for users of a fault that deal.II found in the joined text of a .prm file.
-std::string explain(const SourceText &source, const std::string &text, const std::string &file_name)
-{
-  const unsigned int number = line_number(text);
-  if (number == 0)
-  {
-    const auto open = source.open_sections(source.n_lines() + 1);
-    return open.empty() ? file_name + ": " + text
-                        : source.line(open.back()).place() + ": '" + trimmed(source.line(open.back()).text) +
-                              "' has no 'end'";
-  }
-  const SourceLine &line = source.line(number);
-  const std::string place = line.place() + ": ";
-  const std::string path = source.path_at(number);
-  constexpr const char *mismatch = "does not match the given pattern:";
-  if (const auto entry = between(text, "for the entry named", mismatch))
-    return place + path + *entry + " = " + shown(*between(text, "The entry value", "for the entry named")) +
-           ": allowed is " + *between(text, mismatch, "");
-  if (const auto unknown = between(text, "No entry with name <", "> was declared"))
-    return place + path + *unknown + not_an_entry;
-  if (text.find("no such subsection") != std::string::npos)
-    return place + "'" + trimmed(line.text) +
-           "' opens an unknown section; 'orthocone --defaults' lists all of them";
-  return place + "'" + trimmed(line.text) +
-         "' is not understood: expected is 'subsection NAME', 'set NAME = VALUE', " +
-         "'end', 'include FILE' or '# comment'";
-}
 
 void parse_prm(const std::string &file_name, ParameterHandler &handler)
 {
@@ -117,7 +47,7 @@ void set_entry(const std::string &place, const std::string &section, const std::
   }
   catch (const ParameterHandler::ExcEntryUndeclared &)
   {
-    throw InputError(name + not_an_entry);
+    throw InputError(place + not_an_entry(section + "/" + entry));
   }
   catch (const dealii::ExceptionBase &exception)
   {
@@ -140,7 +70,7 @@ void parse_json(const std::string &file_name, ParameterHandler &handler)
   for (const auto &[section, entries] : json.items())
   {
     if (!entries.is_object())
-      throw InputError(place + section + not_an_entry);
+      throw InputError(place + not_a_section(section));
     for (const auto &[entry, value] : entries.items())
       set_entry(place, section, entry, value.is_string() ? value.get<std::string>() : value.dump(), handler);
   }
@@ -167,6 +97,21 @@ Parameters read_parameters(const std::string &file_name, const std::vector<std::
   for (const std::string &text : overrides)
     apply_override(text, handler);
   return parameters;
+}
+
+std::vector<std::pair<std::string, std::string>> entry_values(const Parameters &parameters)
+{
+  Parameters copy = parameters;
+  ParameterHandler handler;
+  declare_parameters(copy, handler);
+  std::ostringstream text;
+  handler.print_parameters(text, ParameterHandler::ShortJSON | ParameterHandler::KeepDeclarationOrder);
+  std::vector<std::pair<std::string, std::string>> values;
+  const auto json = nlohmann::ordered_json::parse(text.str());
+  for (const auto &[section, entries] : json.items())
+    for (const auto &[entry, value] : entries.items())
+      values.emplace_back(section + "/" + entry, value.get<std::string>());
+  return values;
 }
 
 void write_parameters(const Parameters &parameters, std::ostream &out)

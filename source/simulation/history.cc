@@ -68,24 +68,32 @@ History::History(const RunFolder &folder, const ContactMethod method)
     : folder_(folder),
       method_(method)
 {
+}
+
+void History::start() const
+{
   folder_.append("history.csv",
                  "step,ux,uy,uz,force_x,force_y,force_z,max_slip,max_accumulated_slip,min_pressure,"
                  "max_pressure,n_open,n_stick,n_slip,stick_area,dissipation,total_dissipation,"
                  "elastic_energy,method,iterations,residual\n");
+  folder_.append("checks.csv", "step,equilibrium,penetration,complementarity,friction_cone,slip_rule,work,"
+                               "energy_defect\n");
   folder_.append("timing.csv", "step,seconds,iterations\n");
 }
 
-void History::write(const ContactState &state, const Totals &totals, const SolverReport &report,
-                    const double seconds)
+void History::write(const SolvedStep &step) const
 {
+  const auto &[state, before, totals, report, checks, seconds] = step;
   folder_.append("history.csv",
                  row(state.step, state.top[0], state.top[1], state.top[2], totals.force[0], totals.force[1],
                      totals.force[2], totals.max_slip, totals.max_accumulated_slip, totals.min_pressure,
                      totals.max_pressure, totals.n_open, totals.n_stick, totals.n_slip, totals.stick_area,
-                     totals.total_dissipation - last_total_dissipation_, totals.total_dissipation,
+                     totals.total_dissipation - before.total_dissipation, totals.total_dissipation,
                      totals.elastic_energy, to_word(method_), report.iterations, report.residual));
+  const LawErrors &law = checks.law;
+  folder_.append("checks.csv", row(state.step, checks.equilibrium, law.penetration, law.complementarity,
+                                   law.friction_cone, law.slip_rule, checks.work, checks.energy_defect));
   folder_.append("timing.csv", row(state.step, seconds, report.iterations));
-  last_total_dissipation_ = totals.total_dissipation;
 }
 
 ProbeHistories::ProbeHistories(const RunFolder &folder, const std::vector<Probe> &probes,
@@ -98,10 +106,14 @@ ProbeHistories::ProbeHistories(const RunFolder &folder, const std::vector<Probe>
     const Vector2d signs = signs_of(probe, evaluator.planes());
     const Vector2d position = signs.cwiseProduct(Vector2d(probe.position[0], probe.position[1]));
     places_.push_back({"probe-" + probe.name + ".csv", nearest_node(evaluator.surface(), position), signs});
-    folder_.append(places_.back().file,
-                   "step,uz,slip_x,slip_y,accumulated_slip,force_n,force_x,force_y,pressure,"
-                   "traction_x,traction_y,status\n");
   }
+}
+
+void ProbeHistories::start() const
+{
+  for (const Place &place : places_)
+    folder_.append(place.file, "step,uz,slip_x,slip_y,accumulated_slip,force_n,force_x,force_y,pressure,"
+                               "traction_x,traction_y,status\n");
 }
 
 void ProbeHistories::write(const ContactState &state) const

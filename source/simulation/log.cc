@@ -39,8 +39,9 @@ void Log::line(const std::string &text)
     std::cout << text << std::endl;
 }
 
-void Log::start_steps()
+void Log::start_steps(const unsigned int n_done)
 {
+  n_done_ = n_done;
   watch_ = Stopwatch();
 }
 
@@ -50,10 +51,10 @@ void Log::progress(const LoadStep &step, const unsigned int n_steps, const Total
   const double elapsed = watch_.seconds();
   std::ostringstream text;
   text << std::fixed << std::setprecision(1) << "step " << step.number << " of " << n_steps << ", " << elapsed
-       << " s, " << elapsed / step.number * (n_steps - step.number) << " s left: u_z " << to_text(step.top[2])
-       << " mm, open/stick/slip " << totals.n_open << "/" << totals.n_stick << "/" << totals.n_slip << ", "
-       << report.iterations << " iterations, residual " << std::scientific << report.residual
-       << ", penetration " << report.penetration << " mm";
+       << " s, " << elapsed / (step.number - n_done_) * (n_steps - step.number) << " s left: u_z "
+       << to_text(step.top[2]) << " mm, open/stick/slip " << totals.n_open << "/" << totals.n_stick << "/"
+       << totals.n_slip << ", " << report.iterations << " iterations, residual " << std::scientific
+       << report.residual << ", penetration " << report.penetration << " mm";
   folder_.append("log.txt", text.str() + "\n");
   if (is_quiet_)
     return;

@@ -2,14 +2,14 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/simulation/quasi_static_problem.h>
 
+#include <orthocone/parameters/parameters.h>
 #include <orthocone/parameters/text.h>
+#include <orthocone/simulation/interrupt.h>
 #include <orthocone/simulation/version.h>
-#include <orthocone/simulation/vtu.h>
-
-#include <deal.II/base/data_out_base.h>
 
 #include <cmath>
 #include <sstream>
+#include <utility>
 
 namespace orthocone
 {
@@ -32,30 +32,9 @@ OrthotropicFriction friction_of(const FrictionOptions &options)
 {
   return {options.mu[0], options.mu[1], options.p[0], options.p[1]};
 }
-
-std::string numbered(const std::string &name, const unsigned int step)
-{
-  constexpr std::size_t digits = 4;
-  const std::string number = std::to_string(step);
-  return name + "-" + std::string(digits - std::min(digits, number.size()), '0') + number + ".vtu";
-}
-
-void add_record(const RunFolder &folder, const std::string &name, const LoadStep &step,
-                std::vector<std::pair<double, std::string>> &files)
-{
-  files.emplace_back(step.number, numbered(name, step.number));
-  std::ostringstream text;
-  dealii::DataOutBase::write_pvd_record(text, files);
-  folder.write(name + ".pvd", text.str());
-}
-
-bool is_due(const unsigned int interval, const unsigned int step, const unsigned int n_steps)
-{
-  return interval != 0 && (step % interval == 0 || step == n_steps);
-}
 } // namespace
 
-Body::Body(const Parameters &parameters, const SymmetryPlanes &planes)
+Body::Body(const Parameters &parameters, const SymmetryPlanes &planes, PhaseSeconds &seconds)
     : mesh(timed(seconds.mesh, [&] { return BodyMesh(parameters.geometry, parameters.mesh, planes); })),
       discretization(timed(
           seconds.mesh, [&]
@@ -70,10 +49,12 @@ QuasiStaticProblem::QuasiStaticProblem(const Parameters &parameters, const Model
       folder_(folder),
       log_(log),
       steps_(load_steps(parameters.load)),
-      body_(parameters_, model_.planes),
+      body_(parameters_, model_.planes, record_.seconds),
+      stiffness_(timed(record_.seconds.assembly,
+                       [&] { return Stiffness(body_.discretization, parameters_.material); })),
       factor_(factorize()),
       axes_(parameters_.friction.angle),
-      condensed_(timed(body_.seconds.condensation,
+      condensed_(timed(record_.seconds.condensation,
                        [&] { return CondensedBody(body_.discretization, factor_, axes_); })),
       problem_(condensed_.compliance(),
                std::vector<OrthotropicFriction>(body_.discretization.contact_surface().nodes.size(),
@@ -82,9 +63,8 @@ QuasiStaticProblem::QuasiStaticProblem(const Parameters &parameters, const Model
       state_(problem_.n_nodes()),
       evaluator_(body_.discretization.contact_surface(), model_.planes, axes_,
                  friction_of(parameters_.friction)),
-      history_(folder_, parameters_.contact_solver.method),
-      probes_(folder_, parameters_.output.probes, evaluator_),
-      summary_{"running", parameters_, model_, body_.discretization, static_cast<unsigned int>(steps_.size())}
+      checker_(parameters_, condensed_, stiffness_),
+      output_(folder_, parameters_, body_.discretization, condensed_, evaluator_)
 {
 }
 
@@ -93,78 +73,135 @@ StiffnessFactor QuasiStaticProblem::factorize()
   log_.line(describe_model(parameters_, model_, body_.discretization, steps_.size()));
   for (const auto &[name, version] : versions())
     log_.line(name + " " + version);
-  const Stiffness stiffness =
-      timed(body_.seconds.assembly, [&] { return Stiffness(body_.discretization, parameters_.material); });
-  return timed(body_.seconds.factorization,
-               [&] { return StiffnessFactor(stiffness.matrix(), body_.discretization.n_interior()); });
+  for (const std::string &warning : parameter_warnings(parameters_))
+    log_.line("warning: " + warning);
+  return timed(record_.seconds.factorization,
+               [&] { return StiffnessFactor(stiffness_.matrix(), body_.discretization.n_interior()); });
 }
 
-QuasiStaticProblem::Outcome QuasiStaticProblem::run()
+QuasiStaticProblem::Outcome QuasiStaticProblem::run(const std::optional<Checkpoint> &checkpoint)
 {
-  Outcome outcome{true, ""};
-  log_.start_steps();
+  begin(checkpoint);
+  try
+  {
+    const Outcome outcome = march();
+    finish(outcome);
+    return outcome;
+  }
+  catch (const FileError &error)
+  {
+    try
+    {
+      finish({ExitCode::file_error, error.what()});
+    }
+    catch (const FileError &)
+    {
+      // The first failure is the one to tell; a disk that is full is likely to be so for the summary, too.
+    }
+    throw;
+  }
+}
+
+void QuasiStaticProblem::begin(const std::optional<Checkpoint> &checkpoint)
+{
+  if (!checkpoint)
+  {
+    output_.start();
+    return;
+  }
+  if (checkpoint->state.n_nodes() != problem_.n_nodes())
+    throw FileError(folder_.path() + ": the checkpoint is of " + std::to_string(checkpoint->state.n_nodes()) +
+                    " contact nodes, the model has " + std::to_string(problem_.n_nodes()) +
+                    "; was it written by another version of the program (" + checkpoint->program + ")?");
+  output_.return_to(checkpoint->state.step, checkpoint->table_sizes);
+  log_.line("resumed after load step " + std::to_string(checkpoint->state.step) + " of " +
+            std::to_string(steps_.size()));
+  state_ = checkpoint->state;
+  solver_.restore(checkpoint->starts);
+  totals_ = compute_totals(evaluator_, state_, condensed_.compliance());
+  const PhaseSeconds set_up = record_.seconds;
+  record_ = checkpoint->record;
+  record_.seconds.add(set_up);
+  seconds_before_ = record_.total_seconds;
+}
+
+QuasiStaticProblem::Outcome QuasiStaticProblem::march()
+{
+  log_.start_steps(state_.step);
   for (const LoadStep &step : steps_)
   {
-    double seconds = 0;
-    const SolverReport report = timed(seconds, [&] { return solver_.solve(state_, step); });
-    body_.seconds.contact += seconds;
-    if (!report.converged)
+    if (step.number <= state_.step)
+      continue;
+    if (stop_is_requested())
     {
-      outcome = failure(step, report);
-      break;
+      save_checkpoint();
+      return {ExitCode::interrupted, "interrupted after load step " + std::to_string(state_.step) + " of " +
+                                         std::to_string(steps_.size()) +
+                                         "; the same command with --resume goes on"};
     }
-    timed(body_.seconds.output, [&] { write_step(step, report, seconds); });
+    const Outcome outcome = advance_to(step);
+    if (outcome.code != ExitCode::done)
+    {
+      save_checkpoint();
+      return outcome;
+    }
+    if (since_checkpoint_.seconds() >= parameters_.output.checkpoint_seconds)
+      save_checkpoint();
   }
-  finish(outcome);
-  return outcome;
+  save_checkpoint();
+  return {};
 }
 
-void QuasiStaticProblem::write_step(const LoadStep &step, const SolverReport &report, const double seconds)
+/// Solves, checks and writes a step. One that fails a check is neither accepted nor written.
+QuasiStaticProblem::Outcome QuasiStaticProblem::advance_to(const LoadStep &step)
 {
-  const Totals totals = compute_totals(evaluator_, state_, condensed_.compliance());
-  history_.write(state_, totals, report, seconds);
-  probes_.write(state_);
-  write_fields(step);
-  log_.progress(step, steps_.size(), totals, report);
-  summary_.n_solved = step.number;
-  summary_.n_iterations += report.iterations;
-  summary_.largest_residual = std::max(summary_.largest_residual, report.residual);
-  summary_.total_dissipation = totals.total_dissipation;
-  summary_.peaks.consider(step.number, totals);
+  ContactState next = state_;
+  double seconds = 0;
+  const SolverReport report = timed(seconds, [&] { return solver_.solve(next, step); });
+  record_.seconds.contact += seconds;
+  if (!report.converged)
+    return failure(step, report);
+  const Totals totals = compute_totals(evaluator_, next, condensed_.compliance());
+  const StepChecks checks = timed(
+      record_.seconds.checks,
+      [&] { return checker_.check(state_.top, totals_, next, totals, report.law, record_.largest_energy); });
+  if (const auto which = checker_.violation(checks))
+    return violation(step, *which);
+  timed(record_.seconds.output,
+        [&]
+        {
+          output_.write({next, totals_, totals, report, checks, seconds});
+          log_.progress(step, steps_.size(), totals, report);
+        });
+  solver_.accept(state_, next, step);
+  state_ = std::move(next);
+  totals_ = totals;
+  record_.add_step(step.number, totals, report, checks);
+  return {};
 }
 
-void QuasiStaticProblem::write_fields(const LoadStep &step)
+void QuasiStaticProblem::save_checkpoint()
 {
-  const OutputOptions &options = parameters_.output;
-  if (is_due(options.contact_interval, step.number, steps_.size()))
-  {
-    folder_.write(numbered("contact", step.number), contact_vtu(evaluator_, state_));
-    add_record(folder_, "contact", step, contact_files_);
-  }
-  if (is_due(options.volume_interval, step.number, steps_.size()))
-  {
-    folder_.write(numbered("volume", step.number),
-                  volume_vtu(body_.discretization, parameters_.material,
-                             condensed_.volume_displacement(state_.top, state_.force)));
-    add_record(folder_, "volume", step, volume_files_);
-  }
+  const Stopwatch watch;
+  record_.total_seconds = seconds_before_ + total_.seconds();
+  write_checkpoint(folder_, {entry_values(parameters_), program_version(), folder_.table_sizes(), state_,
+                             solver_.memory(), record_});
+  since_checkpoint_ = Stopwatch();
+  record_.seconds.output += watch.seconds();
 }
 
 void QuasiStaticProblem::finish(const Outcome &outcome)
 {
-  summary_.status = outcome.is_complete ? "complete" : outcome.message;
-  summary_.seconds = body_.seconds;
-  summary_.total_seconds = total_.seconds();
-  folder_.write("summary.json", summary_json(summary_));
-  const PhaseSeconds &seconds = summary_.seconds;
-  std::ostringstream text;
-  text << std::fixed;
-  text.precision(2);
-  text << "seconds: mesh " << seconds.mesh << ", assembly " << seconds.assembly << ", factorization "
-       << seconds.factorization << ", condensation " << seconds.condensation << ", contact "
-       << seconds.contact << ", output " << seconds.output << ", total " << summary_.total_seconds
-       << "; files in " << folder_.path();
-  log_.line(text.str());
+  record_.total_seconds = seconds_before_ + total_.seconds();
+  const std::string status = outcome.code == ExitCode::done ? "complete" : outcome.message;
+  folder_.write("summary.json", summary_json({status, parameters_, model_, body_.discretization,
+                                              static_cast<unsigned int>(steps_.size()), state_.step,
+                                              totals_.total_dissipation, record_}));
+  // Those of the parameters were told at the beginning.
+  const auto warnings = all_warnings(parameters_, record_);
+  for (std::size_t i = parameter_warnings(parameters_).size(); i < warnings.size(); ++i)
+    log_.line("warning: " + warnings[i]);
+  log_.line(describe_seconds(record_) + "; files in " + folder_.path());
 }
 
 QuasiStaticProblem::Outcome QuasiStaticProblem::failure(const LoadStep &step,
@@ -184,6 +221,15 @@ QuasiStaticProblem::Outcome QuasiStaticProblem::failure(const LoadStep &step,
     text << "Try more Contact solver/Maximum iterations, or a tolerance that rounding allows.";
   else
     text << "Try Contact solver/Method = newton, or more Maximum iterations.";
-  return {false, text.str()};
+  return {ExitCode::unsolved_step, text.str()};
+}
+
+QuasiStaticProblem::Outcome QuasiStaticProblem::violation(const LoadStep &step,
+                                                          const std::string &which) const
+{
+  return {ExitCode::unsolved_step,
+          "load step " + std::to_string(step.number) + " of " + std::to_string(steps_.size()) +
+              " (u_z = " + to_text(step.top[2]) + " mm) is solved, but not right: " + which +
+              ".\nThe files of the steps before stay; section Checks has the bounds."};
 }
 } // namespace orthocone

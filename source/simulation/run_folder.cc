@@ -2,11 +2,11 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/simulation/run_folder.h>
 
+#include "posix_file.h"
+
 #include <orthocone/parameters/errors.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
+#include <algorithm>
 #include <regex>
 #include <vector>
 
@@ -16,19 +16,43 @@ namespace
 {
 namespace fs = std::filesystem;
 
+constexpr const char *marker = "parameters.prm";
+constexpr const char *checkpoint_folder = "checkpoint";
+
 [[noreturn]] void fail(const fs::path &file, const std::string &task, const std::string &cause)
 {
   throw FileError(file.string() + ": " + task + " (" + cause + ")");
 }
 
-void write_all(const fs::path &file, const std::string &content, const std::ios::openmode mode)
+/// Names of the files in a folder that match a pattern, sorted.
+std::vector<std::string> matching(const fs::path &folder, const std::string &pattern)
 {
-  errno = 0;
-  std::ofstream stream(file, std::ios::binary | mode);
-  stream.write(content.data(), static_cast<std::streamsize>(content.size()));
-  stream.close();
-  if (!stream)
-    fail(file, "cannot be written", std::strerror(errno != 0 ? errno : EIO));
+  const std::regex expression(pattern);
+  std::vector<std::string> names;
+  if (fs::exists(folder))
+    for (const auto &entry : fs::directory_iterator(folder))
+      if (const std::string name = entry.path().filename().string(); std::regex_match(name, expression))
+        names.push_back(name);
+  std::sort(names.begin(), names.end());
+  return names;
+}
+
+/// All that a run may leave, the checkpoint first: without its other files it is worth nothing.
+std::vector<std::string> files_of_a_run(const fs::path &folder)
+{
+  std::vector<std::string> names;
+  for (const std::string &name : matching(folder / checkpoint_folder, "state(\\.part)?"))
+    names.push_back(std::string(checkpoint_folder) + "/" + name);
+  for (const std::string &name : matching(
+           folder, "((contact|volume)(-\\d+\\.vtu|\\.pvd)|probe-.*\\.csv|(history|timing|checks)\\.csv|"
+                   "summary\\.json|(input|parameters)\\.prm|input\\.json|log\\.txt|report\\.html)(\\.part)?"))
+    names.push_back(name);
+  return names;
+}
+
+std::vector<std::string> tables(const fs::path &folder)
+{
+  return matching(folder, "probe-.*\\.csv|(history|timing|checks)\\.csv");
 }
 } // namespace
 
@@ -42,47 +66,62 @@ RunFolder::RunFolder(const fs::path &path)
   fs::create_directories(path_, code);
   if (code)
     fail(path_, "cannot be created as the run folder", code.message());
-  write(".writable", "");
+  lock();
+  posix::write(path_ / ".writable", "");
   fs::remove(path_ / ".writable", code);
+}
+
+RunFolder::~RunFolder()
+{
+  posix::close(lock_);
+}
+
+void RunFolder::lock()
+{
+  const auto result = posix::lock_folder(path_);
+  if (result.is_taken)
+    fail(path_, "cannot be the run folder",
+         "another run is writing there; wait for it, or take another one by --output DIR");
+  lock_ = result.descriptor;
 }
 
 void RunFolder::remove_earlier_run() const
 {
-  const std::regex ours(
-      "((contact|volume)(-\\d+\\.vtu|\\.pvd)|probe-.*\\.csv|(history|timing)\\.csv|summary\\.json|"
-      "(input|parameters)\\.prm|input\\.json|log\\.txt)(\\.part)?");
-  std::vector<fs::path> files;
-  for (const auto &entry : fs::directory_iterator(path_))
-    if (std::regex_match(entry.path().filename().string(), ours))
-      files.push_back(entry.path());
-  const bool is_ours = fs::exists(path_ / "parameters.prm") || fs::exists(path_ / "parameters.prm.part");
-  if (!files.empty() && !is_ours)
+  const std::vector<std::string> files = files_of_a_run(path_);
+  if (!files.empty() && !has(marker) && !has(std::string(marker) + ".part"))
     fail(path_, "cannot be the run folder",
-         "it holds a " + files.front().filename().string() +
-             " that no run left there, for parameters.prm is missing; --output DIR takes another one");
+         "it holds a " + files.front() + " that no run left there, for " + marker +
+             " is missing; --output DIR takes another one");
   // Before anything is removed, everything must be removable.
-  for (const fs::path &file : files)
-    if (fs::is_directory(file))
-      fail(file, "cannot be replaced", "a folder of this name is in its place");
-  std::error_code code;
-  for (const fs::path &file : files)
-    if (!fs::remove(file, code))
-      fail(file, "cannot be removed", code.message());
+  for (const std::string &file : files)
+    if (fs::is_directory(path_ / file))
+      fail(path_ / file, "cannot be replaced", "a folder of this name is in its place");
+  for (const std::string &file : files)
+    if (file != marker)
+      remove(file);
 }
 
-void RunFolder::write(const std::string &name, const std::string &content) const
+void RunFolder::remove_fields_after(const unsigned int step) const
 {
+  for (const std::string &name : matching(path_, "(contact|volume)-\\d+\\.vtu"))
+    if (std::stoull(name.substr(name.find('-') + 1)) > step)
+      remove(name);
+}
+
+void RunFolder::replace(const std::string &name, const std::string &content, const bool durably) const
+{
+  const fs::path file = path_ / name;
   const fs::path temporary = path_ / (name + ".part");
   std::error_code code;
+  fs::create_directories(file.parent_path(), code);
+  if (code)
+    fail(file.parent_path(), "cannot be created", code.message());
   try
   {
-    write_all(temporary, content, std::ios::trunc);
-    fs::rename(temporary, path_ / name);
-  }
-  catch (const fs::filesystem_error &error)
-  {
-    fs::remove(temporary, code);
-    fail(path_ / name, "cannot be written", error.code().message());
+    posix::write(temporary, content);
+    if (durably)
+      posix::synchronize(temporary);
+    posix::rename(temporary, file);
   }
   catch (const FileError &)
   {
@@ -91,9 +130,73 @@ void RunFolder::write(const std::string &name, const std::string &content) const
   }
 }
 
+void RunFolder::write(const std::string &name, const std::string &content) const
+{
+  replace(name, content, false);
+  not_on_disk_.insert(name);
+}
+
+void RunFolder::write_durably(const std::string &name, const std::string &content) const
+{
+  for (const std::string &file : not_on_disk_)
+    if (has(file))
+      posix::synchronize(path_ / file);
+  not_on_disk_.clear();
+  replace(name, content, true);
+  posix::synchronize((path_ / name).parent_path());
+  posix::synchronize(path_);
+}
+
 void RunFolder::append(const std::string &name, const std::string &content) const
 {
-  write_all(path_ / name, content, std::ios::app);
+  posix::append(path_ / name, content);
+  not_on_disk_.insert(name);
+}
+
+std::string RunFolder::read(const std::string &name) const
+{
+  return posix::read(path_ / name);
+}
+
+bool RunFolder::has(const std::string &name) const
+{
+  std::error_code code;
+  return fs::exists(path_ / name, code);
+}
+
+void RunFolder::remove(const std::string &name) const
+{
+  std::error_code code;
+  fs::remove(path_ / name, code);
+  if (code)
+    fail(path_ / name, "cannot be removed", code.message());
+}
+
+std::map<std::string, std::uintmax_t> RunFolder::table_sizes() const
+{
+  std::map<std::string, std::uintmax_t> sizes;
+  for (const std::string &name : tables(path_))
+    sizes[name] = fs::file_size(path_ / name);
+  return sizes;
+}
+
+void RunFolder::require_tables(const std::map<std::string, std::uintmax_t> &sizes) const
+{
+  const auto present = table_sizes();
+  for (const auto &[name, size] : sizes)
+    if (const auto found = present.find(name); found == present.end() || found->second < size)
+      fail(path_ / name, "cannot be continued",
+           found == present.end() ? "it is missing" : "it is shorter than when the checkpoint was written");
+}
+
+void RunFolder::cut_tables(const std::map<std::string, std::uintmax_t> &sizes) const
+{
+  require_tables(sizes);
+  for (const auto &[name, size] : table_sizes())
+    if (const auto kept = sizes.find(name); kept == sizes.end())
+      remove(name);
+    else
+      posix::cut(path_ / name, kept->second);
 }
 
 std::string RunFolder::path(const std::string &name) const

@@ -20,17 +20,18 @@ NodeVector StartForces::best(const ContactProblem &problem, const ContactState &
   };
   consider(NodeVector::Zero(start.size())); // full unloading
   if (step.step_of_leg > 1)
-    consider(state.force + change_);
-  if (const auto last_cycle = of_phase_.find(step.phase); step.cycle > 1 && last_cycle != of_phase_.end())
+    consider(state.force + memory_.change);
+  if (const auto last_cycle = memory_.of_phase.find(step.phase);
+      step.cycle > 1 && last_cycle != memory_.of_phase.end())
     consider(last_cycle->second);
   return start;
 }
 
 void StartForces::remember(const NodeVector &before, const NodeVector &after, const LoadStep &step)
 {
-  change_ = after - before;
+  memory_.change = after - before;
   if (step.cycle > 0)
-    of_phase_[step.phase] = after;
+    memory_.of_phase[step.phase] = after;
 }
 
 StepSolver::StepSolver(const CondensedBody &body, ContactProblem &problem,
@@ -41,28 +42,30 @@ StepSolver::StepSolver(const CondensedBody &body, ContactProblem &problem,
 {
 }
 
-void StepSolver::set_problem(const ContactState &state, const std::array<double, 3> &top)
+void StepSolver::set_problem(const ContactState &state, const std::array<double, 3> &top) const
 {
   problem_.set_step(body_.free_displacement(top), state.displacement);
 }
 
-SolverReport StepSolver::solve(ContactState &state, const LoadStep &step)
+SolverReport StepSolver::solve(ContactState &state, const LoadStep &step) const
 {
   const ContactState before = state;
   set_problem(state, step.top);
   const SolverReport report = solve_to(state, step.top, starts_.best(problem_, state, step), 0);
   if (report.converged)
-  {
-    starts_.remember(before.force, state.force, step);
     state.step = step.number;
-  }
   else
     state = before;
   return report;
 }
 
+void StepSolver::accept(const ContactState &before, const ContactState &after, const LoadStep &step)
+{
+  starts_.remember(before.force, after.force, step);
+}
+
 SolverReport StepSolver::solve_to(ContactState &state, const std::array<double, 3> &top, NodeVector force,
-                                  const unsigned int depth)
+                                  const unsigned int depth) const
 {
   constexpr unsigned int most_halvings = 3;
   set_problem(state, top);
@@ -78,13 +81,10 @@ SolverReport StepSolver::solve_to(ContactState &state, const std::array<double, 
   for (unsigned int d = 0; d < 3; ++d)
     middle[d] = 0.5 * (state.top[d] + top[d]);
   const unsigned int spent = report.iterations;
-  report = solve_to(state, middle, state.force, depth + 1);
-  report.iterations += spent;
-  if (!report.converged)
-    return report;
-  const unsigned int to_middle = report.iterations;
-  report = solve_to(state, top, state.force, depth + 1);
-  report.iterations += to_middle;
+  const SolverReport first = solve_to(state, middle, state.force, depth + 1);
+  report = first.converged ? solve_to(state, top, state.force, depth + 1) : first;
+  report.iterations += spent + (first.converged ? first.iterations : 0);
+  report.law.merge(first.law);
   return report;
 }
 } // namespace orthocone

@@ -2,11 +2,14 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/simulation/summary.h>
 
+#include <orthocone/parameters/parameters.h>
 #include <orthocone/parameters/text.h>
 #include <orthocone/simulation/version.h>
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <cmath>
 #include <sstream>
 
 namespace orthocone
@@ -34,14 +37,15 @@ Json model_json(const Summary &summary)
 
 Json seconds_json(const Summary &summary)
 {
-  const PhaseSeconds &seconds = summary.seconds;
+  const PhaseSeconds &seconds = summary.record.seconds;
   return {{"mesh", seconds.mesh},
           {"assembly", seconds.assembly},
           {"factorization", seconds.factorization},
           {"condensation", seconds.condensation},
           {"contact", seconds.contact},
+          {"checks", seconds.checks},
           {"output", seconds.output},
-          {"total", summary.total_seconds}};
+          {"total", summary.record.total_seconds}};
 }
 
 void consider(std::pair<double, unsigned int> &peak, const double value, const unsigned int step)
@@ -58,6 +62,53 @@ void Peaks::consider(const unsigned int step, const Totals &totals)
   orthocone::consider(force_z, totals.force[2], step);
 }
 
+void PhaseSeconds::add(const PhaseSeconds &other)
+{
+  mesh += other.mesh;
+  assembly += other.assembly;
+  factorization += other.factorization;
+  condensation += other.condensation;
+  contact += other.contact;
+  checks += other.checks;
+  output += other.output;
+}
+
+void RunRecord::add_step(const unsigned int step, const Totals &totals, const SolverReport &report,
+                         const StepChecks &checks)
+{
+  n_iterations += report.iterations;
+  largest_residual = std::max(largest_residual, report.residual);
+  largest_energy = std::max(largest_energy, energy_scale(totals));
+  peaks.consider(step, totals);
+  consider(energy_defect, checks.energy_defect, step);
+}
+
+std::vector<std::string> all_warnings(const Parameters &parameters, const RunRecord &record)
+{
+  constexpr double large = 0.05;
+  constexpr double percent = 100;
+  std::vector<std::string> warnings = parameter_warnings(parameters);
+  if (record.energy_defect.first > large)
+    warnings.push_back("load step " + std::to_string(record.energy_defect.second) +
+                       ": the energy balance misses " +
+                       to_text(std::round(percent * record.energy_defect.first)) +
+                       " % of the largest energy; loops and dissipation need more steps in this leg");
+  return warnings;
+}
+
+std::string describe_seconds(const RunRecord &record)
+{
+  const PhaseSeconds &seconds = record.seconds;
+  std::ostringstream text;
+  text << std::fixed;
+  text.precision(2);
+  text << "seconds: mesh " << seconds.mesh << ", assembly " << seconds.assembly << ", factorization "
+       << seconds.factorization << ", condensation " << seconds.condensation << ", contact "
+       << seconds.contact << ", checks " << seconds.checks << ", output " << seconds.output << ", total "
+       << record.total_seconds;
+  return text.str();
+}
+
 std::string summary_json(const Summary &summary)
 {
   Json json;
@@ -66,11 +117,12 @@ std::string summary_json(const Summary &summary)
   json["steps"] = {{"planned", summary.n_steps}, {"solved", summary.n_solved}};
   json["contact_solver"] = {{"method", to_word(summary.parameters.contact_solver.method)},
                             {"tolerance", summary.parameters.contact_solver.tolerance},
-                            {"iterations", summary.n_iterations},
-                            {"largest_residual", summary.largest_residual}};
-  json["peaks"] = {{"slip_mm", peak_json(summary.peaks.slip)},
-                   {"pressure_MPa", peak_json(summary.peaks.pressure)},
-                   {"force_z_N", peak_json(summary.peaks.force_z)}};
+                            {"iterations", summary.record.n_iterations},
+                            {"largest_residual", summary.record.largest_residual}};
+  json["peaks"] = {{"slip_mm", peak_json(summary.record.peaks.slip)},
+                   {"pressure_MPa", peak_json(summary.record.peaks.pressure)},
+                   {"force_z_N", peak_json(summary.record.peaks.force_z)}};
+  json["warnings"] = all_warnings(summary.parameters, summary.record);
   json["total_dissipation_Nmm"] = summary.total_dissipation;
   for (const auto &[name, version] : versions())
     json["versions"][name] = version;

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
-#include <orthocone/contact/contact_problem.h>
+#include <orthocone/contact/law_errors.h>
 #include <orthocone/parameters/options.h>
 
 #include <memory>
@@ -18,6 +18,7 @@ struct SolverReport
   double residual = 0;         ///< ContactProblem::residual()
   Eigen::Index worst_node = 0; ///< node with the largest part of the residual
   double penetration = 0;      ///< largest -gap (mm), the paper's own measure of convergence
+  LawErrors law;               ///< the same solution against the contact law in its own terms
 };
 
 /// Report on `force` as the solution of the present step of `problem`.

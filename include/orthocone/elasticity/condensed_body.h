@@ -4,6 +4,7 @@
 
 #include <orthocone/compliance/compliance.h>
 #include <orthocone/elasticity/discretization.h>
+#include <orthocone/elasticity/stiffness.h>
 #include <orthocone/elasticity/stiffness_factor.h>
 
 namespace orthocone
@@ -42,7 +43,17 @@ public:
   /// Displacement of all degrees of freedom under that motion and the contact forces `force` (local axes, N).
   Eigen::VectorXd volume_displacement(const std::array<double, 3> &top, const NodeVector &force) const;
 
+  /// How far body and condensed body differ under contact forces `force` that move the contact nodes by
+  /// `elastic` (without the motion of the top).
+  struct Mismatch
+  {
+    double unbalanced;   ///< ||K u - r|| / ||r|| over all free unknowns, with u = K^-1 r
+    double displacement; ///< largest difference between u and `elastic` on the contact surface, mm
+  };
+  Mismatch mismatch(const Stiffness &stiffness, const NodeVector &force, const NodeVector &elastic) const;
+
 private:
+  Eigen::VectorXd on_free_unknowns(const NodeVector &force) const;
   Eigen::MatrixXd local_compliance(const Eigen::MatrixXd &inverse) const;
 
   const Discretization &discretization_;

@@ -7,6 +7,8 @@
 
 #include <deal.II/lac/sparse_matrix.h>
 
+#include <Eigen/Dense>
+
 namespace orthocone
 {
 /// Lame's parameters in MPa.
@@ -26,6 +28,9 @@ public:
   Stiffness(const Discretization &discretization, const MaterialOptions &material);
 
   const dealii::SparseMatrix<double> &matrix() const { return matrix_; }
+
+  /// Forces K u on the free degrees of freedom.
+  Eigen::VectorXd vmult(const Eigen::VectorXd &displacement) const;
 
 private:
   void make_pattern(const Discretization &discretization);

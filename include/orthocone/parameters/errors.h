@@ -14,6 +14,7 @@ enum class ExitCode : int
   wrong_input = 2,
   unsolved_step = 3,
   file_error = 4,
+  interrupted = 130,
 };
 
 /// The command line or the parameter file is wrong. `what()` is the complete sentence for the user: file,

@@ -102,6 +102,17 @@ struct ContactSolverOptions
   double relaxation = 1;                  ///< of the sweeps: share of the one-node solution that is taken
 };
 
+/// Section Checks: bounds of the independent checks of every step.
+struct CheckOptions
+{
+  double equilibrium = 1e-8; ///< relative, forces of the body and displacements of its contact surface
+  double penetration = 1000; ///< this one and the next three: in multiples of the solver's tolerance
+  double complementarity = 1000;
+  double friction_cone = 1000;
+  double slip_rule = 1000;
+  double energy_defect = 1; ///< relative to the largest energy so far
+};
+
 /// A point of the contact surface whose history is written.
 struct Probe
 {
@@ -109,11 +120,12 @@ struct Probe
   std::array<double, 2> position{{0, 0}}; ///< mm
 };
 
-/// Section Output; intervals in steps, 0 = never.
+/// Section Output; intervals of the fields in steps, 0 = never.
 struct OutputOptions
 {
   unsigned int contact_interval = 1;
   unsigned int volume_interval = 0;
+  double checkpoint_seconds = 2; ///< least time between two checkpoints; 0 = one after every step
   std::vector<Probe> probes;
 };
 
@@ -126,6 +138,7 @@ struct Parameters
   FrictionOptions friction;
   LoadOptions load;
   ContactSolverOptions contact_solver;
+  CheckOptions checks;
   OutputOptions output;
 };
 } // namespace orthocone

@@ -8,22 +8,35 @@
 #include <orthocone/contact/contact_solver.h>
 #include <orthocone/parameters/options.h>
 #include <orthocone/simulation/run_folder.h>
+#include <orthocone/simulation/step_checks.h>
 #include <orthocone/simulation/totals.h>
 
 namespace orthocone
 {
-/// history.csv and timing.csv: one row a step.
+/// A solved step, as the tables tell it.
+struct SolvedStep
+{
+  const ContactState &state;
+  const Totals &before; ///< of the step before
+  const Totals &totals;
+  const SolverReport &report;
+  const StepChecks &checks;
+  double seconds; ///< of the solver
+};
+
+/// history.csv, checks.csv and timing.csv: one row a step.
 class History
 {
 public:
   History(const RunFolder &folder, ContactMethod method);
 
-  void write(const ContactState &state, const Totals &totals, const SolverReport &report, double seconds);
+  /// Starts the tables with the names of their columns.
+  void start() const;
+  void write(const SolvedStep &step) const;
 
 private:
   const RunFolder &folder_;
   ContactMethod method_;
-  double last_total_dissipation_ = 0;
 };
 
 /// probe-NAME.csv: the node nearest to each probe, in the image where the probe lies.
@@ -33,6 +46,7 @@ public:
   ProbeHistories(const RunFolder &folder, const std::vector<Probe> &probes,
                  const ContactFieldEvaluator &evaluator);
 
+  void start() const;
   void write(const ContactState &state) const;
 
 private:

@@ -31,8 +31,8 @@ public:
   /// A line for the screen and for log.txt.
   void line(const std::string &text);
 
-  /// Elapsed and remaining time count from here.
-  void start_steps();
+  /// Elapsed and remaining time count from here, where `n_done` steps are solved already.
+  void start_steps(unsigned int n_done);
 
   /// Progress after `step` of `n_steps`.
   void progress(const LoadStep &step, unsigned int n_steps, const Totals &totals, const SolverReport &report);
@@ -46,5 +46,6 @@ private:
   bool is_terminal_;
   bool is_in_place_ = false;
   Stopwatch watch_;
+  unsigned int n_done_ = 0;
 };
 } // namespace orthocone

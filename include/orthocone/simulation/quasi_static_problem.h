@@ -2,20 +2,19 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
-#include <orthocone/simulation/history.h>
+#include <orthocone/parameters/errors.h>
+#include <orthocone/simulation/checkpoint.h>
 #include <orthocone/simulation/log.h>
-#include <orthocone/simulation/step_solver.h>
-#include <orthocone/simulation/summary.h>
+#include <orthocone/simulation/run_output.h>
 
 namespace orthocone
 {
-/// Mesh and unknowns of the body: all that --check needs. Holds the wall times of all phases, of which its
-/// own are the first.
+/// Mesh and unknowns of the body: all that --check needs.
 struct Body
 {
-  Body(const Parameters &parameters, const SymmetryPlanes &planes);
+  /// Adds the wall time to `seconds.mesh`.
+  Body(const Parameters &parameters, const SymmetryPlanes &planes, PhaseSeconds &seconds);
 
-  PhaseSeconds seconds;
   BodyMesh mesh;
   Discretization discretization;
 };
@@ -25,27 +24,31 @@ struct Body
 class QuasiStaticProblem
 {
 public:
-  /// What came of a run; `message` tells the user what failed.
+  /// What came of a run; `message` tells the user why it did not come to its end.
   struct Outcome
   {
-    bool is_complete;
-    std::string message;
+    ExitCode code = ExitCode::done;
+    std::string message{};
   };
 
-  /// Builds, factorizes and condenses the body. Throws InputError or FileError. `folder` must outlive the
-  /// problem.
+  /// Builds, factorizes and condenses the body; nothing is written but the log. Throws InputError or
+  /// FileError. `folder` must outlive the problem.
   QuasiStaticProblem(const Parameters &parameters, const ModelChoice &model, const RunFolder &folder,
                      Log &log);
 
-  /// Solves all steps and writes the run folder. The files of solved steps stay if one fails.
-  Outcome run();
+  /// Solves all steps and writes the run folder, from the start or from a checkpoint on. The files of solved
+  /// steps stay if one fails.
+  Outcome run(const std::optional<Checkpoint> &checkpoint);
 
 private:
   StiffnessFactor factorize();
-  void write_step(const LoadStep &step, const SolverReport &report, double seconds);
-  void write_fields(const LoadStep &step);
+  void begin(const std::optional<Checkpoint> &checkpoint);
+  Outcome march();
+  Outcome advance_to(const LoadStep &step);
+  void save_checkpoint();
   void finish(const Outcome &outcome);
   Outcome failure(const LoadStep &step, const SolverReport &report) const;
+  Outcome violation(const LoadStep &step, const std::string &which) const;
 
   const Parameters parameters_;
   const ModelChoice model_;
@@ -53,7 +56,9 @@ private:
   Log &log_;
   const std::vector<LoadStep> steps_;
   Stopwatch total_;
+  RunRecord record_;
   Body body_;
+  Stiffness stiffness_;
   StiffnessFactor factor_;
   SurfaceAxes axes_;
   CondensedBody condensed_;
@@ -61,10 +66,10 @@ private:
   StepSolver solver_;
   ContactState state_;
   ContactFieldEvaluator evaluator_;
-  History history_;
-  ProbeHistories probes_;
-  std::vector<std::pair<double, std::string>> contact_files_; ///< step number and file of the PVD record
-  std::vector<std::pair<double, std::string>> volume_files_;
-  Summary summary_;
+  Totals totals_; ///< of state_
+  StepChecker checker_;
+  RunOutput output_;
+  Stopwatch since_checkpoint_;
+  double seconds_before_ = 0; ///< wall time of the runs before the checkpoint
 };
 } // namespace orthocone

@@ -11,9 +11,16 @@
 
 namespace orthocone
 {
-/// Remembers forces from which the next step may start: those of the last step, their extrapolation along the
-/// leg (exact while the load is proportional), those at the same phase of the last cycle (exact once the
-/// response is periodic), and none (exact at full unloading).
+/// Forces from which the next step may start, besides those of the last step.
+struct StartMemory
+{
+  NodeVector change;                           ///< of the forces in the last step
+  std::map<unsigned int, NodeVector> of_phase; ///< forces at each phase of the last cycle
+};
+
+/// Chooses the forces from which a step starts: those of the last step, their extrapolation along the leg
+/// (exact while the load is proportional), those at the same phase of the last cycle (exact once the response
+/// is periodic), and none (exact at full unloading).
 class StartForces
 {
 public:
@@ -23,9 +30,11 @@ public:
   /// To be called with every solved step.
   void remember(const NodeVector &before, const NodeVector &after, const LoadStep &step);
 
+  const StartMemory &memory() const { return memory_; }
+  void restore(const StartMemory &memory) { memory_ = memory; }
+
 private:
-  NodeVector change_;                           ///< of the forces in the last step
-  std::map<unsigned int, NodeVector> of_phase_; ///< forces at each phase of the last cycle
+  StartMemory memory_;
 };
 
 /// Solves load steps one after another. A step that fails is halved, from the state before it, so that the
@@ -36,12 +45,19 @@ public:
   StepSolver(const CondensedBody &body, ContactProblem &problem, const ContactSolverOptions &options);
 
   /// Advances `state` to the end of `step`. On failure (report.converged is false) `state` is as before.
-  SolverReport solve(ContactState &state, const LoadStep &step);
+  SolverReport solve(ContactState &state, const LoadStep &step) const;
+
+  /// To be called with the states before and after every step that is accepted: later steps start from it.
+  void accept(const ContactState &before, const ContactState &after, const LoadStep &step);
+
+  /// What a solver of the same problem needs to go on as this one would.
+  const StartMemory &memory() const { return starts_.memory(); }
+  void restore(const StartMemory &memory) { starts_.restore(memory); }
 
 private:
   SolverReport solve_to(ContactState &state, const std::array<double, 3> &top, NodeVector force,
-                        unsigned int depth);
-  void set_problem(const ContactState &state, const std::array<double, 3> &top);
+                        unsigned int depth) const;
+  void set_problem(const ContactState &state, const std::array<double, 3> &top) const;
 
   const CondensedBody &body_;
   ContactProblem &problem_;

@@ -2,12 +2,14 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
+#include <orthocone/contact/contact_solver.h>
 #include <orthocone/simulation/load_program.h>
 #include <orthocone/simulation/model_choice.h>
-#include <orthocone/simulation/totals.h>
+#include <orthocone/simulation/step_checks.h>
 
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace orthocone
 {
@@ -19,7 +21,10 @@ struct PhaseSeconds
   double factorization = 0;
   double condensation = 0;
   double contact = 0;
-  double output = 0;
+  double checks = 0;
+  double output = 0; ///< with the checkpoints
+
+  void add(const PhaseSeconds &other);
 };
 
 /// Largest values over the run and the steps that had them.
@@ -32,25 +37,42 @@ struct Peaks
   std::pair<double, unsigned int> force_z{0, 0};  ///< N
 };
 
-/// Everything that summary.json tells.
-struct Summary
+/// What adds up from step to step, also over interruptions.
+struct RunRecord
 {
-  std::string status = "running"; ///< or "complete", or why not
-  const Parameters &parameters;
-  const ModelChoice &model;
-  const Discretization &discretization;
-  unsigned int n_steps;
-  unsigned int n_solved = 0;
+  void add_step(unsigned int step, const Totals &totals, const SolverReport &report,
+                const StepChecks &checks);
+
   unsigned int n_iterations = 0;
   double largest_residual = 0;
-  double total_dissipation = 0; ///< N mm
+  double largest_energy = 0; ///< stored or dissipated, N mm
   Peaks peaks{};
+  std::pair<double, unsigned int> energy_defect{0, 0}; ///< the largest, and its step
   PhaseSeconds seconds{};
   double total_seconds = 0;
 };
 
+/// Everything that summary.json tells.
+struct Summary
+{
+  std::string status; ///< "complete", or why not
+  const Parameters &parameters;
+  const ModelChoice &model;
+  const Discretization &discretization;
+  unsigned int n_steps;
+  unsigned int n_solved;
+  double total_dissipation; ///< N mm
+  const RunRecord &record;
+};
+
 /// Text of summary.json.
 std::string summary_json(const Summary &summary);
+
+/// parameter_warnings(), and what the steps so far give reason to warn of.
+std::vector<std::string> all_warnings(const Parameters &parameters, const RunRecord &record);
+
+/// Wall times of the phases in a line.
+std::string describe_seconds(const RunRecord &record);
 
 /// The resolved model in a few lines: kind, cells, unknowns, contact nodes, steps.
 std::string describe_model(const Parameters &parameters, const ModelChoice &model,

@@ -8,6 +8,8 @@
 
 #include <filesystem>
 #include <fstream>
+#include <functional>
+#include <map>
 #include <sstream>
 
 namespace orthocone::test
@@ -53,7 +55,8 @@ Parameters unusual_parameters()
   parameters.friction = {{{0.1, 1e-3}}, {{2, 3}}, -12.5};
   parameters.load = {{Leg{{{0, 0, -0.01}}, 2}}, {Leg{{{1e-3, -2, -0.1}}, 3}, Leg{{{0, 0, 0}}, 4}}, 7};
   parameters.contact_solver = {ContactMethod::gauss_seidel, 1e-7, 17, 1.2};
-  parameters.output = {3, 4, {Probe{"P", {{1, -2}}}, Probe{"rim-1", {{0, 3}}}}};
+  parameters.checks = {1e-7, 2, 3, 4.5, 6, 0.25};
+  parameters.output = {3, 4, 12.5, {Probe{"P", {{1, -2}}}, Probe{"rim-1", {{0, 3}}}}};
   return parameters;
 }
 } // namespace
@@ -148,5 +151,100 @@ TEST(Text, WritesNumbersThatReadBackTheSame)
   for (const double value : {0.1, 1. / 3, -1e-300, 12345678.9, 5e-324})
     EXPECT_EQ(*parse_number(to_text(value)), value);
   EXPECT_EQ(to_text(0.1), "0.1");
+}
+
+TEST(Parameters, EntryValuesAreThoseOfTheFile)
+{
+  const auto entries = entry_values(unusual_parameters());
+  const std::map<std::string, std::string> values(entries.begin(), entries.end());
+  EXPECT_EQ(values.size(), entries.size()) << "an entry is told twice";
+  EXPECT_EQ(values.at("Geometry/Radius"), "7.25");
+  EXPECT_EQ(values.at("Contact solver/Method"), "gauss-seidel");
+  EXPECT_EQ(values.at("Load program/Legs"), "0.001 -2 -0.1 : 3; 0 0 0 : 4");
+  const std::string text = text_of(unusual_parameters());
+  std::size_t n_set = 0;
+  for (auto place = text.find("  set "); place != std::string::npos; place = text.find("  set ", place + 1))
+    ++n_set;
+  EXPECT_EQ(entries.size(), n_set);
+}
+
+TEST(Parameters, AMisspelledNameFindsTheNearestOne)
+{
+  const std::vector<std::pair<std::string, std::string>> meant{
+      {"Mesh/Degre", "Mesh/Degree"},
+      {"mesh/degree", "Mesh/Degree"},
+      {"Msh/Degree", "Mesh/Degree"},
+      {"Degree", "Mesh/Degree"},
+      {"Mesh/Radius", "Geometry/Radius"},
+      {"Friction/Coeficients", "Friction/Coefficients"},
+      {"Load program/Cylces", "Load program/Cycles"}};
+  for (const auto &[name, nearest] : meant)
+  {
+    const std::string section = name.find('/') == std::string::npos ? "" : name.substr(0, name.find('/'));
+    const std::string entry = section.empty() ? name : name.substr(section.size() + 1);
+    const Folder folder;
+    const std::string file = folder.write(
+        "x.prm", section.empty() ? "set " + entry + " = 1\n" : "subsection Mesh\n  set Degree = 1\nend\n");
+    try
+    {
+      read_parameters(file,
+                      section.empty() ? std::vector<std::string>() : std::vector<std::string>{name + "=1"});
+      FAIL() << name << " was accepted";
+    }
+    catch (const InputError &error)
+    {
+      EXPECT_NE(std::string(error.what()).find("is " + nearest + " meant?"), std::string::npos)
+          << error.what();
+    }
+  }
+}
+
+TEST(Parameters, NothingIsSuggestedForANameThatIsLikeNoOther)
+{
+  const Folder folder;
+  const std::string file = folder.write("good.prm", "subsection Mesh\n  set Degree = 1\nend\n");
+  try
+  {
+    read_parameters(file, {"Foo/Bar=1"});
+    FAIL() << "Foo/Bar was accepted";
+  }
+  catch (const InputError &error)
+  {
+    EXPECT_EQ(std::string(error.what()),
+              "--set: Foo/Bar is not an entry; 'orthocone --defaults' lists all of them");
+  }
+}
+
+TEST(Warnings, AreGivenForWhatIsLegalButSuspicious)
+{
+  EXPECT_TRUE(parameter_warnings(Parameters()).empty());
+  const auto warned = [](const std::function<void(Parameters &)> &change, const std::string &entry)
+  {
+    Parameters parameters;
+    change(parameters);
+    const auto warnings = parameter_warnings(parameters);
+    return warnings.size() == 1 && warnings.front().compare(0, entry.size(), entry) == 0;
+  };
+  EXPECT_TRUE(warned([](Parameters &p) { p.friction.p = {{1, 20.1}}; }, "Friction/Slip potential"));
+  EXPECT_TRUE(warned([](Parameters &p) { p.friction.p = {{20.1, 1}}; }, "Friction/Slip potential"));
+  EXPECT_FALSE(warned([](Parameters &p) { p.friction.p = {{20, 1}}; }, "Friction"));
+  EXPECT_TRUE(warned([](Parameters &p) { p.load.legs = {Leg{{{0, 0, -0.51}}, 1}}; }, "Load program"));
+  EXPECT_TRUE(warned([](Parameters &p) { p.mesh.degree = 1; }, "Mesh"));
+  // A mesh of linear elements that resolves the rim, of a material that it locks for.
+  const auto fine = [](Parameters &p)
+  {
+    p.mesh.degree = 1;
+    p.mesh.layers = 16;
+    p.mesh.layer_grading = 0.7;
+    p.mesh.rim_grading = 0.7;
+  };
+  EXPECT_FALSE(warned(fine, "Mesh"));
+  EXPECT_TRUE(warned(
+      [&](Parameters &p)
+      {
+        fine(p);
+        p.material.poisson_ratio = 0.495;
+      },
+      "Material/Poisson ratio"));
 }
 } // namespace orthocone::test

@@ -64,6 +64,7 @@ public:
       const ContactState before = state;
       const SolverReport report = solver.solve(state, step);
       ASSERT_TRUE(report.converged) << "step " << step.number << " residual " << report.residual;
+      solver.accept(before, state, step);
       if (on_step)
         on_step(before, state, step);
     }

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/simulation/contact_state.h>
+#include <orthocone/simulation/run_folder.h>
+#include <orthocone/simulation/step_solver.h>
+#include <orthocone/simulation/summary.h>
+
+#include <optional>
+#include <stdexcept>
+
+namespace orthocone
+{
+/// All that a run needs to go on after a step as if it had never stopped.
+struct Checkpoint
+{
+  std::vector<std::pair<std::string, std::string>> parameters; ///< entry_values() of the run
+  std::string program;                                         ///< version and revision that wrote it
+  std::map<std::string, std::uintmax_t> table_sizes;           ///< of the CSV files, bytes
+  ContactState state{0};
+  StartMemory starts;
+  RunRecord record;
+};
+
+/// What is wrong with the bytes of a checkpoint: not one, of another version, cut off, damaged.
+struct CheckpointError : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
+/// The bytes of a checkpoint: a line with format version, length and checksum, then CBOR.
+std::string encode(const Checkpoint &checkpoint);
+
+/// Throws CheckpointError.
+Checkpoint decode(const std::string &bytes);
+
+/// Replaces the run folder's checkpoint. Before it, all other files of the run are brought to the disk.
+void write_checkpoint(const RunFolder &folder, const Checkpoint &checkpoint);
+
+/// The checkpoint from which a run with these parameters goes on; nothing if it has to start from the
+/// beginning because the earlier run had not come to its first. Throws InputError (told with `file`, the
+/// parameter file) if the earlier run had other parameters, FileError for a checkpoint that cannot be used.
+/// Only reads.
+std::optional<Checkpoint> find_checkpoint(const RunFolder &folder, const Parameters &parameters,
+                                          const std::string &file);
+} // namespace orthocone

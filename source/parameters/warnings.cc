@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/parameters/parameters.h>
+#include <orthocone/parameters/text.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace orthocone
+{
+namespace
+{
+void warn_of_slip_ellipse(const FrictionOptions &friction, std::vector<std::string> &warnings)
+{
+  constexpr double most = 20;
+  const double ratio = friction.p[0] / friction.p[1];
+  if (std::max(ratio, 1 / ratio) > most)
+    warnings.push_back(
+        "Friction/Slip potential = " + to_text(friction.p[0]) + ", " + to_text(friction.p[1]) +
+        ": axes differ more than 20-fold; nodes slip along one axis only, whatever the force, and "
+        "the contact solver may need many iterations");
+}
+
+void warn_of_locking(const MaterialOptions &material, const MeshOptions &mesh,
+                     std::vector<std::string> &warnings)
+{
+  constexpr double nearly_incompressible = 0.49;
+  if (material.poisson_ratio > nearly_incompressible && mesh.degree == 1)
+    warnings.push_back("Material/Poisson ratio = " + to_text(material.poisson_ratio) +
+                       " with Mesh/Degree = 1: trilinear elements lock, forces come out much too large; "
+                       "take degree 2 or 3");
+}
+
+void warn_of_large_strain(const LoadOptions &load, const GeometryOptions &geometry,
+                          std::vector<std::string> &warnings)
+{
+  constexpr double small = 0.05;
+  constexpr double percent = 100;
+  double compression = 0;
+  for (const auto *const legs : {&load.preload, &load.legs})
+    for (const Leg &leg : *legs)
+      compression = std::max(compression, std::abs(leg.target[2]));
+  const double strain = compression / geometry.height;
+  if (strain > small)
+    warnings.push_back("Load program: |u_z| up to " + to_text(compression) +
+                       " mm on Geometry/Height = " + to_text(geometry.height) + " mm is a strain of " +
+                       to_text(std::round(percent * strain)) +
+                       " %; the program computes with small strains, good to about 5 %");
+}
+
+/// Size of the elements at the rim of the base relative to the radius, divided by degree^2: what decides how
+/// well the singular slip at the rim is resolved.
+double rim_size(const GeometryOptions &geometry, const MeshOptions &mesh)
+{
+  double rings = 0, rim = 1;
+  for (unsigned int ring = 0; ring < mesh.n_rings(); ++ring, rim *= mesh.rim_grading)
+    rings += rim;
+  rim *= (1 - mesh.core_ratio) / (rings * mesh.rim_grading);
+  // Layers are graded from mid-height to both faces.
+  double layers = 0;
+  for (unsigned int layer = 0; layer < mesh.layers; ++layer)
+    layers += std::pow(1 / mesh.layer_grading, std::min(layer, mesh.layers - 1 - layer));
+  const double base = geometry.height / (geometry.radius * layers);
+  return std::max(rim, base) / (mesh.degree * mesh.degree);
+}
+
+void warn_of_coarse_rim(const GeometryOptions &geometry, const MeshOptions &mesh,
+                        std::vector<std::string> &warnings)
+{
+  constexpr double most = 0.1;
+  constexpr double percent = 100;
+  if (const double size = rim_size(geometry, mesh); size > most)
+    warnings.push_back(
+        "Mesh: elements of degree " + std::to_string(mesh.degree) + " and " +
+        to_text(std::round(percent * size * mesh.degree * mesh.degree)) +
+        " % of the radius do not resolve the rim; the slip there may be wrong by 20 % and more: take "
+        "a higher degree, more layers and rings, or Rim grading and Layer grading < 1");
+}
+} // namespace
+
+std::vector<std::string> parameter_warnings(const Parameters &parameters)
+{
+  std::vector<std::string> warnings;
+  warn_of_slip_ellipse(parameters.friction, warnings);
+  warn_of_locking(parameters.material, parameters.mesh, warnings);
+  warn_of_large_strain(parameters.load, parameters.geometry, warnings);
+  warn_of_coarse_rim(parameters.geometry, parameters.mesh, warnings);
+  return warnings;
+}
+} // namespace orthocone

@@ -1,0 +1,185 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// Bytes of a checkpoint. CBOR keeps doubles to the last bit; the arrays are its byte strings in the order of
+// the machine.
+#include <orthocone/simulation/checkpoint.h>
+
+#include <boost/crc.hpp>
+#include <nlohmann/json.hpp>
+
+#include <cstring>
+#include <sstream>
+
+namespace orthocone
+{
+namespace
+{
+using Eigen::Index;
+using Json = nlohmann::json;
+
+constexpr unsigned int format_version = 1;
+constexpr const char *magic = "orthocone-checkpoint";
+
+std::uint32_t checksum(const std::string &bytes)
+{
+  boost::crc_32_type crc;
+  crc.process_bytes(bytes.data(), bytes.size());
+  return crc.checksum();
+}
+
+Json array_json(const Eigen::VectorXd &values)
+{
+  std::vector<std::uint8_t> bytes(values.size() * sizeof(double));
+  std::memcpy(bytes.data(), values.data(), bytes.size());
+  return Json::binary(std::move(bytes));
+}
+
+Eigen::VectorXd array_from(const Json &json, const Index size)
+{
+  const auto &bytes = json.get_binary();
+  if (bytes.size() % sizeof(double) != 0 || static_cast<Index>(bytes.size() / sizeof(double)) != size)
+    throw CheckpointError("is damaged (an array has the wrong size)");
+  Eigen::VectorXd values(size);
+  std::memcpy(values.data(), bytes.data(), bytes.size());
+  return values;
+}
+
+Json state_json(const ContactState &state)
+{
+  return {{"step", state.step},
+          {"top", state.top},
+          {"n_nodes", state.n_nodes()},
+          {"force", array_json(state.force)},
+          {"displacement", array_json(state.displacement)},
+          {"accumulated_slip", array_json(state.accumulated_slip)},
+          {"dissipated_energy", array_json(state.dissipated_energy)},
+          {"status", state.status}};
+}
+
+ContactState state_from(const Json &json)
+{
+  const auto n = json.at("n_nodes").get<Index>();
+  ContactState state(0);
+  state.step = json.at("step");
+  state.top = json.at("top");
+  state.accumulated_slip = array_from(json.at("accumulated_slip"), n);
+  state.dissipated_energy = array_from(json.at("dissipated_energy"), n);
+  state.force = array_from(json.at("force"), 3 * n);
+  state.displacement = array_from(json.at("displacement"), 3 * n);
+  for (const auto &status : json.at("status"))
+    switch (status.get<int>())
+    {
+    case static_cast<int>(NodeStatus::open):
+    case static_cast<int>(NodeStatus::stick):
+    case static_cast<int>(NodeStatus::slip):
+      state.status.push_back(static_cast<NodeStatus>(status.get<int>()));
+      break;
+    default:
+      throw CheckpointError("is damaged (unknown status of a node)");
+    }
+  if (static_cast<Index>(state.status.size()) != n)
+    throw CheckpointError("is damaged (an array has the wrong size)");
+  return state;
+}
+
+Json starts_json(const StartMemory &starts)
+{
+  Json of_phase = Json::array();
+  for (const auto &[phase, force] : starts.of_phase)
+    of_phase.push_back({phase, array_json(force)});
+  return {{"change", array_json(starts.change)}, {"of_phase", std::move(of_phase)}};
+}
+
+StartMemory starts_from(const Json &json, const ContactState &state)
+{
+  const Index n = 3 * state.n_nodes();
+  StartMemory starts;
+  starts.change = array_from(json.at("change"), state.step == 0 ? 0 : n);
+  for (const auto &entry : json.at("of_phase"))
+    starts.of_phase[entry.at(0)] = array_from(entry.at(1), n);
+  return starts;
+}
+
+Json record_json(const RunRecord &record)
+{
+  const PhaseSeconds &seconds = record.seconds;
+  return {{"n_iterations", record.n_iterations},
+          {"largest_residual", record.largest_residual},
+          {"largest_energy", record.largest_energy},
+          {"energy_defect", record.energy_defect},
+          {"peaks", {record.peaks.slip, record.peaks.pressure, record.peaks.force_z}},
+          {"seconds",
+           {seconds.mesh, seconds.assembly, seconds.factorization, seconds.condensation, seconds.contact,
+            seconds.checks, seconds.output, record.total_seconds}}};
+}
+
+RunRecord record_from(const Json &json)
+{
+  RunRecord record;
+  record.n_iterations = json.at("n_iterations");
+  record.largest_residual = json.at("largest_residual");
+  record.largest_energy = json.at("largest_energy");
+  record.energy_defect = json.at("energy_defect");
+  const Json &peaks = json.at("peaks");
+  record.peaks = {peaks.at(0), peaks.at(1), peaks.at(2)};
+  const Json &s = json.at("seconds");
+  record.seconds = {s.at(0), s.at(1), s.at(2), s.at(3), s.at(4), s.at(5), s.at(6)};
+  record.total_seconds = s.at(7);
+  return record;
+}
+
+Checkpoint from_json(const Json &json)
+{
+  Checkpoint checkpoint;
+  json.at("parameters").get_to(checkpoint.parameters);
+  json.at("program").get_to(checkpoint.program);
+  json.at("table_sizes").get_to(checkpoint.table_sizes);
+  checkpoint.state = state_from(json.at("state"));
+  checkpoint.starts = starts_from(json.at("starts"), checkpoint.state);
+  checkpoint.record = record_from(json.at("record"));
+  return checkpoint;
+}
+} // namespace
+
+std::string encode(const Checkpoint &checkpoint)
+{
+  const Json json{{"parameters", checkpoint.parameters},      {"program", checkpoint.program},
+                  {"table_sizes", checkpoint.table_sizes},    {"state", state_json(checkpoint.state)},
+                  {"starts", starts_json(checkpoint.starts)}, {"record", record_json(checkpoint.record)}};
+  std::string content;
+  Json::to_cbor(json, content);
+  std::ostringstream bytes;
+  bytes << magic << " " << format_version << " " << content.size() << " " << checksum(content) << "\n"
+        << content;
+  return bytes.str();
+}
+
+Checkpoint decode(const std::string &bytes)
+{
+  std::istringstream header(bytes.substr(0, bytes.find('\n')));
+  std::string word;
+  unsigned int version = 0;
+  std::size_t size = 0;
+  std::uint32_t sum = 0;
+  if (!(header >> word >> version >> size >> sum) || word != magic)
+    throw CheckpointError("is not a checkpoint");
+  if (version != format_version)
+    throw CheckpointError("has format version " + std::to_string(version) +
+                          ", and this program reads version " + std::to_string(format_version));
+  const std::string content = bytes.substr(std::min(bytes.size(), bytes.find('\n') + 1));
+  if (content.size() != size)
+    throw CheckpointError("is cut off: it has " + std::to_string(content.size()) + " bytes of " +
+                          std::to_string(size));
+  if (checksum(content) != sum)
+    throw CheckpointError("is damaged (its checksum is wrong)");
+  try
+  {
+    return from_json(Json::from_cbor(content));
+  }
+  catch (const Json::exception &)
+  {
+    throw CheckpointError("is damaged (its content is not understood)");
+  }
+}
+} // namespace orthocone

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "posix_file.h"
+
+#include <orthocone/parameters/errors.h>
+
+#include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+#include <sstream>
+
+namespace orthocone::posix
+{
+namespace
+{
+constexpr mode_t readable_by_all = 0666; // but for the user's umask
+
+[[noreturn]] void fail(const std::filesystem::path &file, const char *const task, const int cause)
+{
+  throw FileError(file.string() + ": " + task + " (" + std::strerror(cause) + ")");
+}
+
+/// An open file that is closed at the end of its scope.
+class Descriptor
+{
+public:
+  Descriptor(const std::filesystem::path &file, const int flags, const char *const task)
+      : file_(file),
+        task_(task),
+        descriptor_(::open(file.c_str(), flags | O_CLOEXEC, readable_by_all))
+  {
+    if (descriptor_ < 0)
+      fail(file_, task_, errno);
+  }
+  ~Descriptor() { posix::close(descriptor_); }
+  Descriptor(const Descriptor &) = delete;
+  Descriptor &operator=(const Descriptor &) = delete;
+
+  int number() const { return descriptor_; }
+
+  void write_all(const std::string &content) const
+  {
+    for (std::size_t done = 0; done < content.size();)
+    {
+      const ssize_t n = ::write(descriptor_, content.data() + done, content.size() - done);
+      if (n < 0 && errno != EINTR)
+        fail(file_, task_, errno);
+      done += n < 0 ? 0 : static_cast<std::size_t>(n);
+    }
+  }
+
+  /// Some file systems tell only here that the disk is full.
+  void close()
+  {
+    const int descriptor = descriptor_;
+    descriptor_ = -1;
+    if (::close(descriptor) != 0)
+      fail(file_, task_, errno);
+  }
+
+private:
+  std::filesystem::path file_;
+  const char *task_;
+  int descriptor_;
+};
+} // namespace
+
+void write(const std::filesystem::path &file, const std::string &content)
+{
+  Descriptor descriptor(file, O_WRONLY | O_CREAT | O_TRUNC, "cannot be written");
+  descriptor.write_all(content);
+  descriptor.close();
+}
+
+void append(const std::filesystem::path &file, const std::string &content)
+{
+  Descriptor descriptor(file, O_WRONLY | O_CREAT | O_APPEND, "cannot be written");
+  struct stat before
+  {
+  };
+  const bool is_known = ::fstat(descriptor.number(), &before) == 0;
+  try
+  {
+    descriptor.write_all(content);
+    descriptor.close();
+  }
+  catch (const FileError &)
+  {
+    if (is_known && ::truncate(file.c_str(), before.st_size) != 0)
+      throw FileError(file.string() + ": ends with half a line, which cannot be removed (" +
+                      std::strerror(errno) + ")");
+    throw;
+  }
+}
+
+std::string read(const std::filesystem::path &file)
+{
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream content;
+  content << stream.rdbuf();
+  if (!stream)
+    fail(file, "cannot be read", errno != 0 ? errno : EIO);
+  return content.str();
+}
+
+void rename(const std::filesystem::path &from, const std::filesystem::path &to)
+{
+  if (::rename(from.c_str(), to.c_str()) != 0)
+    fail(to, "cannot be written", errno);
+}
+
+void cut(const std::filesystem::path &file, const std::uintmax_t size)
+{
+  if (::truncate(file.c_str(), static_cast<off_t>(size)) != 0)
+    fail(file, "cannot be written", errno);
+}
+
+void synchronize(const std::filesystem::path &file)
+{
+  const Descriptor descriptor(file, O_RDONLY, "cannot be written");
+  // Some file systems have nothing to do for folders and say so by EINVAL.
+  if (::fsync(descriptor.number()) != 0 && errno != EINVAL)
+    fail(file, "cannot be written", errno);
+}
+
+FolderLock lock_folder(const std::filesystem::path &folder)
+{
+  const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+  if (descriptor < 0)
+    fail(folder, "cannot be opened", errno);
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
+  {
+    ::close(descriptor);
+    return {-1, true};
+  }
+  return {descriptor, false};
+}
+
+void close(const int descriptor)
+{
+  if (descriptor >= 0)
+    ::close(descriptor);
+}
+} // namespace orthocone::posix

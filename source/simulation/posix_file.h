@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// What the standard library cannot do with files: write with the cause of a failure, to the disk, under a
+// lock. Everything throws FileError, naming file and cause.
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+
+namespace orthocone::posix
+{
+/// Creates or replaces a file.
+void write(const std::filesystem::path &file, const std::string &content);
+
+/// Appends; on failure the file is cut back to what it was.
+void append(const std::filesystem::path &file, const std::string &content);
+
+std::string read(const std::filesystem::path &file);
+
+void rename(const std::filesystem::path &from, const std::filesystem::path &to);
+
+void cut(const std::filesystem::path &file, std::uintmax_t size);
+
+/// Returns when the content of a file, or the names in a folder, are on the disk.
+void synchronize(const std::filesystem::path &file);
+
+/// Lock of a folder, which the system releases with the descriptor, however the process ends.
+struct FolderLock
+{
+  int descriptor;
+  bool is_taken; ///< by another process; false where the file system has no locks
+};
+FolderLock lock_folder(const std::filesystem::path &folder);
+
+void close(int descriptor);
+} // namespace orthocone::posix

@@ -1,0 +1,53 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""The program under test and a scratch folder to run it in."""
+import csv
+import os
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+PROGRAM = os.path.abspath(sys.argv[1])
+
+# A mesh that is solved in no time, with the paper's load program.
+SMALL = ["Mesh/Core cells=2", "Mesh/Rings=2", "Mesh/Layers=2", "Mesh/Degree=1"]
+
+
+def content(path):
+    """Bytes of a file, but for the date in the comment of a .pvd file."""
+    text = path.read_bytes()
+    return re.sub(rb"<!--.*?-->", b"", text, flags=re.DOTALL) if path.suffix == ".pvd" else text
+
+
+class RunTest(unittest.TestCase):
+    FILE = ROOT / "prm/paper/case_b.prm"
+
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+
+    def command(self, output, *arguments, settings=(), file=None):
+        words = [f"--set={setting}" for setting in settings]
+        return [PROGRAM, file or self.FILE, "--quiet", "--output", self.folder / output, *words, *arguments]
+
+    def run_program(self, output, *arguments, settings=(), file=None, **options):
+        return subprocess.run(self.command(output, *arguments, settings=settings, file=file), cwd=self.folder,
+                              text=True, capture_output=True, timeout=600, check=False, **options)
+
+    def rows(self, output, table="history.csv"):
+        with open(self.folder / output / table, encoding="ascii") as file:
+            return list(csv.DictReader(file))
+
+    def assert_same_files(self, first, second, names):
+        for name in names:
+            self.assertEqual(content(self.folder / first / name), content(self.folder / second / name), name)
+
+
+def main():
+    del sys.argv[1]
+    unittest.main()

@@ -1,0 +1,223 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""What tools/paraview/contact.py draws with pvbatch and software rendering, and how it refuses.
+
+Usage: test_paraview.py PROGRAM [unittest options]"""
+import csv
+import functools
+import os
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOImage import vtkPNGReader
+
+PROGRAM = ""
+SCRATCH = tempfile.TemporaryDirectory()
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+SCRIPT = ROOT / "tools/paraview/contact.py"
+XVFB = ["xvfb-run", "-a", "-s", "-noreset"]
+WIDTH, HEIGHT = 1600, 1200
+CENTRE_X, CENTRE_Y, RADIUS = 680, 600, 480  # of the contact surface in its pictures, in pixels
+BACKGROUND = (255, 255, 255)
+CYCLE = ["Mesh/Core cells=4", "Mesh/Layers=2", "Load program/Cycles=1",
+         "Load program/Legs=0 0 -0.1 : 1 ; 0 0 -0.05 : 1 ; 0 0 0 : 1"]
+RUNS = {
+    "quarter": CYCLE,
+    "full": [*CYCLE, "Mesh/Model=full"],
+    "bare": [*CYCLE, "Output/Volume fields=0"],
+    "blind": [*CYCLE, "Output/Contact fields=0"],
+    "pushed": [*CYCLE, "Mesh/Degree=1", "Load program/Legs=0 0 -0.1 : 1 ; 0.02 0.01 -0.1 : 1"],
+    "cubic": [*CYCLE, "Mesh/Core cells=2", "Mesh/Degree=3", "Mesh/Model=half", "Load program/Legs=0 0 -0.1 : 1"],
+}
+STEPS = {"quarter": "all", "full": "2", "bare": "1", "pushed": "2", "cubic": "1"}
+
+
+def setUpModule():
+    missing = [name for name in ("pvbatch", "xvfb-run") if not shutil.which(name)]
+    if missing:
+        raise unittest.SkipTest(f"{' and '.join(missing)} not found (Debian: paraview, xvfb, xauth)")
+
+
+def tearDownModule():
+    SCRATCH.cleanup()
+
+
+def contact_py(*words, launcher=tuple(XVFB), **variables):
+    environment = {**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1", **variables}
+    return subprocess.run([*launcher, "pvbatch", SCRIPT, *words], env=environment, text=True, capture_output=True,
+                          timeout=300, check=False)
+
+
+@functools.lru_cache(maxsize=None)
+def run_folder(name):
+    folder = pathlib.Path(SCRATCH.name) / name
+    settings = [f"--set={setting}" for setting in RUNS[name]]
+    subprocess.run([PROGRAM, ROOT / "prm/paper/case_b.prm", "--quiet", "--output", folder, *settings], check=True,
+                   timeout=300)
+    return folder
+
+
+@functools.lru_cache(maxsize=None)
+def rendered(name):
+    """Folder of the pictures of a run, and what the script printed."""
+    folder = pathlib.Path(SCRATCH.name) / f"{name}-png"
+    result = contact_py(run_folder(name), "--png", folder, "--steps", STEPS[name])
+    if result.returncode != 0 or result.stderr:
+        raise AssertionError(f"exit code {result.returncode}\n{result.stdout}{result.stderr}")
+    return folder, result.stdout
+
+
+@functools.lru_cache(maxsize=None)
+def picture(run, name):
+    """Rows from the top, columns, red green blue."""
+    reader = vtkPNGReader()
+    reader.SetFileName(str(rendered(run)[0] / f"{name}.png"))
+    reader.Update()
+    columns, rows, _ = reader.GetOutput().GetDimensions()
+    pixels = vtk_to_numpy(reader.GetOutput().GetPointData().GetScalars())
+    return pixels.reshape(rows, columns, -1)[::-1, :, :3].astype(int)
+
+
+def surface(run, name):
+    """The largest square in the contact surface."""
+    half = int(0.7 * RADIUS)
+    return picture(run, name)[CENTRE_Y - half:CENTRE_Y + half, CENTRE_X - half:CENTRE_X + half]
+
+
+def n_colours(pixels):
+    return len(np.unique(pixels.reshape(-1, 3), axis=0))
+
+
+def share_different(pixels, others):
+    """Part of the pixels that an eye would tell apart."""
+    return np.mean(np.abs(pixels - others).max(axis=2) > 24)
+
+
+def history(run):
+    with open(run_folder(run) / "history.csv", encoding="ascii") as file:
+        return list(csv.DictReader(file))
+
+
+class PictureTest(unittest.TestCase):
+    def test_names_and_sizes(self):
+        views = {"overview", "body", "slip", "pressure", "friction"}
+        expected = {"quarter": (views, (1, 2, 3)), "full": (views, (2,)), "pushed": (views, (2,)),
+                    "cubic": (views, (1,)), "bare": (views - {"body"}, (1,))}
+        for run, (kinds, steps) in expected.items():
+            with self.subTest(run):
+                names = {f"{kind}-{step:04d}.png" for kind in kinds for step in steps}
+                self.assertEqual({file.name for file in rendered(run)[0].iterdir()}, names)
+                for name in names:
+                    self.assertEqual(picture(run, name[:-4]).shape, (HEIGHT, WIDTH, 3), name)
+
+    def test_something_is_drawn(self):
+        for run, step in (("quarter", 2), ("full", 2), ("pushed", 2), ("cubic", 1), ("bare", 1)):
+            for kind, least in (("slip", 200), ("pressure", 15), ("friction", 30)):
+                with self.subTest(run=run, kind=kind):
+                    self.assertGreater(n_colours(surface(run, f"{kind}-{step:04d}")), least)
+        self.assertGreater(n_colours(picture("quarter", "body-0002")), 200)
+        self.assertGreater(n_colours(picture("quarter", "overview-0002")), 1000)
+
+    def test_disc_is_round_and_whole(self):
+        angles = np.linspace(0, 2 * np.pi, 73)
+        for run, step, tolerance in (("quarter", 2, 0.005), ("cubic", 1, 0.04), ("pushed", 2, 0.03)):
+            pixels = picture(run, f"pressure-{step:04d}")
+            for factor, is_inside in ((1 - tolerance, True), (1 + tolerance, False)):
+                rows = np.round(CENTRE_Y + factor * RADIUS * np.sin(angles)).astype(int)
+                columns = np.round(CENTRE_X + factor * RADIUS * np.cos(angles)).astype(int)
+                background = np.all(pixels[rows, columns] == BACKGROUND, axis=1)
+                self.assertTrue(np.all(background != is_inside), (run, factor))
+
+    def test_mirror_symmetry(self):
+        for kind in ("slip", "pressure", "friction"):
+            pixels = surface("quarter", f"{kind}-0002")
+            for mirrored in (pixels[::-1], pixels[:, ::-1]):
+                self.assertLess(share_different(pixels, mirrored), 0.01, kind)
+        pushed = surface("pushed", "friction-0002")
+        self.assertGreater(share_different(pushed, pushed[:, ::-1]), 0.1)
+
+    def test_reflected_quarter_is_the_full_body(self):
+        title = 100  # rows; it has the name of the run
+        for kind in ("body", "slip", "pressure", "friction"):
+            self.assertLess(share_different(picture("quarter", f"{kind}-0002")[title:],
+                                            picture("full", f"{kind}-0002")[title:]), 0.002, kind)
+
+    def test_steps_differ(self):
+        for kind in ("body", "slip", "pressure", "friction"):
+            for one, other in ((1, 2), (2, 3)):
+                self.assertGreater(share_different(picture("quarter", f"{kind}-{one:04d}")[100:],
+                                                   picture("quarter", f"{kind}-{other:04d}")[100:]), 0.01, (kind, one))
+
+    def test_unloaded(self):
+        """Everything is zero: one colour, that of the legend's lower end, and not black."""
+        for kind in ("slip", "pressure", "friction"):
+            pixels = surface("quarter", f"{kind}-0003")
+            self.assertEqual(n_colours(pixels), 1, kind)
+            self.assertGreater(pixels[0, 0].max(), 60, kind)
+            legend = picture("quarter", f"{kind}-0003")[240:1032, 1344:1380]
+            self.assertLess(np.abs(legend - pixels[0, 0]).sum(axis=2).min(), 12, kind)
+            self.assertGreater(n_colours(legend), 50, kind)
+
+    def test_scales(self):
+        """The legend of slip ends at the largest slip of all steps, those of the singular fields below the largest."""
+        scales = {name: (float(upper), float(largest)) for name, upper, largest in re.findall(
+            r"^(\w+): colours 0 to (\S+) \w+, values to (\S+) ", rendered("quarter")[1], re.MULTILINE)}
+        self.assertEqual(set(scales), {"body", "slip", "pressure"})
+        peaks = {name: max(float(row[f"max_{name}"]) for row in history("quarter")) for name in ("slip", "pressure")}
+        for name, peak in peaks.items():
+            self.assertAlmostEqual(scales[name][1] / peak, 1, delta=1e-5)
+        self.assertEqual(*scales["slip"])
+        for name in ("body", "pressure"):
+            self.assertTrue(0.4 < scales[name][0] / scales[name][1] < 1, name)
+
+    def test_no_volume(self):
+        self.assertIn("no volume.pvd (Output/Volume fields = 0)", rendered("bare")[1])
+
+
+class ErrorTest(unittest.TestCase):
+    def assert_refused(self, result, code, pattern):
+        self.assertEqual(result.returncode, code, result.stderr)
+        self.assertRegex(result.stderr, r"\Acontact\.py: " + pattern + r".*\n\Z")
+
+    def test_folders(self):
+        png = ["--png", pathlib.Path(SCRATCH.name) / "none"]
+        self.assert_refused(contact_py("nowhere", *png), 4, "nowhere: no such folder")
+        self.assert_refused(contact_py(run_folder("blind"), *png), 4, r".*no contact\.pvd.*Output/Contact fields = 0")
+        broken = pathlib.Path(SCRATCH.name) / "broken"
+        shutil.copytree(run_folder("bare"), broken)
+        (broken / "contact-0001.vtu").write_text("no xml")
+        self.assert_refused(contact_py(broken, *png, "--steps", "1"), 4, r".*contact-0001\.vtu: cannot be read")
+        (broken / "history.csv").unlink()
+        self.assert_refused(contact_py(broken, *png), 4, r".*history\.csv")
+        self.assertFalse(png[1].exists())
+
+    def test_pictures_cannot_be_written(self):
+        file = pathlib.Path(SCRATCH.name) / "file"
+        file.write_text("mine")
+        self.assert_refused(contact_py(run_folder("bare"), "--png", file), 4, ".*file: File exists")
+        self.assertEqual(file.read_text(), "mine")
+
+    def test_usage(self):
+        run = run_folder("bare")
+        self.assert_refused(contact_py(run), 2, ".*--png")
+        for steps in ("4", "1,x", "1,"):
+            self.assert_refused(contact_py(run, "--png", "none", "--steps", steps), 2, rf"--steps {steps}: .*3, 1 to 3")
+        self.assertIn("xvfb-run", contact_py("--help").stdout)
+
+    def test_no_display(self):
+        result = contact_py(run_folder("bare"), "--png", pathlib.Path(SCRATCH.name) / "dark", launcher=(), DISPLAY="")
+        if result.returncode == 0:
+            self.skipTest("this ParaView needs no X server")
+        self.assert_refused(result, 2, ".*xvfb-run")
+
+
+if __name__ == "__main__":
+    PROGRAM = os.path.abspath(sys.argv.pop(1))
+    unittest.main()

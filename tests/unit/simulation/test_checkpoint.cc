@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "scenes.h"
+
+#include <orthocone/parameters/errors.h>
+#include <orthocone/parameters/parameters.h>
+#include <orthocone/simulation/checkpoint.h>
+
+#include <unistd.h>
+
+#include <sstream>
+
+namespace orthocone::test
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+/// The checkpoint that a run of a scene would write after its step `number`.
+Checkpoint checkpoint_after(const unsigned int number, const Parameters &parameters = small_scene())
+{
+  Scene scene(parameters);
+  StepSolver solver(scene.condensed, scene.problem, parameters.contact_solver);
+  Checkpoint checkpoint;
+  for (const LoadStep &step : load_steps(parameters.load))
+    if (step.number <= number)
+    {
+      const ContactState before = scene.state;
+      const SolverReport report = solver.solve(scene.state, step);
+      EXPECT_TRUE(report.converged);
+      solver.accept(before, scene.state, step);
+      checkpoint.record.add_step(step.number, scene.totals(), report, {});
+    }
+  checkpoint.parameters = entry_values(parameters);
+  checkpoint.program = "1.2.3 (abc)";
+  checkpoint.table_sizes = {{"history.csv", 1234}, {"probe-P.csv", 5}};
+  checkpoint.state = scene.state;
+  checkpoint.starts = solver.memory();
+  checkpoint.record.energy_defect = {0.7, 2};
+  checkpoint.record.seconds.contact = 0.1;
+  checkpoint.record.total_seconds = 2. / 3;
+  return checkpoint;
+}
+
+std::string complaint(const std::string &bytes)
+{
+  try
+  {
+    decode(bytes);
+    return "none";
+  }
+  catch (const CheckpointError &error)
+  {
+    return error.what();
+  }
+}
+
+/// A run folder that is gone after the test.
+struct ScratchFolder
+{
+  ScratchFolder()
+      : path(fs::temp_directory_path() / ("orthocone-checkpoint-" + std::to_string(::getpid())))
+  {
+  }
+  ~ScratchFolder() { fs::remove_all(path); }
+  fs::path path;
+};
+} // namespace
+
+TEST(Checkpoint, KeepsEverythingToTheLastBit)
+{
+  const Checkpoint before = checkpoint_after(7);
+  const Checkpoint after = decode(encode(before));
+  EXPECT_EQ(after.parameters, before.parameters);
+  EXPECT_EQ(after.program, before.program);
+  EXPECT_EQ(after.table_sizes, before.table_sizes);
+  EXPECT_EQ(after.state.step, 7u);
+  EXPECT_EQ(after.state.top, before.state.top);
+  EXPECT_EQ(after.state.force, before.state.force);
+  EXPECT_EQ(after.state.displacement, before.state.displacement);
+  EXPECT_EQ(after.state.accumulated_slip, before.state.accumulated_slip);
+  EXPECT_EQ(after.state.dissipated_energy, before.state.dissipated_energy);
+  EXPECT_EQ(after.state.status, before.state.status);
+  EXPECT_EQ(after.starts.change, before.starts.change);
+  EXPECT_EQ(after.starts.of_phase, before.starts.of_phase);
+  EXPECT_EQ(after.record.n_iterations, before.record.n_iterations);
+  EXPECT_EQ(after.record.largest_residual, before.record.largest_residual);
+  EXPECT_EQ(after.record.largest_energy, before.record.largest_energy);
+  EXPECT_EQ(after.record.peaks.pressure, before.record.peaks.pressure);
+  EXPECT_EQ(after.record.energy_defect, before.record.energy_defect);
+  EXPECT_EQ(after.record.seconds.contact, before.record.seconds.contact);
+  EXPECT_EQ(after.record.total_seconds, before.record.total_seconds);
+  EXPECT_EQ(encode(after), encode(before));
+  EXPECT_EQ(decode(encode(checkpoint_after(0))).state.step, 0u);
+}
+
+TEST(Checkpoint, IsRefusedIfAnythingIsMissingOrChanged)
+{
+  const std::string bytes = encode(checkpoint_after(2));
+  ASSERT_EQ(complaint(bytes), "none");
+  const std::size_t header = bytes.find('\n') + 1;
+  for (std::size_t size = 0; size < bytes.size(); size += size < 2 * header ? 1 : 97)
+  {
+    const std::string text = complaint(bytes.substr(0, size));
+    EXPECT_TRUE(text == "is not a checkpoint" || text.find("is cut off") == 0) << size << " " << text;
+  }
+  EXPECT_EQ(complaint(bytes + "x").find("is cut off"), 0u);
+  for (std::size_t place = 0; place < bytes.size(); place += place < header ? 1 : 53)
+    for (const char flip : {1, 64})
+    {
+      std::string changed = bytes;
+      changed[place] = static_cast<char>(changed[place] ^ flip);
+      EXPECT_NE(complaint(changed), "none") << place;
+    }
+  EXPECT_EQ(complaint(""), "is not a checkpoint");
+  EXPECT_EQ(complaint("subsection Mesh\n"), "is not a checkpoint");
+}
+
+TEST(Checkpoint, OfAnotherFormatIsRefused)
+{
+  std::string bytes = encode(checkpoint_after(1));
+  const std::size_t place = bytes.find(' ') + 1;
+  ASSERT_EQ(bytes[place], '1');
+  bytes[place] = '7';
+  EXPECT_EQ(complaint(bytes), "has format version 7, and this program reads version 1");
+}
+
+TEST(Checkpoint, IsFoundByTheSameParametersOnly)
+{
+  const ScratchFolder scratch;
+  const RunFolder folder(scratch.path);
+  const Parameters parameters = small_scene();
+  EXPECT_FALSE(find_checkpoint(folder, parameters, "x.prm"));
+  folder.append("history.csv", "one\n");
+  Checkpoint checkpoint = checkpoint_after(3);
+  checkpoint.table_sizes = folder.table_sizes();
+  write_checkpoint(folder, checkpoint);
+  EXPECT_EQ(find_checkpoint(folder, parameters, "x.prm")->state.step, 3u);
+
+  Parameters other = parameters;
+  other.mesh.degree = 2;
+  try
+  {
+    find_checkpoint(folder, other, "x.prm");
+    FAIL() << "another degree was accepted";
+  }
+  catch (const InputError &error)
+  {
+    EXPECT_EQ(std::string(error.what()).find("x.prm: Mesh/Degree = 2, but the run in "), 0u) << error.what();
+  }
+  // Entries that change how a step is solved, watched or kept, not what is computed.
+  other = parameters;
+  other.contact_solver.method = ContactMethod::gauss_seidel;
+  other.contact_solver.maximum_iterations = 7;
+  other.output.checkpoint_seconds = 100;
+  other.checks.energy_defect = 0.5;
+  EXPECT_TRUE(find_checkpoint(folder, other, "x.prm"));
+}
+
+TEST(Checkpoint, WithoutOneTheFolderMustHaveNothingToLose)
+{
+  const ScratchFolder scratch;
+  const RunFolder folder(scratch.path);
+  std::ostringstream text;
+  write_parameters(small_scene(), text);
+  folder.write("parameters.prm", text.str());
+  EXPECT_FALSE(find_checkpoint(folder, small_scene(), "x.prm"));
+  EXPECT_THROW(find_checkpoint(folder, small_scene(2), "x.prm"), FileError);
+}
+
+TEST(RunFolder, BelongsToOneRunAtATime)
+{
+  const ScratchFolder scratch;
+  {
+    const RunFolder first(scratch.path);
+    EXPECT_THROW(RunFolder second(scratch.path), FileError);
+  }
+  const RunFolder third(scratch.path);
+}
+
+TEST(RunFolder, TablesAreCutBackOrLeftAlone)
+{
+  const ScratchFolder scratch;
+  const RunFolder folder(scratch.path);
+  folder.append("history.csv", "one\n");
+  folder.append("probe-P.csv", "one\n");
+  const auto sizes = folder.table_sizes();
+  folder.append("history.csv", "two\nthr");
+  folder.append("timing.csv", "later\n");
+  auto too_large = sizes;
+  too_large["probe-P.csv"] = 100;
+  EXPECT_THROW(folder.require_tables(too_large), FileError);
+  EXPECT_THROW(folder.cut_tables(too_large), FileError);
+  EXPECT_EQ(folder.read("history.csv"), "one\ntwo\nthr");
+  folder.cut_tables(sizes);
+  EXPECT_EQ(folder.read("history.csv"), "one\n");
+  EXPECT_EQ(folder.table_sizes(), sizes);
+}
+} // namespace orthocone::test

@@ -1,0 +1,362 @@
+#!/usr/bin/env pvbatch
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""A run folder in ParaView: deformed body, slip, pressure and friction criterion, on one scale for all load steps.
+
+Pictures:  xvfb-run -a -s -noreset pvbatch contact.py RUN_FOLDER --png DIR [--steps 5,8,12 | --steps all]
+           writes {overview,body,slip,pressure,friction}-NNNN.png, by default for the step of largest elastic energy.
+           Most ParaViews, Debian's among them, draw through an X server even in pvbatch; xvfb-run brings one that needs
+           no screen (without -noreset it sometimes refuses). Not needed at a screen, or if built for EGL or OSMesa.
+Window:    ORTHOCONE_RUN=RUN_FOLDER paraview --script=contact.py
+           or, in the Python Shell of an open one: Run Script... contact.py, then open_run("RUN_FOLDER")
+
+Exit codes of pvbatch: 0 done; 2 wrong command line; 4 a file could not be read or written."""
+import argparse
+import csv
+import math
+import os
+import pathlib
+import sys
+import xml.etree.ElementTree
+
+import numpy as np
+from paraview import simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+from vtkmodules.vtkRenderingCore import vtkRenderWindow
+
+SIZE = [1600, 1200]  # of a picture
+# Pressure and stress are singular at edges: their colours cover these parts of the area and of the volume.
+PRESSURE_WITHIN, STRESS_WITHIN = 0.95, 0.99
+NOTHING = 1e-9  # mm, MPa: less is the round-off of an unloaded body
+DARK, WHITE, PLANE = [0.13, 0.13, 0.16], [1, 1, 1], [0.87, 0.88, 0.9]
+OPEN, SLIPPING = [0.6, 0.6, 0.62], [0.93, 0.42, 0.05]
+STICKING = [-1, 0.03, 0.19, 0.42, -0.5, 0.26, 0.57, 0.78, 0, 0.85, 0.92, 0.97]  # criterion, red, green, blue; ...
+COLUMNS = ("ux", "uy", "uz", "max_slip", "max_pressure", "stick_area", "elastic_energy")  # used of the history
+CORNERS = np.array([[-1, 1, 1, -1] * 2, [-1, -1, 1, 1] * 2, [-1] * 4 + [1] * 4])  # of VTK's cells, x, y, z
+UNLIT = {"Ambient": 1, "Diffuse": 0, "InterpolateScalarsBeforeMapping": 1}  # exactly the colours of the legend
+LEGEND = {"ComponentTitle": "", "HorizontalTitle": 1, "TitleJustification": "Left", "TitleColor": DARK,
+          "LabelColor": DARK, "TitleFontSize": 16, "LabelFontSize": 16, "AutomaticLabelFormat": 0,
+          "LabelFormat": "%.4g", "RangeLabelFormat": "%.4g", "WindowLocation": "Any Location", "Position": [0.84, 0.14],
+          "ScalarBarLength": 0.66, "ScalarBarThickness": 18}
+
+
+class RunError(Exception):
+    """What the user has to know, and the exit code."""
+
+    def __init__(self, message, code=4):
+        super().__init__(message)
+        self.code = code
+
+
+class Grid:
+    """Fields of a .vtu file at its points."""
+
+    def __init__(self, path):
+        reader, errors = vtkXMLUnstructuredGridReader(), []
+        reader.AddObserver("ErrorEvent", lambda *_: errors.append(True))
+        reader.SetFileName(str(path))
+        reader.GlobalWarningDisplayOff()
+        reader.Update()
+        reader.GlobalWarningDisplayOn()
+        self.path, self.data = path, reader.GetOutput()
+        if errors or self.data.GetNumberOfPoints() == 0:
+            raise RunError(f"{path}: cannot be read")
+        self.points = vtk_to_numpy(self.data.GetPoints().GetData()).astype(float)
+        self.radius = np.hypot(self.points[:, 0], self.points[:, 1]).max()
+        self.cells = vtk_to_numpy(self.data.GetCells().GetConnectivityArray()).reshape(self.data.GetNumberOfCells(), -1)
+
+    def __getitem__(self, name):
+        field = self.data.GetPointData().GetArray(name)
+        if field is None:
+            raise RunError(f"{self.path}: no field '{name}'")
+        return vtk_to_numpy(field).astype(float)
+
+    def bound(self, name, part):
+        """The value below which the field stays in a part of the area or volume. Points count with the sizes of their
+        cells: graded meshes have most of them where the fields are singular."""
+        is_flat = not self.points[:, 2].any()
+        n_corners = 4 if is_flat else 8
+        edges = CORNERS[:, :n_corners] @ self.points[self.cells[:, :n_corners]]
+        if is_flat:
+            edges[:, 2] = 0, 0, 1
+        weights = np.zeros(len(self.points))
+        np.add.at(weights, self.cells, np.abs(np.linalg.det(edges))[:, None])
+        values = self[name]
+        order = np.argsort(values)
+        sums = np.cumsum(weights[order])
+        return values[order][np.searchsorted(sums, part * sums[-1])]
+
+
+class Run:
+    """A run folder: the steps that have files of fields, and the rows of the history."""
+
+    def __init__(self, folder):
+        self.folder = pathlib.Path(folder).expanduser().resolve()
+        if not self.folder.is_dir():
+            raise RunError(f"{folder}: no such folder")
+        self.contact, self.volume = self.files("contact"), self.files("volume")
+        if not self.contact:
+            raise RunError(f"{folder}: no contact.pvd: not a run folder, or the run had Output/Contact fields = 0")
+        try:
+            with open(self.folder / "history.csv", encoding="ascii") as file:
+                rows = {int(row["step"]): row for row in csv.DictReader(file)}
+            self.n_steps = max(rows)
+            self.rows = {step: {name: float(rows[step][name]) for name in COLUMNS}
+                         for step in (*self.contact, *self.volume)}
+        except (OSError, KeyError, ValueError, TypeError) as error:
+            raise RunError(f"{folder}: history.csv cannot be read, or a step is not in it ({error})") from error
+
+    def files(self, kind):
+        """Step -> file of a .pvd file; nothing where there is none."""
+        path = self.folder / f"{kind}.pvd"
+        try:
+            records = xml.etree.ElementTree.parse(path).getroot().findall(".//DataSet") if path.exists() else []
+            return {int(float(record.attrib["timestep"])): self.folder / record.attrib["file"] for record in records}
+        except (OSError, ValueError, KeyError, xml.etree.ElementTree.ParseError) as error:
+            raise RunError(f"{path}: cannot be read ({error})") from error
+
+    def peak(self, files, column):
+        """Of the steps that have files, the one of the largest entry of a column."""
+        return max(files, key=lambda step: self.rows[step][column])
+
+    def titles(self, text, column=None, unit="", files=None):
+        """The title of a view at each step; the first line ends with the entry of a column. Where there is no file of
+        the step, ParaView shows the next one, and the title says so."""
+        is_axial = not any(row[name] for row in self.rows.values() for name in ("ux", "uy"))
+        titles = []
+        for step in self.contact:
+            row, files = self.rows[step], files or self.contact
+            shown = min((other for other in files if other >= step), default=max(files))
+            value = f" {row[column] if row[column] > NOTHING else 0:.4g} {unit}" if column else ""
+            moved = f"u_z = {row['uz']:g} mm" if is_axial else f"u = ({row['ux']:g}, {row['uy']:g}, {row['uz']:g}) mm"
+            titles.append((float(step), f"{text}{value}{'' if shown == step else f', of step {shown}'}\n"
+                                        f"{self.folder.name}, step {step} of {self.n_steps}, {moved}"))
+        return titles
+
+
+def scale(name, unit, upper, largest):
+    """Upper end of the colours, never zero. It is printed: what lies above has the colour of the end."""
+    upper = upper if upper > NOTHING else 1.0
+    print(f"{name}: colours 0 to {upper:.6g} {unit}, values to {largest:.6g} {unit}")
+    return upper
+
+
+def new_view(reader, titles, focus, height, direction=(0, 0, 1), up=(0, 1, 0)):
+    """An empty white view, by default from above, with a title that follows the steps."""
+    view = simple.CreateView("RenderView")
+    simple.SetProperties(view, UseColorPaletteForBackground=0, Background=WHITE, OrientationAxesLabelColor=DARK,
+                         CameraParallelProjection=1, CameraParallelScale=height / 2, CameraFocalPoint=focus,
+                         CameraViewUp=up, CameraPosition=[x + 10 * height * d for x, d in zip(focus, direction)])
+    table = repr(titles).replace("{", r"\x7b").replace("}", r"\x7d")  # ParaView has a use of its own for braces
+    title = simple.PythonAnnotation(Input=reader, Expression=f"dict({table}).get(t_value, '')")
+    simple.Show(title, view, WindowLocation="Upper Left Corner", Justification="Left", FontSize=17, Color=DARK)
+    return view
+
+
+def show_plain(source, view, colour, **properties):
+    """In one colour, without light."""
+    simple.Show(source, view, "GeometryRepresentation", ColorArrayName=[None, ""], AmbientColor=colour, Ambient=1,
+                DiffuseColor=colour, Diffuse=0, **properties)
+
+
+def show_field(source, view, name, unit, preset, upper, **properties):
+    """Coloured by a field from 0 to `upper`, with a legend. Other runs in the same window have scales of their own."""
+    display = simple.Show(source, view, "GeometryRepresentation", **properties)
+    simple.ColorBy(display, ("POINTS", name), separate=True)
+    colours = simple.GetColorTransferFunction(name, display, AutomaticRescaleRangeMode="Never")
+    colours.ApplyPreset(preset, True)
+    colours.RescaleTransferFunction(0, upper)
+    legend = simple.GetScalarBar(colours, view)
+    simple.SetProperties(legend, Title=unit, **LEGEND)
+    display.SetScalarBarVisibility(view, True)
+    return colours, legend
+
+
+def surface_of(source, grid):
+    """Triangles that follow the curved cells and the fields in them, fewer in each where there are many cells."""
+    level = 1 if len(grid.cells) > 3000 else 2 if len(grid.cells) > 200 else 3
+    return simple.ExtractSurface(Input=source, NonlinearSubdivisionLevel=level)
+
+
+def draw_slip(run, view, surface, radius):
+    largest = Grid(run.contact[run.peak(run.contact, "max_slip")])["slip_magnitude"].max()
+    upper = scale("slip", "mm", largest, largest)
+    show_field(surface, view, "slip_magnitude", "mm", "Viridis (matplotlib)", upper, **UNLIT)
+    lines = simple.Contour(Input=surface, ContourBy=["POINTS", "slip_magnitude"],
+                           Isosurfaces=[upper * k / 10 for k in range(1, 10)])
+    show_plain(lines, view, WHITE, LineWidth=2, Position=[0, 0, 0.01 * radius])
+    # Arrows stand on a grid of their own, symmetric whatever the mesh; at its places off the disc the slip is zero.
+    side = 0.93 * radius
+    places = simple.Plane(Origin=[-side, -side, 0], Point1=[side, -side, 0], Point2=[-side, side, 0], XResolution=14,
+                          YResolution=14)
+    slip = simple.ResampleWithDataset(SourceDataArrays=surface, DestinationMesh=places)
+    arrows = simple.Glyph(Input=slip, GlyphType="Arrow", GlyphMode="All Points", OrientationArray=["POINTS", "slip"],
+                          ScaleArray=["POINTS", "slip"], ScaleFactor=0.16 * radius / upper)
+    show_plain(arrows, view, DARK, Position=[0, 0, 0.2 * radius])
+
+
+def draw_pressure(run, view, surface, _radius):
+    grid = Grid(run.contact[run.peak(run.contact, "max_pressure")])
+    upper = scale("pressure", "MPa", grid.bound("pressure", PRESSURE_WITHIN), grid["pressure"].max())
+    show_field(surface, view, "pressure", "MPa", "Plasma (matplotlib)", upper, **UNLIT)
+
+
+def draw_friction(_run, view, surface, radius):
+    """Zones that slip or are open have colours of their own, the ends of the legend."""
+    # Between nodes that stick and nodes that slip, interpolation goes beyond -1 and 0.
+    within = simple.Calculator(Input=surface, ResultArrayName="criterion",
+                               Function="max(-1, min(0, friction_criterion))")
+    colours, legend = show_field(within, view, "criterion", "", "Viridis (matplotlib)", 1, **UNLIT)
+    colours.RGBPoints = [-1.08, *OPEN, -1.002, *OPEN, *STICKING, 0.002, *SLIPPING, 0.08, *SLIPPING]
+    colours.ColorSpace, colours.NumberOfTableValues = "Lab", 1024
+    colours.Annotations = ["-1.04", "open", "0.04", "slip"]
+    simple.SetProperties(legend, UseCustomLabels=1, CustomLabels=[-1, -0.8, -0.6, -0.4, -0.2, 0], AddRangeLabels=0)
+    for height, (name, colour) in enumerate((("slips", SLIPPING), ("opens", OPEN)), start=1):
+        zone = simple.Clip(Input=surface, ClipType="Scalar", Scalars=["POINTS", name], Value=0.5, Invert=0)
+        show_plain(zone, view, colour, Position=[0, 0, 0.01 * height * radius])
+    outline = simple.Contour(Input=surface, ContourBy=["POINTS", "sticks"], Isosurfaces=[0.5])
+    show_plain(outline, view, DARK, LineWidth=2.5, Position=[0, 0, 0.03 * radius])
+
+
+CONTACT_VIEWS = [("slip", draw_slip, "Slip, largest", "max_slip", "mm"),
+                 ("pressure", draw_pressure, "Pressure, largest", "max_pressure", "MPa"),
+                 ("friction", draw_friction, "Friction criterion, stick area", "stick_area", "mm²")]
+
+
+def magnification(moved, height):
+    """1, 2, 5, 10, ... so that the largest displacement is drawn about as a fifth of the height."""
+    if moved < NOTHING or moved > 0.25 * height:
+        return 1
+    power = 10 ** math.floor(math.log10(0.25 * height / moved))
+    return max(digit * power for digit in (1, 2, 5) if digit * power * moved <= 0.25 * height)
+
+
+def body_view(run, reader):
+    """Displacements enlarged, of the whole cylinder whatever part of it is modelled."""
+    if not run.volume:
+        text = "Deformed body: no volume.pvd (Output/Volume fields = 0)"
+        print(text)
+        return new_view(reader, run.titles(text), [0, 0, 0], 1)
+    grid = Grid(run.volume[run.peak(run.volume, "elastic_energy")])
+    upper = scale("body", "MPa", grid.bound("von_mises_stress", STRESS_WITHIN), grid["von_mises_stress"].max())
+    radius, height = grid.radius, grid.points[:, 2].max()
+    factor = magnification(np.linalg.norm(grid["displacement"], axis=1).max(), height)
+    titles = run.titles(f"Von Mises stress, displacement x {factor:g}", files=run.volume)
+    view = new_view(reader, titles, [0.3 * radius, 0.15 * radius, 0.45 * height], 1.15 * height + 1.3 * radius,
+                    [0.45, -0.8, 0.35], [0, 0, 1])
+    surface = surface_of(simple.PVDReader(FileName=str(run.folder / "volume.pvd")), grid)
+    body = simple.WarpByVector(Input=surface, Vectors=["POINTS", "displacement"], ScaleFactor=factor)
+    for axis, name in enumerate("XY"):
+        if grid.points[:, axis].min() > -NOTHING:  # what is beyond the symmetry plane is not modelled
+            body = simple.Reflect(Input=body, Plane=name, Center=0, FlipAllInputArrays=1)
+    show_field(body, view, "von_mises_stress", "MPa", "Plasma (matplotlib)", upper, Ambient=0.55, Diffuse=0.5,
+               InterpolateScalarsBeforeMapping=1)
+    plane = simple.Disk(InnerRadius=0, OuterRadius=1.15 * radius, CircumferentialResolution=128)
+    show_plain(plane, view, PLANE, Position=[0, 0, -0.005 * height])
+    undeformed = simple.FeatureEdges(Input=simple.Cylinder(Resolution=128, Radius=radius, Height=height))
+    show_plain(undeformed, view, DARK, LineWidth=1.5, Orientation=[90, 0, 0], Position=[0, 0, 0.5 * height])
+    return view
+
+
+def open_run(folder):
+    """Makes the four views. Returns the run, the views by name and their layout."""
+    run = Run(folder)
+    reader = simple.PVDReader(FileName=str(run.folder / "contact.pvd"))
+    grid = Grid(next(iter(run.contact.values())))
+    zones = reader
+    for status, name in enumerate(("opens", "sticks", "slips")):
+        zones = simple.Calculator(Input=zones, ResultArrayName=name, Function=f"status == {status}")
+    surface = surface_of(zones, grid)
+    views = {"body": body_view(run, reader)}
+    for name, draw, *title in CONTACT_VIEWS:
+        views[name] = new_view(reader, run.titles(*title), [grid.radius / 4, 0, 0], 2.5 * grid.radius)
+        views[name].InteractionMode = "2D"
+        draw(run, views[name], surface, grid.radius)
+    for other in (views["pressure"], views["friction"]):
+        simple.AddCameraLink(views["slip"], other, "slip and " + other.SMProxy.GetGlobalIDAsString())
+    layout = simple.CreateLayout(run.folder.name)
+    left = layout.SplitHorizontal(0, 0.5)
+    top_left, top_right = layout.SplitVertical(left, 0.5), layout.SplitVertical(left + 1, 0.5)
+    for view, place in zip(views.values(), (top_left, top_right, top_left + 1, top_right + 1)):
+        layout.AssignView(place, view)
+    simple.GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
+    simple.GetAnimationScene().AnimationTime = run.peak(run.contact, "elastic_energy")
+    return run, views, layout
+
+
+def save(what, path):
+    """Writes a picture, under its name when it is complete."""
+    part = path.with_name(f".{path.stem}.part.png")
+    try:
+        simple.SaveScreenshot(str(part), what, ImageResolution=SIZE, SeparatorWidth=2, SeparatorColor=PLANE)
+        if not part.exists():  # what SaveScreenshot returns does not tell
+            raise RunError(f"{path}: cannot be written")
+        part.replace(path)
+    finally:
+        part.unlink(missing_ok=True)
+
+
+def write_pictures(run, views, layout, steps, folder):
+    for step in steps:
+        simple.GetAnimationScene().AnimationTime = step
+        layout.SetSize(SIZE)
+        save(layout, folder / f"overview-{step:04d}.png")
+        for name, view in views.items():
+            if name != "body" or run.volume:
+                view.ViewSize = [size // 2 for size in SIZE]  # the layout's are a pixel off, and fonts then scale badly
+                save(view, folder / f"{name}-{step:04d}.png")
+
+
+def refuse(message):
+    raise RunError(f"{message}; see --help", 2)
+
+
+def chosen_steps(run, words):
+    """The steps of --steps, with files that are there and whole: ParaView would draw another step, or nothing."""
+    steps = [str(step) for step in run.contact]
+    chosen = steps if words == "all" else words.split(",") if words else [str(run.peak(run.contact, "elastic_energy"))]
+    if not set(chosen) <= set(steps):
+        refuse(f"--steps {words}: contact.pvd does not have all of them, but {len(steps)}, {steps[0]} to {steps[-1]}")
+    for step in map(int, chosen):
+        for files in (run.contact, run.volume):
+            if step in files:
+                Grid(files[step])
+    return [int(step) for step in chosen]
+
+
+def main(words):
+    parser = argparse.ArgumentParser("contact.py", description=__doc__,
+                                     formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("run_folder", metavar="RUN_FOLDER")
+    parser.add_argument("--png", metavar="DIR", type=pathlib.Path, required=True, help="folder of the pictures")
+    parser.add_argument("--steps", metavar="LIST", help="steps, as 5,8,12, or all")
+    parser.error = refuse  # one line
+    options = parser.parse_args(words)
+    run = Run(options.run_folder)
+    steps = chosen_steps(run, options.steps)
+    # ParaView itself would abort with pages of addresses.
+    if vtkRenderWindow().GetClassName() == "vtkXOpenGLRenderWindow" and not os.environ.get("DISPLAY"):
+        refuse("no X server to draw with; start with xvfb-run")
+    options.png.mkdir(parents=True, exist_ok=True)
+    write_pictures(*open_run(options.run_folder), steps, options.png)
+
+
+def guarded(action, *arguments):
+    """Reports what went wrong; the exit code."""
+    try:
+        action(*arguments)
+        return 0
+    except (RunError, OSError) as error:
+        text = error if isinstance(error, RunError) else f"{error.filename}: {error.strerror}"
+        print(f"contact.py: {text}", file=sys.stderr)
+        return getattr(error, "code", 4)
+
+
+if __name__ == "__main__":
+    if not sys.argv[0]:  # ParaView's window; in pvbatch it is the script's name
+        if "ORTHOCONE_RUN" in os.environ:
+            guarded(open_run, os.environ["ORTHOCONE_RUN"])
+    elif CODE := guarded(main, sys.argv[1:]):
+        sys.stdout.flush()
+        os._exit(CODE)  # at a proper exit after a failure X may complain, with an exit code of its own

@@ -1,0 +1,118 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""Maps of fields on the contact surface: contours of nodal values, and the status node by node."""
+import matplotlib.pyplot as plt
+import matplotlib.tri as mtri
+import numpy as np
+from matplotlib.collections import PolyCollection
+from matplotlib.patches import Patch
+
+import run_folder
+
+# Told apart with every kind of colour vision, and in grey.
+STATUS_COLOURS = {run_folder.OPEN: "#ffffff", run_folder.STICK: "#2f5d8c", run_folder.SLIP: "#f0b04a"}
+STATUS_NAMES = {run_folder.OPEN: "open", run_folder.STICK: "stick", run_folder.SLIP: "slip"}
+LINES = ("#0072b2", "#d55e00", "#009e73", "#555555")
+
+
+class Surface:
+    """The contact surface at one step: every node once, and quadrilaterals between them."""
+
+    def __init__(self, run, step):
+        contact = run.contact(step)
+        places = np.round(contact.points[:, :2], 6) + 0.0  # no negative zeros
+        self.points, self._first, node = np.unique(places, axis=0, return_index=True, return_inverse=True)
+        self._data = contact.data
+        self.quadrilaterals = node.ravel()[contact.quadrilaterals()]
+        self.corners = node.ravel()[contact.cells[:, :4]]
+
+    def __getitem__(self, name):
+        return self._data[name][self._first]
+
+    @property
+    def nodal_force(self):
+        """R_n, the normal component of the plane's force on the body (N)."""
+        return self["nodal_force"][:, 2]
+
+    def triangulation(self):
+        """Four triangles a quadrilateral, about its centre: what is symmetric stays so. See with_centres()."""
+        centres = len(self.points) + np.arange(len(self.quadrilaterals))
+        sides = [np.stack([self.quadrilaterals[:, i], self.quadrilaterals[:, (i + 1) % 4], centres], axis=1)
+                 for i in range(4)]
+        return mtri.Triangulation(*self.with_centres(self.points).T, np.concatenate(sides))
+
+    def with_centres(self, values):
+        """Nodal values, and after them those at the centres of the quadrilaterals (bilinear interpolation)."""
+        return np.concatenate([values, values[self.quadrilaterals].mean(axis=1)])
+
+    def radius(self):
+        return np.hypot(*self.points.T)
+
+    def cells_at_node(self):
+        """How many cells have this node as a corner."""
+        return np.bincount(self.corners.ravel(), minlength=len(self.points))
+
+    def corner_nodes(self):
+        """The corners of the o-grid's core: nodes inside the disc where three cells meet, not four."""
+        return (self.cells_at_node() == 3) & (self.radius() < 0.95 * self.radius().max())
+
+    def extent(self, status):
+        """Largest |x| and |y| of the nodes with this status."""
+        nodes = self.points[self["status"] == status]
+        return np.abs(nodes).max(axis=0) if len(nodes) else np.zeros(2)
+
+
+def frame(ax, radius=10):
+    """A map without ticks, with the rim as a circle."""
+    ax.add_patch(plt.Circle((0, 0), radius, fill=False, color="0.3", linewidth=0.6))
+    ax.set_aspect("equal")
+    ax.set_xlim(-1.04 * radius, 1.04 * radius)
+    ax.set_ylim(-1.04 * radius, 1.04 * radius)
+    ax.set_xticks([])
+    ax.set_yticks([])
+    ax.set_frame_on(False)
+
+
+def axes_cross(ax):
+    """The directions x and y and the scale, at the lower left."""
+    start, length = (-10, -10), 2.5
+    for end, text in (((length, 0), "x"), ((0, length), "y")):
+        ax.annotate("", xytext=start, xy=np.add(start, end), arrowprops={"arrowstyle": "->", "linewidth": 0.7})
+        ax.text(*np.add(start, np.multiply(end, 1.15)), text, fontsize=7, ha="center", va="center")
+
+
+def contours(ax, surface, values, levels, cmap, colour="black"):
+    """Filled contours with lines; what lies outside the levels has the colours at the ends of the map."""
+    triangulation, values = surface.triangulation(), surface.with_centres(values)
+    shown = ax.tricontourf(triangulation, values, levels=levels, cmap=cmap, extend="both", zorder=1)
+    # An SVG has the areas as pixels, lines and text as such, but not the many pieces of lines on fine meshes.
+    ax.set_rasterization_zorder(1.05)
+    order = 1.1 if len(surface.points) < 1000 else 1.02
+    ax.tricontour(triangulation, values, levels=levels, colors=colour, linewidths=0.4, zorder=order)
+    frame(ax)
+    return shown
+
+
+def status_map(ax, surface):
+    """The status of each node on its share of the surface: a quarter of every quadrilateral that it belongs to."""
+    corners = surface.points[surface.quadrilaterals]  # quadrilateral, corner, x or y
+    centre = corners.mean(axis=1)
+    shares, statuses = [], []
+    for i in range(4):
+        own, following, previous = corners[:, i], corners[:, (i + 1) % 4], corners[:, i - 1]
+        shares.append(np.stack([own, (own + following) / 2, centre, (own + previous) / 2], axis=1))
+        statuses.append(surface["status"][surface.quadrilaterals[:, i]])
+    colours = [STATUS_COLOURS[int(status)] for status in np.concatenate(statuses)]
+    # Without antialiasing no seams show between neighbours.
+    ax.add_collection(PolyCollection(np.concatenate(shares), facecolors=colours, linewidths=0, antialiaseds=False,
+                                     rasterized=True))
+    frame(ax)
+
+
+def status_legend(figure, *more):
+    """A line below the axes that explains the colours, and `more` handles."""
+    handles = [Patch(facecolor=STATUS_COLOURS[status], edgecolor="0.3", label=name)
+               for status, name in STATUS_NAMES.items()]
+    inches = figure.get_figheight()
+    figure.get_layout_engine().set(rect=(0, 0.3 / inches, 1, 1 - 0.3 / inches))
+    figure.legend(handles=[*handles, *more], loc="lower center", ncols=3 + len(more), frameon=False)

@@ -1,0 +1,113 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""Reads the run folder of orthocone: what figures and reports know of a run, they know from here."""
+import csv
+import json
+import pathlib
+import re
+
+import meshio
+import numpy as np
+
+OPEN, STICK, SLIP = 0, 1, 2  # the field `status`
+
+
+def read_csv(path):
+    """Columns of a CSV file: numbers as arrays, words (method, status) as lists."""
+    with open(path, newline="") as file:
+        rows = list(csv.DictReader(file))
+        names = list(rows[0]) if rows else []
+    columns = {name: [row[name] for row in rows] for name in names}
+    for name, values in columns.items():
+        try:
+            columns[name] = np.array(values, dtype=float)
+        except ValueError:
+            pass
+    return columns
+
+
+class ContactFile:
+    """Fields of a contact-NNNN.vtu file at its points; the cells do not share points."""
+
+    def __init__(self, path):
+        mesh = meshio.read(path)
+        self.points = mesh.points
+        self.data = mesh.point_data
+        self.cells = mesh.cells[0].data  # corners first, then VTK's order of Lagrange cells
+
+    def __getitem__(self, name):
+        return self.data[name]
+
+    @property
+    def degree(self):
+        return int(round(np.sqrt(self.cells.shape[1]))) - 1
+
+    def quadrilaterals(self):
+        """The cells cut into quadrilaterals between all their points."""
+        n = self.degree + 1
+        grid = _lattice(self.degree)
+        quads = [(grid[i, j], grid[i + 1, j], grid[i + 1, j + 1], grid[i, j + 1])
+                 for i in range(n - 1) for j in range(n - 1)]
+        return np.concatenate([self.cells[:, quad] for quad in quads])
+
+    def triangles(self):
+        """The cells cut into triangles between all their points."""
+        quads = self.quadrilaterals()
+        return np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
+
+
+def _lattice(degree):
+    """Place in VTK's numbering of a Lagrange quadrilateral of the point (i, j) of its lattice."""
+    n, inner = degree, degree - 1
+    place = np.empty((n + 1, n + 1), dtype=int)
+    place[0, 0], place[n, 0], place[n, n], place[0, n] = range(4)
+    for k in range(inner):
+        place[k + 1, 0] = 4 + k
+        place[n, k + 1] = 4 + inner + k
+        place[k + 1, n] = 4 + 2 * inner + k
+        place[0, k + 1] = 4 + 3 * inner + k
+        for m in range(inner):
+            place[k + 1, m + 1] = 4 + 4 * inner + k + inner * m
+    return place
+
+
+class RunFolder:
+    """The files of one run; raises FileNotFoundError for what the run has not written."""
+
+    def __init__(self, path):
+        self.path = pathlib.Path(path)
+        self.history = read_csv(self.path / "history.csv")
+
+    def probe_names(self):
+        return sorted(file.stem[len("probe-"):] for file in self.path.glob("probe-*.csv"))
+
+    def probe(self, name):
+        return read_csv(self.path / f"probe-{name}.csv")
+
+    def timing(self):
+        return read_csv(self.path / "timing.csv")
+
+    def checks(self):
+        """Independent checks of every step; {} for a run that wrote none."""
+        file = self.path / "checks.csv"
+        return read_csv(file) if file.exists() else {}
+
+    def summary(self):
+        return json.loads((self.path / "summary.json").read_text())
+
+    def parameters(self):
+        """{section: {entry: text}} of the complete parameter file."""
+        sections, current = {}, None
+        for line in (self.path / "parameters.prm").read_text().splitlines():
+            if match := re.match(r"\s*subsection (.+)", line):
+                current = sections.setdefault(match[1].strip(), {})
+            elif match := re.match(r"\s*set (.+?)\s*=\s*(.*)", line):
+                current[match[1]] = match[2].strip()
+        return sections
+
+    def contact_steps(self):
+        """Numbers of the steps that have a contact file."""
+        return sorted(int(file.stem.split("-")[1]) for file in self.path.glob("contact-*.vtu"))
+
+    def contact(self, step):
+        return ContactFile(self.path / f"contact-{step:04d}.vtu")

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+"use strict";
+// Fields on the contact surface, drawn pixel by pixel.
+
+// Blue and orange are told apart by colour-blind readers, too.
+const STATES = [{name: "open", colour: [200, 200, 200]}, {name: "stick", colour: [0, 114, 178]},
+                {name: "slip", colour: [240, 165, 30]}];
+const FIELDS = {
+  status: {name: "status: open, stick, slip"},
+  slip_magnitude: {name: "slip magnitude", unit: "mm"},
+  pressure: {name: "pressure", unit: "MPa"},
+  friction_criterion: {name: "friction criterion (0 slips, −1 no friction force)", unit: "", range: [-1, 0]},
+  accumulated_slip: {name: "accumulated slip", unit: "mm"},
+  dissipated_energy: {name: "dissipated energy per area", unit: "N/mm"},
+};
+// Viridis in nine colours; between them it is as good as straight.
+const VIRIDIS = ["440154", "472d7b", "3b528b", "2c728e", "21918c", "28ae80", "5ec962", "addc30", "fde725"]
+  .map(hex => [0, 2, 4].map(k => parseInt(hex.slice(k, k + 2), 16)));
+
+function viridis(share) {
+  const place = Math.max(0, Math.min(1, share)) * (VIRIDIS.length - 1);
+  const k = Math.min(Math.floor(place), VIRIDIS.length - 2);
+  return VIRIDIS[k].map((value, c) => Math.round(value + (place - k) * (VIRIDIS[k + 1][c] - value)));
+}
+
+function bytes(base64) {
+  return Uint8Array.from(atob(base64), character => character.charCodeAt(0));
+}
+
+/** Nodes and quadrilaterals as the page brings them. */
+class ContactMesh {
+  constructor(maps, radius) {
+    this.x = new Float32Array(bytes(maps.x).buffer);
+    this.y = new Float32Array(bytes(maps.y).buffer);
+    const Index = maps.index_bytes === 2 ? Uint16Array : Uint32Array;
+    this.quads = new Index(bytes(maps.quads).buffer);
+    this.radius = radius;
+  }
+
+  nearest(x, y) {
+    let best = 0, least = Infinity;
+    for (let node = 0; node < this.x.length; ++node) {
+      const distance = (this.x[node] - x) ** 2 + (this.y[node] - y) ** 2;
+      if (distance < least) [best, least] = [node, distance];
+    }
+    return best;
+  }
+}
+
+/** A frame with its bytes unpacked. */
+class MapFrame {
+  constructor(packed) {
+    this.step = packed.step;
+    this.status = bytes(packed.status);
+    for (const field of Object.keys(FIELDS).slice(1))
+      this[field] = {low: packed[field].low, high: packed[field].high, levels: bytes(packed[field].levels)};
+  }
+
+  value(field, node) {
+    if (field === "status") return this.status[node];
+    const {low, high, levels} = this[field];
+    return low + (high - low) * levels[node] / 255;
+  }
+}
+
+/** For every pixel of a square picture four nodes and their weights: then a frame costs one look a pixel. A
+ *  quadrilateral is four triangles around its centre, so that a symmetric state gives a symmetric picture. */
+class Raster {
+  constructor(mesh, size, margin) {
+    this.size = size;
+    this.scale = (size / 2 - margin) / mesh.radius;
+    this.nodes = new Int32Array(4 * size * size).fill(-1);
+    this.weights = new Float32Array(4 * size * size);
+    for (let q = 0; q < mesh.quads.length; q += 4) this.fillQuad(mesh, mesh.quads.subarray(q, q + 4));
+  }
+
+  fillQuad(mesh, quad) {
+    const corners = Array.from(quad, node => [this.size / 2 + this.scale * mesh.x[node],
+                                              this.size / 2 - this.scale * mesh.y[node]]);
+    const centre = [0, 1].map(d => corners.reduce((sum, corner) => sum + corner[d] / 4, 0));
+    for (let k = 0; k < 4; ++k) this.fillTriangle(quad, k, corners[k], corners[(k + 1) % 4], centre);
+  }
+
+  /** The triangle of corners k and k + 1 and the centre, whose value is the mean of the four corners. */
+  fillTriangle(quad, k, [ax, ay], [bx, by], [cx, cy]) {
+    const area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
+    const tolerance = -1e-6;  // pixels on a common edge belong to both
+    for (let row = Math.floor(Math.min(ay, by, cy)); row <= Math.max(ay, by, cy); ++row)
+      for (let column = Math.floor(Math.min(ax, bx, cx)); column <= Math.max(ax, bx, cx); ++column) {
+        const x = column + 0.5, y = row + 0.5;
+        const wb = ((x - ax) * (cy - ay) - (cx - ax) * (y - ay)) / area;
+        const wc = ((bx - ax) * (y - ay) - (x - ax) * (by - ay)) / area;
+        if (wb < tolerance || wc < tolerance || wb + wc > 1 - tolerance) continue;
+        const at = 4 * (row * this.size + column);
+        this.nodes.set(quad, at);
+        this.weights.fill(wc / 4, at, at + 4);
+        this.weights[at + k] += 1 - wb - wc;
+        this.weights[at + (k + 1) % 4] += wb;
+      }
+  }
+
+  /** The status is the one with most weight among the four nodes, everything else is interpolated. */
+  draw(canvas, frame, field, range) {
+    const context = canvas.getContext("2d");
+    const image = context.createImageData(this.size, this.size);
+    const colourOf = field === "status" ? this.statusColours(frame) : this.valueColours(frame[field], range);
+    for (let pixel = 0; pixel < this.size * this.size; ++pixel) {
+      if (this.nodes[4 * pixel] < 0) continue;
+      const colour = colourOf(4 * pixel);
+      for (let c = 0; c < 3; ++c) image.data[4 * pixel + c] = colour[c];
+      image.data[4 * pixel + 3] = 255;
+    }
+    context.putImageData(image, 0, 0);
+  }
+
+  statusColours(frame) {
+    const {nodes, weights} = this, share = new Float32Array(STATES.length);
+    return at => {
+      share.fill(0);
+      for (let k = at; k < at + 4; ++k) share[frame.status[nodes[k]]] += weights[k];
+      return STATES[share.indexOf(Math.max(...share))].colour;
+    };
+  }
+
+  valueColours({low, high, levels}, range) {
+    const {nodes, weights} = this;
+    const colours = Array.from({length: 256}, (_, k) => viridis(k / 255));
+    const span = range[1] - range[0] || 1, offset = 255 * (low - range[0]) / span, slope = (high - low) / span;
+    return at => {
+      let level = 0;
+      for (let k = at; k < at + 4; ++k) level += weights[k] * levels[nodes[k]];
+      return colours[Math.max(0, Math.min(255, Math.round(offset + slope * level)))];
+    };
+  }
+}
+
+/** The range of colours: fixed, that of one frame, or that of all frames. */
+function colourRange(frames, field, only) {
+  if (FIELDS[field].range) return FIELDS[field].range;
+  const used = only ? [only] : frames;
+  return [Math.min(...used.map(frame => frame[field].low)), Math.max(...used.map(frame => frame[field].high))];
+}

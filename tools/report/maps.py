@@ -1,0 +1,69 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""Fields on the contact surface for the page: one mesh, and a byte for each value of each frame."""
+import base64
+import contextlib
+import io
+
+import numpy as np
+from load_program import choose_steps
+
+MOST_FRAMES = 60
+MOST_VALUES = 375_000  # nodes times frames: six bytes each keep the page below some 3 MB
+FIELDS = ("slip_magnitude", "pressure", "friction_criterion", "accumulated_slip", "dissipated_energy")
+
+
+def packed(array):
+    return base64.b64encode(np.ascontiguousarray(array).tobytes()).decode()
+
+
+class Maps:
+    """The frames of the slider; none for a run that wrote no contact fields."""
+
+    def __init__(self, data):
+        self.data = data
+        self.all_steps = data.run.contact_steps()
+        self.mesh = self.file(self.all_steps[0]) if self.all_steps else None
+        if self.mesh:
+            self.nodes, self.node_of_point = self.distinct(self.mesh.points[:, :2])
+
+    def file(self, step):
+        def contact():
+            with contextlib.redirect_stderr(io.StringIO()):  # meshio prints before it gives up
+                return self.data.run.contact(step)
+        return self.data.read(f"contact-{step:04d}.vtu", contact)
+
+    def distinct(self, points):
+        """One point of each node (the cells do not share points), and the node of each point."""
+        places = np.round(points / (1e-6 * self.data.radius)).astype(np.int64)
+        _, one, node = np.unique(places, axis=0, return_index=True, return_inverse=True)
+        return one, node.reshape(-1)
+
+    def steps(self):
+        if not self.mesh:
+            return []
+        limit = max(2, min(MOST_FRAMES, MOST_VALUES // len(self.nodes)))
+        chosen = choose_steps(self.all_steps, limit, self.data.blocks)
+        if len(chosen) < len(self.all_steps):
+            self.data.notes.append(f"The maps show {len(chosen)} of the {len(self.all_steps)} steps that have contact "
+                                   "fields.")
+        return chosen
+
+    def frame(self, step):
+        file = self.file(step)
+        frame = {"step": step, "status": packed(file["status"][self.nodes].astype(np.uint8))}
+        for name in FIELDS:
+            values = file[name][self.nodes].astype(float)
+            low, high = float(values.min()), float(values.max())
+            levels = np.round((values - low) / (high - low or 1) * 255).astype(np.uint8)
+            frame[name] = {"low": low, "high": high, "levels": packed(levels)}
+        return frame
+
+    def payload(self, steps):
+        if not steps:
+            return None
+        index = np.uint16 if len(self.nodes) < 2**16 else np.uint32
+        return {"x": packed(self.mesh.points[self.nodes, 0].astype(np.float32)),
+                "y": packed(self.mesh.points[self.nodes, 1].astype(np.float32)),
+                "quads": packed(self.node_of_point[self.mesh.quadrilaterals()].astype(index)),
+                "index_bytes": index().nbytes, "frames": [self.frame(step) for step in steps]}

@@ -1,0 +1,195 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""Three drawings of the model: contact surface from above, ellipses of friction and slip, cylinder from the side."""
+import math
+
+import numpy as np
+import svg
+
+WIDTH, HEIGHT = 360, 330
+MOST_DRAWN_CELLS = 5000
+
+
+def turned(points, degrees):
+    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
+    return [(c * x - s * y, s * x + c * y) for x, y in points]
+
+
+def ellipse(a, b, n=96):
+    return [(a * math.cos(2 * math.pi * k / n), b * math.sin(2 * math.pi * k / n)) for k in range(n)]
+
+
+class Frame:
+    """Millimetres to the picture: y points up, the origin is the centre."""
+
+    def __init__(self, scale, centre=(WIDTH / 2, HEIGHT / 2)):
+        self.scale, self.centre = scale, centre
+
+    def __call__(self, x, y):
+        return self.centre[0] + self.scale * x, self.centre[1] - self.scale * y
+
+    def all(self, points):
+        return [self(x, y) for x, y in points]
+
+
+def axis_lines(frame, reach, angle):
+    """The axes of orthotropy, 1 and 2, if they are turned, else x and y."""
+    names = ("x", "y") if angle % 360 == 0 else ("1", "2")
+    out = ""
+    for direction, name in zip(turned([(1, 0), (0, 1)], angle), names):
+        end = frame(reach * direction[0], reach * direction[1])
+        start = frame(-reach * direction[0], -reach * direction[1])
+        out += svg.arrow(start, end, "axis")
+        out += svg.text((end[0] + 9 * direction[0], end[1] - 9 * direction[1] + 4), name, "label")
+    return out
+
+
+# --- the contact surface from above ---
+
+def mesh_edges(mesh, node_of_point):
+    """Every edge of the cells once, as points."""
+    inner = mesh.degree - 1
+    ends = ((0, 1), (1, 2), (3, 2), (0, 3))
+    seen, edges = set(), []
+    for cell in mesh.cells:
+        for k, (first, last) in enumerate(ends):
+            key = frozenset((node_of_point[cell[first]], node_of_point[cell[last]]))
+            if key not in seen:
+                seen.add(key)
+                between = cell[4 + k * inner:4 + (k + 1) * inner]
+                edges.append(mesh.points[[cell[first], *between, cell[last]], :2])
+    return edges
+
+
+def modelled_part(data, frame):
+    """Shade over the half or quarter that was computed; a half keeps the plane along which the top does not move."""
+    kind = data.summary.get("model", {}).get("kind")
+    if kind not in ("half", "quarter"):
+        return ""
+    moves_along_y = any(target[1] for target, _ in data.program.preload + data.program.legs)
+    first, last = (0, 90) if kind == "quarter" else (-90, 90) if moves_along_y else (0, 180)
+    angles = np.radians(np.linspace(first, last, 60))
+    sector = [(0, 0), *zip(data.radius * np.cos(angles), data.radius * np.sin(angles))]
+    return svg.polyline(frame.all(sector), "modelled", closed=True)
+
+
+def surface(data):
+    frame = Frame(128 / data.radius)
+    out = svg.polyline(frame.all(ellipse(data.radius, data.radius)), "disc", closed=True) + modelled_part(data, frame)
+    note = "mesh not drawn: no contact fields were written"
+    if data.maps.mesh:
+        note = f"{len(data.maps.mesh.cells)} cells of degree {data.maps.mesh.degree}"
+        if len(data.maps.mesh.cells) <= MOST_DRAWN_CELLS:
+            edges = mesh_edges(data.maps.mesh, data.maps.node_of_point)
+            path = "".join("M" + "L".join(f"{svg.number(a)} {svg.number(b)}" for a, b in frame.all(edge))
+                           for edge in edges)
+            out += svg.element("path", d=path, css="mesh")
+        else:
+            note += ", too many to be drawn"
+    out += axis_lines(frame, 1.14 * data.radius, data.angle)
+    for name, place in data.probe_places.items():
+        x, y = frame(*place)
+        out += svg.element("circle", cx=x, cy=y, r=4, css="probe")
+        out += svg.text((x + 7, y - 6), name, "label halo", "start")
+    out += svg.text((WIDTH / 2, HEIGHT - 4), f"{note}; radius {data.radius:g} mm", "small")
+    return svg.picture(WIDTH, HEIGHT, out, "Contact surface from above, with mesh, axes and probes")
+
+
+# --- ellipses ---
+
+def slip_arrows(data, frame, length):
+    """At forces on the friction ellipse the direction opposite to their slip: the normal of the slip ellipse."""
+    out = ""
+    for x, y in ellipse(*data.mu, n=16):
+        normal = (x / data.p[0]**2, y / data.p[1]**2)
+        size = math.hypot(*normal)
+        tip = (x + length * normal[0] / size, y + length * normal[1] / size)
+        (x, y), tip = turned([(x, y), tip], data.angle)
+        out += svg.arrow(frame(x, y), frame(*tip), "slip-arrow", head=5)
+    return out
+
+
+def ellipses(data):
+    largest_mu, largest_p = max(data.mu), max(data.p)
+    same_scale = 0.1 <= largest_p / largest_mu <= 10
+    factor = 1 if same_scale else largest_mu / largest_p
+    p = (data.p[0] * factor, data.p[1] * factor)
+    reach = max(largest_mu, max(p))
+    frame = Frame(108 / reach, (WIDTH / 2, HEIGHT / 2 - 18))
+    out = axis_lines(frame, 1.24 * reach, data.angle)
+    out += svg.polyline(frame.all(turned(ellipse(*p), data.angle)), "slip-ellipse", closed=True)
+    out += svg.polyline(frame.all(turned(ellipse(*data.mu), data.angle)), "friction-ellipse", closed=True)
+    out += slip_arrows(data, frame, 0.16 * reach)
+    associated = math.isclose(data.mu[0] * data.p[1], data.mu[1] * data.p[0], rel_tol=1e-9)
+    words = [("friction-ellipse", f"friction ellipse \u03bc = ({data.mu[0]:g}, {data.mu[1]:g})"),
+             ("slip-ellipse", f"slip ellipse p = ({data.p[0]:g}, {data.p[1]:g})"
+              + ("" if same_scale else ", scaled: only its shape matters"))]
+    for k, (css, legend) in enumerate(words):
+        y = HEIGHT - 34 + 15 * k
+        out += svg.line((40, y - 4), (62, y - 4), css) + svg.text((68, y), legend, "small", "start")
+    out += svg.text((WIDTH / 2, HEIGHT - 4), ("associated" if associated else "non-associated")
+                    + "; arrow at a force: opposite to its slip", "small")
+    return svg.picture(WIDTH, HEIGHT, out, "Friction ellipse and slip ellipse, to the same scale" if same_scale
+                       else "Friction ellipse and slip ellipse")
+
+
+# --- the cylinder from the side ---
+
+def layer_heights(n, grading):
+    """Heights of the layer planes / total height; a layer is `grading` times its neighbour towards mid-height."""
+    thickness = np.array([grading**abs(k - (n - 1) / 2) for k in range(n)])
+    return np.concatenate([[0], np.cumsum(thickness) / thickness.sum()])
+
+
+def hatched(start, end, css, down=True):
+    """A line with strokes on the side of the rigid body."""
+    step, depth = 9, 8 if down else -8
+    strokes = "".join(svg.line((x, start[1]), (x - 7, start[1] + depth), "hatch")
+                      for x in np.arange(start[0] + 7, end[0] + 1, step))
+    return svg.line(start, end, css) + strokes
+
+
+def load_arrows(data, left, right, y):
+    """The largest motion of the top in each direction, as the legs state it."""
+    ux, uy, uz = data.program.extremes()
+    middle, out = (left + right) / 2, ""
+    if uz:
+        ends = ((middle, y - 44), (middle, y - 11))
+        out += svg.arrow(*(ends if uz < 0 else ends[::-1]), "load", head=11)
+        out += svg.text((middle + 9, y - 28), f"u_z = {svg.signed(uz)} mm", "label", "start")
+    sideways = [f"u_{axis} = {svg.signed(value)} mm" for axis, value in zip("xy", (ux, uy)) if value]
+    if sideways:
+        forward = (ux or uy) > 0
+        start, end = (left - 6, left - 44) if not forward else (left - 44, left - 6)
+        out += svg.arrow((start, y + 2), (end, y + 2), "load", head=11)
+        for k, words in enumerate(sideways):
+            out += svg.text((4, y - 10 - 14 * (len(sideways) - 1 - k)), words, "label", "start")
+    return out
+
+
+def side_view(data):
+    scale = min(205 / (2 * data.radius), 190 / data.height)
+    half, high, middle = scale * data.radius, scale * data.height, WIDTH / 2 - 12
+    base = HEIGHT / 2 + high / 2 + 15
+    left, right, top = middle - half, middle + half, base - high
+    mesh = data.parameters.get("Mesh", {})
+    out = svg.element("rect", x=left, y=top, width=2 * half, height=high, css="disc")
+    for z in layer_heights(int(mesh.get("Layers", 1)), float(mesh.get("Layer grading", 1)))[1:-1]:
+        out += svg.line((left, base - high * z), (right, base - high * z), "mesh")
+    guided = data.parameters.get("Geometry", {}).get("Top face") == "guided"
+    out += hatched((left - 3, top), (right + 3, top), "plate", down=False)
+    out += hatched((left - 40, base), (right + 40, base), "plate")
+    out += load_arrows(data, left, right, top - 8)
+    out += svg.text((middle, base - high / 2 + 4), f"{mesh.get('Layers', '?')} layers", "label halo")
+    out += svg.text((right + 8, top + high / 2 + 4), f"H = {data.height:g} mm", "label", "start")
+    out += svg.text((middle, base + 24), f"2R = {2 * data.radius:g} mm; rigid plane, \u03bc = ({data.mu[0]:g}, "
+                    f"{data.mu[1]:g})", "label")
+    top_face = "guided: free sideways" if guided else "clamped: a rigid plate"
+    out += svg.text((middle, HEIGHT - 4), f"top face {top_face}; arrows: largest motion", "small")
+    return svg.picture(WIDTH, HEIGHT, out, "The cylinder from the side, with layers, plane and motion of the top")
+
+
+def figures(data):
+    """(caption, SVG) of each drawing."""
+    return [("Contact surface, from above", surface(data)), ("Ellipses of friction and slip", ellipses(data)),
+            ("Cylinder, from the side", side_view(data))]

@@ -1,0 +1,201 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""Puts the page together: text and tables as HTML, the drawings, and the data for the scripts."""
+import html
+import json
+import pathlib
+import re
+
+import model_picture
+import numpy as np
+
+HERE = pathlib.Path(__file__).resolve().parent
+SCRIPTS = ("numbers.js", "charts.js", "maps.js", "player.js", "report.js")
+MOST_LEDGER_ROWS = 12
+
+
+def escape(words):
+    return html.escape(str(words), quote=True)
+
+
+def element(name, content, css="", more=""):
+    css = f' class="{css}"' if css else ""
+    return f"<{name}{css}{more}>{content}</{name}>"
+
+
+def table(head, rows, css=""):
+    """Text cells; the first column names the row."""
+    top = element("tr", "".join(element("th", escape(words), more=' scope="col"') for words in head)) if head else ""
+    body = "".join(element("tr", element("th", escape(row[0]), more=' scope="row"')
+                           + "".join(element("td", escape(words)) for words in row[1:])) for row in rows)
+    return element("div", element("table", (element("thead", top) if top else "") + element("tbody", body), css),
+                   "scroll")
+
+
+def fallback(value, form="{}"):
+    return "\u2013" if value is None else form.format(value)
+
+
+# --- header ---
+
+def peak(data, key, column):
+    """Value and step, from the summary or, without one, from the history."""
+    if not data.n_solved:
+        return None, None
+    peaks = data.summary.get("peaks", {})
+    if key in peaks:
+        return peaks[key]["value"], peaks[key]["step"]
+    at = int(np.argmax(data.history[column]))
+    return data.history[column][at], int(data.history["step"][at])
+
+
+def tile(name, value, form, step=None):
+    small = element("small", f"at step {step}") if step else ""
+    return element("div", element("dt", escape(name)) + element("dd", escape(fallback(value, form)) + small), "tile")
+
+
+def tiles(data):
+    """The figures that a reader looks for first."""
+    force, force_step = peak(data, "force_z_N", "force_z")
+    dissipation = data.history["total_dissipation"][-1] if data.n_solved else None
+    residual = np.max(data.history["residual"]) if data.n_solved else None
+    slip, slip_step = peak(data, "slip_mm", "max_slip")
+    pressure, pressure_step = peak(data, "pressure_MPa", "max_pressure")
+    return "".join((tile("largest slip", slip, "{:.5g} mm", slip_step),
+                    tile("largest pressure", pressure, "{:.5g} MPa", pressure_step),
+                    tile("largest normal force", None if force is None else force / 1000, "{:.5g} kN", force_step),
+                    tile("dissipated energy", dissipation, "{:.5g} N mm"),
+                    tile("largest residual", residual, "{:.1e}"),
+                    tile("time of the run", data.summary.get("seconds", {}).get("total"), "{:.3g} s")))
+
+
+def facts(data):
+    """Model, mesh, solver and versions; what only the summary knows is missing without it."""
+    summary, given = data.summary, data.parameters
+    rows = [("model", given["Mesh"].get("Model")), ("load steps", f"{data.n_solved} of {data.n_planned}"),
+            ("contact solver", given["Contact solver"].get("Method"))]
+    if summary:
+        model, solver = summary["model"], summary["contact_solver"]
+        rows = [("model", f"{model['kind']} ({model['reason']})"),
+                ("mesh", f"{model['cells']} cells of degree {model['degree']}, {model['dofs']} degrees of freedom"),
+                ("contact nodes", f"{model['contact_nodes']} in the model"), rows[1],
+                ("contact solver", f"{solver['method']}, tolerance {solver['tolerance']:g}, {solver['iterations']} "
+                 "iterations"),
+                ("versions", ", ".join(f"{name} {version}" for name, version in summary["versions"].items()))]
+    return table((), [(name, fallback(value)) for name, value in rows], "facts")
+
+
+def status(data):
+    kind, words = data.status()
+    lines = "<br>".join(escape(line) for line in words.splitlines())
+    return element("p", element("strong", "\u2713 " if kind == "good" else "\u26a0 ") + lines, f"status {kind}",
+                   ' id="run-status"')
+
+
+def listed(lines, css):
+    return element("ul", "".join(element("li", escape(line)) for line in lines), css)
+
+
+def warnings(data):
+    """What the program warned of, and what the page leaves out."""
+    recorded = data.summary.get("warnings")
+    if recorded:
+        out = listed(recorded, "warnings")
+    elif recorded is None:
+        out = element("p", "This run recorded no list of warnings.")
+    else:
+        out = element("p", "The program gave no warnings.")
+    return out + (element("h3", "About this page") + listed(data.notes, "notes") if data.notes else "")
+
+
+# --- sections ---
+
+def model(data):
+    figures = "".join(element("figure", picture + element("figcaption", escape(caption)))
+                      for caption, picture in model_picture.figures(data))
+    kind = data.summary.get("model", {}).get("kind")
+    shade = {"half": "Shaded: the half that was computed.", "quarter": "Shaded: the quarter that was computed."}
+    words = shade.get(kind, "The whole body was computed." if kind else "") + " Totals are those of the whole body."
+    return element("div", figures, "figures") + element("p", escape(words), "hint")
+
+
+def parameters(data):
+    groups = "".join(
+        element("div", element("h3", escape(section)) + table((), list(entries.items()), "entries"), "group")
+        for section, entries in data.parameters.items())
+    given = next((data.path / name for name in ("input.prm", "input.json") if (data.path / name).is_file()), None)
+    details = ""
+    if given:
+        words = escape(given.read_text(encoding="utf-8", errors="replace"))
+        details = element("details", element("summary", f"The file as given ({given.name})") + element("pre", words))
+    return element("div", groups, "groups") + details
+
+
+def ledger(data):
+    """Energies of the preload and of each cycle."""
+    energy = data.energy
+    if not energy:
+        return ""
+    blocks, note = data.blocks, ""
+    if len(blocks) > MOST_LEDGER_ROWS:
+        half = MOST_LEDGER_ROWS // 2
+        note = element("p", f"The first and the last {half} of {len(blocks)} rows.", "hint")
+        blocks = blocks[:half] + blocks[-half:]
+    rows = []
+    for block in blocks:
+        first, last = block.first - 1, min(block.last, data.n_solved)
+        elastic = energy["elastic"]
+        change = elastic[last - 1] - (elastic[first - 1] if first else 0)
+        part = slice(first, last)
+        defect = energy["step_defect"][part].sum()
+        defect = 0 if abs(defect) < 1e-12 * energy["scale"] else defect  # rounding
+        dissipation = energy["step_dissipation"][part].sum()
+        absolute = (energy["step_work"][part].sum(), change, dissipation, defect)
+        relative = (abs(defect) / energy["scale"], abs(defect) / dissipation if dissipation > 0 else None)
+        rows.append((f"{block.name} (steps {block.first}\u2013{last})", *(f"{value:.5g}" for value in absolute),
+                     *(fallback(value, "{:.3%}") for value in relative)))
+    head = ("N mm", "work of the top", "change of elastic energy", "dissipation", "defect",
+            "defect / largest energy", "defect / dissipation")
+    source = ("recorded by the program" if len(data.checks.get("work", ())) == data.n_solved
+              else "trapezoidal rule for force and motion of the top")
+    hint = (f"Work: {source}. Defect = work \u2212 change of elastic energy \u2212 dissipation; it falls with smaller "
+            "steps. Largest energy: stored or dissipated.")
+    return table(head, rows, "ledger") + note + element("p", hint, "hint")
+
+
+def phases(data):
+    seconds = dict(data.summary.get("seconds", {}))
+    if not seconds:
+        return element("p", "No summary.json: the times of the phases are not known.")
+    total = seconds.pop("total", sum(seconds.values()))
+    rest = total - sum(seconds.values())
+    if rest > 0:
+        seconds["rest"] = rest
+    rows = "".join(phase(name, value, total) for name, value in seconds.items())
+    rows += element("tr", element("th", "total", more=' scope="row"') + element("td", "")
+                    + element("td", f"{total:.3g} s") + element("td", ""))
+    return element("table", element("tbody", rows), "phases")
+
+
+def phase(name, seconds, total):
+    bar = element("span", "", "bar", f' style="width:{100 * seconds / total:.2f}%"')
+    return element("tr", element("th", escape(name), more=' scope="row"') + element("td", bar, "bars")
+                   + element("td", f"{seconds:.3g} s") + element("td", f"{seconds / total:.1%}"))
+
+
+def safe_json(value):
+    """JSON that no HTML reader takes for markup."""
+    text = json.dumps(value, separators=(",", ":"), allow_nan=False)
+    return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
+
+
+def make(data):
+    name = data.path.resolve().name
+    payload = data.payload()  # first: it notes what the page leaves out
+    parts = {"title": escape(name), "status": status(data), "tiles": tiles(data), 
+             "facts": data.read("summary.json", lambda: facts(data)),
+             "warnings": warnings(data), "model": model(data), "parameters": parameters(data), "ledger": ledger(data),
+             "phases": phases(data), "data": safe_json(payload), "style": (HERE / "report.css").read_text(),
+             "script": "\n".join((HERE / script).read_text() for script in SCRIPTS)}
+    template = (HERE / "template.html").read_text()
+    return re.sub(r"\{\{(\w+)\}\}", lambda match: parts[match[1]], template)

@@ -1,0 +1,191 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+"use strict";
+// The map with its slider, field, colours and small pictures.
+
+const MAP_SIZE = 660, MAP_MARGIN = 34, THUMB_SIZE = 150, MOST_THUMBS = 15;
+
+class Player {
+  constructor({maps, history, probes, blocks, radius}) {
+    this.history = history;
+    this.blocks = blocks;
+    this.mesh = new ContactMesh(maps, radius);
+    this.frames = maps.frames.map(packed => new MapFrame(packed));
+    this.raster = new Raster(this.mesh, MAP_SIZE, MAP_MARGIN);
+    this.small = new Raster(this.mesh, THUMB_SIZE, 1);
+    this.field = "status";
+    this.timer = null;
+    for (const [field, {name}] of Object.entries(FIELDS)) htmlElement(byId("field"), "option", {value: field}, name);
+    this.drawOverlay(radius, probes);
+    this.listen();
+    this.show(this.startFrame());
+    this.refresh();
+  }
+
+  /** Where most nodes differ in status: more telling than the first step. */
+  startFrame() {
+    const mixture = ({status}) => {
+      const slipping = status.filter(state => state === 2).length / status.length;
+      return slipping * (1 - slipping);
+    };
+    const mixtures = this.frames.map(mixture);
+    return mixtures.indexOf(Math.max(...mixtures));
+  }
+
+  // --- fixed things ---
+
+  drawOverlay(radius, probes) {
+    const overlay = byId("map-overlay"), centre = MAP_SIZE / 2, reach = centre - MAP_MARGIN;
+    svgElement(overlay, "circle", {class: "disc", cx: centre, cy: centre, r: reach});
+    svgElement(overlay, "text", {x: MAP_SIZE - 16, y: centre + 6, "text-anchor": "middle"}, "x");
+    svgElement(overlay, "text", {x: centre, y: 24, "text-anchor": "middle"}, "y");
+    for (const {name, place} of probes) {
+      if (!place) continue;
+      const x = centre + place[0] / radius * reach, y = centre - place[1] / radius * reach;
+      svgElement(overlay, "circle", {class: "probe", cx: x, cy: y, r: 6});
+      svgElement(overlay, "text", {class: "halo", x: x + 9, y: y - 9}, name);
+    }
+    const bar = 2 * 10 ** Math.floor(Math.log10(radius / 2)), length = bar / radius * reach;
+    svgElement(overlay, "line", {class: "plate", x1: 14, x2: 14 + length, y1: MAP_SIZE - 12, y2: MAP_SIZE - 12});
+    svgElement(overlay, "text", {x: 14, y: MAP_SIZE - 20}, `${numberText(bar)} mm`);
+  }
+
+  // --- small maps of the cycle ---
+
+  blockOf({step}) {
+    return this.blocks.find(([, first, last]) => first <= step && step <= last);
+  }
+
+  /** Those of the cycle on show, at most fifteen. */
+  addThumbs(block) {
+    const mine = [...this.frames.keys()].filter(index => this.blockOf(this.frames[index]) === block);
+    const n = Math.min(MOST_THUMBS, mine.length);
+    const stride = (mine.length - 1) / Math.max(1, n - 1);
+    const chosen = Array.from({length: n}, (_, k) => mine[Math.round(k * stride)]);
+    this.block = block;
+    byId("thumbs").replaceChildren();
+    this.thumbs = chosen.map(index => {
+      const button = htmlElement(byId("thumbs"), "button", {type: "button"});
+      const canvas = htmlElement(button, "canvas", {width: THUMB_SIZE, height: THUMB_SIZE, "aria-hidden": "true"});
+      button.append(`step ${this.frames[index].step}`);
+      button.addEventListener("click", () => this.show(index));
+      return {index, button, canvas};
+    });
+    this.drawThumbs();
+  }
+
+  drawThumbs() {
+    for (const {index, canvas} of this.thumbs)
+      this.small.draw(canvas, this.frames[index], this.field, this.range(index));
+  }
+
+  listen() {
+    const slider = byId("step");
+    slider.max = this.frames.length - 1;
+    slider.addEventListener("input", () => this.show(Number(slider.value)));
+    byId("back").addEventListener("click", () => this.show(this.index - 1));
+    byId("forward").addEventListener("click", () => this.show(this.index + 1));
+    byId("play").addEventListener("click", () => this.playOrStop());
+    byId("field").addEventListener("change", event => {
+      this.field = event.target.value;
+      this.refresh();
+    });
+    byId("own-scale").addEventListener("change", () => this.refresh());
+    byId("map").addEventListener("pointermove", event => this.probe(event));
+    byId("map").addEventListener("keydown", event => {
+      const move = {ArrowRight: 1, ArrowLeft: -1}[event.key];
+      if (!move) return;
+      event.preventDefault();
+      this.show(this.index + move);
+    });
+  }
+
+  playOrStop() {
+    const playing = this.timer === null;
+    if (playing) this.timer = setInterval(() => this.show((this.index + 1) % this.frames.length), 400);
+    else this.timer = clearInterval(this.timer) || null;
+    byId("play").textContent = playing ? "Pause" : "Play";
+    byId("play").setAttribute("aria-pressed", String(playing));
+  }
+
+  // --- the current frame ---
+
+  toNearest(step) {
+    const distances = this.frames.map(frame => Math.abs(frame.step - step));
+    this.show(distances.indexOf(Math.min(...distances)));
+  }
+
+  show(index) {
+    this.index = Math.max(0, Math.min(this.frames.length - 1, index));
+    const frame = this.frames[this.index];
+    byId("step").value = this.index;
+    byId("step").setAttribute("aria-valuetext", `step ${frame.step}`);
+    for (const chart of charts) chart.mark(frame.step);
+    if (!this.thumbs || this.blockOf(frame) !== this.block) this.addThumbs(this.blockOf(frame));
+    for (const thumb of this.thumbs)
+      thumb.button.setAttribute("aria-current", String(thumb.index === this.index));
+    this.describe(frame);
+    this.drawMap();
+  }
+
+  /** A new field or scale: the small maps change, too. */
+  refresh() {
+    this.drawThumbs();
+    byId("own-scale-label").hidden = this.field === "status" || Boolean(FIELDS[this.field].range);
+    this.drawMap();
+  }
+
+  range(index) {
+    if (this.field === "status") return null;
+    return colourRange(this.frames, this.field, byId("own-scale").checked ? this.frames[index] : null);
+  }
+
+  describe(frame) {
+    const h = this.history, row = h.step.indexOf(frame.step);
+    const block = this.blockOf(frame);
+    this.counts = row < 0 ? null : [h.n_open[row], h.n_stick[row], h.n_slip[row]];
+    const place = block ? `step ${frame.step}, ${block[0]}` : `step ${frame.step}`;
+    const motion = row < 0 ? "" : `\ntop at (${["ux", "uy", "uz"].map(name => numberText(h[name][row])).join(", ")}) mm`
+      + `\nnormal force ${numberText(h.force_z[row])} N`;
+    byId("step-text").textContent = `${place}${motion}`;
+  }
+
+  drawMap() {
+    const frame = this.frames[this.index], range = this.range(this.index);
+    this.raster.draw(byId("map"), frame, this.field, range);
+    const legend = byId("map-legend");
+    legend.replaceChildren();
+    if (this.field === "status") this.drawStates(legend);
+    else this.drawColourBar(legend, range, frame[this.field]);
+    byId("map").setAttribute("aria-label", `Map of ${FIELDS[this.field].name}, step ${frame.step}`);
+  }
+
+  drawStates(legend) {
+    STATES.forEach(({name, colour}, state) => {
+      const line = htmlElement(legend, "span", {class: "state"});
+      htmlElement(line, "span", {class: "chip", style: `background: rgb(${colour.join(" ")})`});
+      line.append(this.counts ? `${name}: ${this.counts[state]} nodes` : name);
+    });
+  }
+
+  drawColourBar(legend, range, {low, high}) {
+    const stops = VIRIDIS.map(colour => `rgb(${colour.join(" ")})`).join(", ");
+    htmlElement(legend, "div", {class: "colour-bar", style: `background: linear-gradient(to right, ${stops})`});
+    const ends = htmlElement(legend, "div", {class: "colour-ends"}), unit = FIELDS[this.field].unit;
+    for (const value of range) htmlElement(ends, "span", {}, `${numberText(value, 4)} ${unit}`);
+    const text = `In this step from ${numberText(low, 4)} to ${numberText(high, 4)} ${unit}`;
+    htmlElement(legend, "p", {class: "hint"}, text.trim());
+  }
+
+  probe(event) {
+    const box = byId("map").getBoundingClientRect(), scale = MAP_SIZE / box.width;
+    const x = ((event.clientX - box.left) * scale - MAP_SIZE / 2) / this.raster.scale;
+    const y = (MAP_SIZE / 2 - (event.clientY - box.top) * scale) / this.raster.scale;
+    if (Math.hypot(x, y) > 1.02 * this.mesh.radius) return;
+    const node = this.mesh.nearest(x, y), frame = this.frames[this.index];
+    const value = this.field === "status" ? STATES[frame.status[node]].name
+      : `≈ ${numberText(frame.value(this.field, node), 3)} ${FIELDS[this.field].unit}`;
+    const place = [this.mesh.x[node], this.mesh.y[node]].map(x => numberText(x, 4)).join(", ");
+    byId("map-probe").textContent = `Node at (${place}) mm: ${value}`;
+  }
+}
