@@ -105,8 +105,8 @@ void declare_checks(CheckOptions &checks, ParameterHandler &handler)
   add_number(
       handler, "Energy defect", checks.energy_defect, positive,
       "Work of the upper face minus change of elastic energy minus dissipation in a step, relative to the "
-      "largest energy so far. It falls with the square of the steps; 1 passes legs of a single step, whose "
-      "loops are not to be trusted. A warning is given above 0.05.");
+      "largest energy or work of a step so far. It falls with the square of the steps: a step in which all "
+      "slips back reaches 1, and its loop is not to be trusted; above 0.05 there is a warning.");
 }
 
 void declare_output(OutputOptions &output, ParameterHandler &handler)

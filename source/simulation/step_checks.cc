@@ -12,13 +12,13 @@ namespace orthocone
 {
 namespace
 {
-/// Work of the upper face, whose force balances that of the plane, by the trapezoidal rule.
-double work_of_top(const std::array<double, 3> &top_before, const Totals &before,
-                   const std::array<double, 3> &top, const Totals &totals)
+/// Work that a force of the upper face, which balances that of the plane, does on the way of a step.
+double work_of(const Eigen::Vector3d &force_of_plane, const std::array<double, 3> &before,
+               const std::array<double, 3> &after)
 {
   double work = 0;
   for (unsigned int d = 0; d < 3; ++d)
-    work -= 0.5 * (before.force[d] + totals.force[d]) * (top[d] - top_before[d]);
+    work -= force_of_plane[d] * (after[d] - before[d]);
   return work;
 }
 
@@ -34,11 +34,6 @@ double ratio(const double value, const double scale)
   return value == 0 ? 0 : value / scale;
 }
 } // namespace
-
-double energy_scale(const Totals &totals)
-{
-  return std::max(totals.elastic_energy, totals.total_dissipation);
-}
 
 StepChecker::StepChecker(const Parameters &parameters, const CondensedBody &body, const Stiffness &stiffness)
     : options_(parameters.checks),
@@ -65,10 +60,15 @@ StepChecks StepChecker::check(const std::array<double, 3> &top_before, const Tot
   checks.is_finite = is_finite(after, totals);
   checks.law = law;
   checks.equilibrium = equilibrium(after);
-  checks.work = work_of_top(top_before, before, after.top, totals);
+  const double work_first = work_of(before.force, top_before, after.top);
+  const double work_last = work_of(totals.force, top_before, after.top);
+  checks.work = 0.5 * (work_first + work_last);
+  // Dissipation must not be in the scale: if it is wrong, it is large.
+  checks.energy =
+      std::max({largest_energy, totals.elastic_energy, std::abs(work_first), std::abs(work_last)});
   const double defect = checks.work - (totals.elastic_energy - before.elastic_energy) -
                         (totals.total_dissipation - before.total_dissipation);
-  checks.energy_defect = ratio(std::abs(defect), std::max(largest_energy, energy_scale(totals)));
+  checks.energy_defect = ratio(std::abs(defect), checks.energy);
   return checks;
 }
 

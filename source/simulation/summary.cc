@@ -78,7 +78,7 @@ void RunRecord::add_step(const unsigned int step, const Totals &totals, const So
 {
   n_iterations += report.iterations;
   largest_residual = std::max(largest_residual, report.residual);
-  largest_energy = std::max(largest_energy, energy_scale(totals));
+  largest_energy = checks.energy;
   peaks.consider(step, totals);
   consider(energy_defect, checks.energy_defect, step);
 }

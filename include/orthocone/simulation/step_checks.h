@@ -12,13 +12,14 @@
 
 namespace orthocone
 {
-/// What independent checks of a step say: all but `work` relative, 0 is perfect.
+/// What independent checks of a step say: all but work and energy relative, 0 is perfect.
 struct StepChecks
 {
-  double equilibrium = 0;   ///< of the body under the final forces, and of the contact displacements with it
-  LawErrors law;            ///< of the contact law
-  double work = 0;          ///< of the upper face in the step, N mm
-  double energy_defect = 0; ///< work - change of elastic energy - dissipation, relative to the largest energy
+  double equilibrium = 0; ///< of the body under the final forces, and of the contact displacements with it
+  LawErrors law;          ///< of the contact law
+  double work = 0;        ///< of the upper face in the step by the trapezoidal rule, N mm
+  double energy = 0; ///< the largest so far, stored or work in a step with either of its end forces, N mm
+  double energy_defect = 0; ///< work - change of elastic energy - dissipation, relative to `energy`
   bool is_finite = true;    ///< all numbers of the state are
 };
 
@@ -45,7 +46,4 @@ private:
   const CondensedBody &body_;
   const Stiffness &stiffness_;
 };
-
-/// The energy that defects are related to: stored or dissipated, whichever is larger.
-double energy_scale(const Totals &totals);
 } // namespace orthocone

@@ -45,7 +45,7 @@ struct RunRecord
 
   unsigned int n_iterations = 0;
   double largest_residual = 0;
-  double largest_energy = 0; ///< stored or dissipated, N mm
+  double largest_energy = 0; ///< StepChecks::energy, N mm
   Peaks peaks{};
   std::pair<double, unsigned int> energy_defect{0, 0}; ///< the largest, and its step
   PhaseSeconds seconds{};

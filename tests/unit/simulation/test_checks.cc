@@ -24,7 +24,7 @@ struct CheckedScene : Scene
   {
     const Totals totals_before = compute_totals(evaluator, before, condensed.compliance());
     const Totals totals_after = compute_totals(evaluator, after, condensed.compliance());
-    return checker.check(before.top, totals_before, after, totals_after, {}, energy_scale(totals_before));
+    return checker.check(before.top, totals_before, after, totals_after, {}, totals_before.elastic_energy);
   }
 
   const Stiffness stiffness;
