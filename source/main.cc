@@ -5,6 +5,7 @@
 #include <orthocone/parameters/errors.h>
 #include <orthocone/parameters/parameters.h>
 #include <orthocone/parameters/text.h>
+#include <orthocone/simulation/estimate.h>
 #include <orthocone/simulation/interrupt.h>
 #include <orthocone/simulation/quasi_static_problem.h>
 #include <orthocone/simulation/version.h>
@@ -33,10 +34,21 @@ int fail(const ExitCode code, const std::string &message)
 
 int print_model(const Parameters &parameters, const ModelChoice &model)
 {
-  PhaseSeconds seconds;
-  const Body body(parameters, model.planes, seconds);
-  std::cout << describe_model(parameters, model, body.discretization, load_steps(parameters.load).size())
-            << "\n";
+  constexpr double largest_meshed =
+      3e6; // unknowns; the mesh of more takes longer than somebody who checks waits
+  const unsigned int n_steps = load_steps(parameters.load).size();
+  const unsigned int n_copies = model.planes.n_copies();
+  const ModelSize size = model_size(parameters.mesh, n_copies);
+  if (size.dofs > largest_meshed)
+    std::cout << "model          " << model.planes.name() << " (" << model.reason << ")\n"
+              << describe(size) << "\n";
+  else
+  {
+    PhaseSeconds seconds;
+    const Body body(parameters, model.planes, seconds);
+    std::cout << describe_model(parameters, model, body.discretization, n_steps) << "\n"
+              << describe(estimate(parameters, body.discretization, n_copies), n_steps) << "\n";
+  }
   for (const std::string &warning : parameter_warnings(parameters))
     std::cout << "warning: " << warning << "\n";
   return exit_code(ExitCode::done);
@@ -47,12 +59,11 @@ void keep_parameters(const RunFolder &folder, const CommandLine &line, const Par
 {
   std::ostringstream verbatim;
   verbatim << std::ifstream(line.parameter_file, std::ios::binary).rdbuf();
-  const bool is_json = std::filesystem::path(line.parameter_file).extension() == ".json";
   std::ostringstream complete;
   write_parameters(parameters, complete);
   folder.remove_earlier_run();
   folder.write("parameters.prm", complete.str()); // first: it marks the folder as one of a run
-  folder.write(is_json ? "input.json" : "input.prm", verbatim.str());
+  folder.write(is_json(line.parameter_file) ? "input.json" : "input.prm", verbatim.str());
 }
 
 std::filesystem::path run_folder_of(const CommandLine &line)

@@ -99,14 +99,15 @@ LameParameters::LameParameters(const MaterialOptions &material)
 
 Stiffness::Stiffness(const Discretization &discretization, const MaterialOptions &material)
 {
-  make_pattern(discretization);
+  make_stiffness_pattern(discretization, pattern_);
+  matrix_.reinit(pattern_);
   assemble(discretization, LameParameters(material));
 }
 
-void Stiffness::make_pattern(const Discretization &discretization)
+void make_stiffness_pattern(const Discretization &discretization, dealii::SparsityPattern &pattern)
 {
   const unsigned int n_free = discretization.n_free();
-  dealii::DynamicSparsityPattern pattern(n_free);
+  dealii::DynamicSparsityPattern entries(n_free);
   std::vector<dealii::types::global_dof_index> dofs(discretization.fe().n_dofs_per_cell());
   std::vector<dealii::types::global_dof_index> columns;
   for (const auto &cell : discretization.dof_handler().active_cell_iterators())
@@ -119,11 +120,10 @@ void Stiffness::make_pattern(const Discretization &discretization)
       if (row >= n_free)
         break;
       columns.push_back(row);
-      pattern.add_entries(row, columns.begin(), columns.end(), true);
+      entries.add_entries(row, columns.begin(), columns.end(), true);
     }
   }
-  pattern_.copy_from(pattern);
-  matrix_.reinit(pattern_);
+  pattern.copy_from(entries);
 }
 
 void Stiffness::assemble(const Discretization &discretization, const LameParameters &lame)

@@ -41,18 +41,19 @@ public:
   cholmod_common common{};
 };
 
-/// Leading n x n block of the matrix as CHOLMOD's sparse matrix. Its columns are our rows: the upper
-/// triangle.
-cholmod_sparse *leading_block(const dealii::SparseMatrix<double> &matrix, const unsigned int n,
+/// Leading n x n block of a matrix as CHOLMOD's sparse matrix, without values if `matrix` is null. Its
+/// columns are our rows: the upper triangle.
+cholmod_sparse *leading_block(const dealii::SparsityPattern &pattern,
+                              const dealii::SparseMatrix<double> *const matrix, const unsigned int n,
                               Session &session)
 {
-  const auto &pattern = matrix.get_sparsity_pattern();
   std::size_t n_entries = 0;
   for (unsigned int row = 0; row < n; ++row)
     n_entries += pattern.row_length(row);
   constexpr int sorted = 0, packed = 1, upper = 1;
   cholmod_sparse *const block =
-      cholmod_allocate_sparse(n, n, n_entries, sorted, packed, upper, CHOLMOD_REAL, &session.common);
+      cholmod_allocate_sparse(n, n, n_entries, sorted, packed, upper,
+                              matrix != nullptr ? CHOLMOD_REAL : CHOLMOD_PATTERN, &session.common);
   session.require_success("copying the stiffness");
   auto *const starts = static_cast<int *>(block->p);
   auto *const rows = static_cast<int *>(block->i);
@@ -61,30 +62,40 @@ cholmod_sparse *leading_block(const dealii::SparseMatrix<double> &matrix, const 
   for (unsigned int row = 0; row < n; ++row)
   {
     starts[row] = next;
-    for (auto entry = matrix.begin(row); entry != matrix.end(row); ++entry, ++next)
-    {
-      rows[next] = entry->column();
-      values[next] = entry->value();
-    }
+    for (auto entry = pattern.begin(row); entry != pattern.end(row); ++entry)
+      rows[next++] = entry->column();
+    if (matrix != nullptr)
+      for (auto entry = matrix->begin(row); entry != matrix->end(row); ++entry)
+        values[starts[row] + (entry - matrix->begin(row))] = entry->value();
   }
   starts[n] = next;
   return block;
 }
 
 /// Fill-reducing order of the interior unknowns, followed by the others as they are.
-std::vector<int> elimination_order(const dealii::SparseMatrix<double> &matrix, const unsigned int n_interior,
+std::vector<int> elimination_order(const dealii::SparsityPattern &pattern, const unsigned int n_interior,
                                    Session &session)
 {
-  std::vector<int> order(matrix.m());
+  std::vector<int> order(pattern.n_rows());
   std::iota(order.begin(), order.end(), 0);
   if (n_interior == 0)
     return order;
-  cholmod_sparse *interior = leading_block(matrix, n_interior, session);
+  cholmod_sparse *interior = leading_block(pattern, nullptr, n_interior, session);
   constexpr int postorder = 1;
   cholmod_metis(interior, nullptr, 0, postorder, order.data(), &session.common);
   cholmod_free_sparse(&interior, &session.common);
   session.require_success("ordering the stiffness");
   return order;
+}
+
+/// Symbolic factorization with the contact unknowns last; null if it fails.
+cholmod_factor *analyze(cholmod_sparse *const all, const dealii::SparsityPattern &pattern,
+                        const unsigned int n_interior, Session &session)
+{
+  std::vector<int> order = elimination_order(pattern, n_interior, session);
+  session.common.nmethods = 1;
+  session.common.method[0].ordering = CHOLMOD_GIVEN;
+  return cholmod_analyze_p(all, order.data(), nullptr, 0, &session.common);
 }
 } // namespace
 
@@ -101,15 +112,25 @@ StiffnessFactor::StiffnessFactor(const dealii::SparseMatrix<double> &matrix, con
       n_interior_(n_interior)
 {
   Session &session = cholmod_->session;
-  std::vector<int> order = elimination_order(matrix, n_interior, session);
-  cholmod_sparse *all = leading_block(matrix, matrix.m(), session);
-  session.common.nmethods = 1;
-  session.common.method[0].ordering = CHOLMOD_GIVEN;
-  cholmod_->factor = cholmod_analyze_p(all, order.data(), nullptr, 0, &session.common);
+  const dealii::SparsityPattern &pattern = matrix.get_sparsity_pattern();
+  cholmod_sparse *all = leading_block(pattern, &matrix, matrix.m(), session);
+  cholmod_->factor = analyze(all, pattern, n_interior, session);
   if (cholmod_->factor != nullptr)
     cholmod_factorize(all, cholmod_->factor, &session.common);
   cholmod_free_sparse(&all, &session.common);
   session.require_success("factorizing the stiffness");
+}
+
+FactorizationCost factorization_cost(const dealii::SparsityPattern &pattern, const unsigned int n_interior)
+{
+  Session session;
+  cholmod_sparse *all = leading_block(pattern, nullptr, pattern.n_rows(), session);
+  cholmod_factor *factor = analyze(all, pattern, n_interior, session);
+  cholmod_free_sparse(&all, &session.common);
+  session.require_success("analysing the stiffness");
+  const FactorizationCost cost{static_cast<double>(factor->xsize), session.common.fl};
+  cholmod_free_factor(&factor, &session.common);
+  return cost;
 }
 
 StiffnessFactor::~StiffnessFactor() = default;

@@ -8,7 +8,6 @@
 #include <boost/crc.hpp>
 #include <nlohmann/json.hpp>
 
-#include <cstring>
 #include <sstream>
 
 namespace orthocone
@@ -30,9 +29,8 @@ std::uint32_t checksum(const std::string &bytes)
 
 Json array_json(const Eigen::VectorXd &values)
 {
-  std::vector<std::uint8_t> bytes(values.size() * sizeof(double));
-  std::memcpy(bytes.data(), values.data(), bytes.size());
-  return Json::binary(std::move(bytes));
+  const auto *const first = reinterpret_cast<const std::uint8_t *>(values.data());
+  return Json::binary(std::vector<std::uint8_t>(first, first + values.size() * sizeof(double)));
 }
 
 Eigen::VectorXd array_from(const Json &json, const Index size)
@@ -40,9 +38,7 @@ Eigen::VectorXd array_from(const Json &json, const Index size)
   const auto &bytes = json.get_binary();
   if (bytes.size() % sizeof(double) != 0 || static_cast<Index>(bytes.size() / sizeof(double)) != size)
     throw CheckpointError("is damaged (an array has the wrong size)");
-  Eigen::VectorXd values(size);
-  std::memcpy(values.data(), bytes.data(), bytes.size());
-  return values;
+  return Eigen::Map<const Eigen::VectorXd>(reinterpret_cast<const double *>(bytes.data()), size);
 }
 
 Json state_json(const ContactState &state)

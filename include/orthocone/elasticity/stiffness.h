@@ -20,6 +20,9 @@ struct LameParameters
   double mu;
 };
 
+/// Fills `pattern` with the entries of a stiffness on and below the diagonal.
+void make_stiffness_pattern(const Discretization &discretization, dealii::SparsityPattern &pattern);
+
 /// Stiffness of the free degrees of freedom, n_free() x n_free() (N/mm), of isotropic linear elasticity at
 /// small strain. Only the entries on and below the diagonal are stored.
 class Stiffness
@@ -33,7 +36,6 @@ public:
   Eigen::VectorXd vmult(const Eigen::VectorXd &displacement) const;
 
 private:
-  void make_pattern(const Discretization &discretization);
   void assemble(const Discretization &discretization, const LameParameters &lame);
 
   dealii::SparsityPattern pattern_;

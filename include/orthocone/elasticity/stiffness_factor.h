@@ -11,6 +11,17 @@
 
 namespace orthocone
 {
+/// What a factorization costs, found without computing it.
+struct FactorizationCost
+{
+  double entries; ///< of the factor
+  double flops;
+};
+
+/// Cost of the factorization that StiffnessFactor does of a matrix with these entries on and below the
+/// diagonal.
+FactorizationCost factorization_cost(const dealii::SparsityPattern &pattern, unsigned int n_interior);
+
 /// Sparse Cholesky factorization (CHOLMOD, supernodal) of a symmetric positive definite matrix whose last
 /// unknowns are eliminated last. The trailing block of the factor is then the factor of the Schur complement
 /// of these unknowns: condensation costs no solves.
