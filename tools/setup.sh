@@ -4,8 +4,8 @@
 #
 #   tools/setup.sh PRESET [figures] [tests]
 #
-# Installs what is missing, configures and builds with a CMake preset (release, debug, fuzz); `figures` and `tests` add
-# the packages of the tools that draw and of the tests. Called by ./run, ./test and the tools.
+# Installs what is missing, configures and builds with a CMake preset (release, debug, fuzz); `figures` adds the packages
+# of the tools that draw, `tests` those of the tests and the tests themselves. Called by ./run, ./test and the tools.
 # Nothing is done twice: installed packages, a configured build folder and compiled files are left alone.
 set -eu
 
@@ -41,11 +41,12 @@ install_packages() {
 
 preset=$1
 shift
+target=orthocone
 for group in "$preset" "$@"; do
   case $group in
     figures) packages="$packages $figures_packages" ;;
-    tests) packages="$packages $tests_packages" ;;
-    fuzz) packages="$packages $fuzz_packages" ;;
+    tests) packages="$packages $tests_packages" target=all ;;
+    fuzz) packages="$packages $fuzz_packages" target=all ;;
   esac
 done
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
@@ -66,4 +67,4 @@ if [ ! -f "$build/build.ninja" ]; then
   cmake --preset "$preset" >&2
 fi
 say "building $build (the first time takes some minutes)"
-cmake --build "$build" >&2
+cmake --build "$build" --target "$target" >&2

@@ -47,10 +47,14 @@ void check_mesh(const MeshOptions &mesh)
 void check_load(const LoadOptions &load)
 {
   constexpr double most_steps = 1e6;
-  if (load.preload.empty() && (load.legs.empty() || load.cycles == 0))
-    throw InputError((load.legs.empty() ? "Load program/Legs is empty" : "Load program/Cycles = 0") +
-                     std::string(" and Load program/Preload is empty: allowed is at least one leg, such as "
-                                 "'0 0 -0.1 : 5'"));
+  if (load.preload.empty() && load.legs.empty())
+    throw InputError(
+        "Load program/Legs is empty and Load program/Preload is empty: allowed is at least one leg, "
+        "such as '0 0 -0.1 : 5'");
+  if (load.preload.empty() && load.cycles == 0)
+    throw InputError(
+        "Load program/Cycles = 0 and Load program/Preload is empty: allowed is at least one cycle or "
+        "a preload");
   double n_steps = 0;
   for (const Leg &leg : load.preload)
     n_steps += leg.steps;

@@ -107,11 +107,11 @@ void add_legs(dealii::ParameterHandler &handler, const std::string &name, std::v
 void add_probes(dealii::ParameterHandler &handler, const std::string &name, std::vector<Probe> &value,
                 const std::string &help)
 {
-  add_entry(
-      handler, name, probes_text(value),
-      Allowed("probes \"name: x y\" (numbers in mm; name of letters, digits, '-', '_', used once), separated "
-              "by ';'",
-              [](const std::string &text) { return parse_probes(text).has_value(); }),
-      help, [&value](const std::string &text) { value = *parse_probes(text); });
+  add_entry(handler, name, probes_text(value),
+            Allowed("probes \"name: x y\" (numbers in mm; name of up to 100 letters, digits, '-', '_', used "
+                    "once), separated "
+                    "by ';'",
+                    [](const std::string &text) { return parse_probes(text).has_value(); }),
+            help, [&value](const std::string &text) { value = *parse_probes(text); });
 }
 } // namespace orthocone::entries

@@ -2,30 +2,25 @@
 // Copyright (C) 2026 the orthocone authors
 #include "faults.h"
 
-#include "source_text.h"
-
 #include <orthocone/parameters/parameters.h>
-#include <orthocone/parameters/text.h>
 
-#include <deal.II/base/exceptions.h>
-
-#include <sstream>
+#include <algorithm>
 
 namespace orthocone
 {
 namespace
 {
-/// The number in deal.II's "Line <N> of file ...", or 0.
-unsigned int line_number(const std::string &text)
-{
-  return parse_count(between(text, "Line <", ">").value_or("")).value_or(0);
-}
-
-std::vector<std::string> entry_names()
+std::vector<std::string> all_entries()
 {
   std::vector<std::string> names;
   for (const auto &[name, value] : entry_values(Parameters()))
     names.push_back(name);
+  return names;
+}
+
+const std::vector<std::string> &entry_names()
+{
+  static const std::vector<std::string> names = all_entries();
   return names;
 }
 
@@ -38,78 +33,89 @@ std::vector<std::string> section_names()
   return names;
 }
 
-std::string not_known(const std::string &kind, const std::string &name, const std::vector<std::string> &known)
+bool is_one_of(const std::string &name, const std::vector<std::string> &names)
 {
-  const std::string nearest = nearest_name(name, known);
-  return shown(name) + " is not " + kind + (nearest.empty() ? "; " : "; is " + nearest + " meant? ") +
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+std::string not_known(const std::string &kind, const std::string &name, const std::string &nearest)
+{
+  return shown(name) + remark(name) + " is not " + kind +
+         (nearest.empty() ? "; " : "; is " + nearest + " meant? ") +
          "'orthocone --defaults' lists all of them";
+}
+
+bool continues_character(const char c)
+{
+  return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
+}
+
+/// The first bytes of `text`, at most `most`, without a part of a UTF-8 character at the end.
+std::string beginning(const std::string &text, const std::size_t most)
+{
+  constexpr std::size_t longest_character = 4;
+  std::size_t size = most;
+  while (size + longest_character > most && continues_character(text[size]))
+    --size;
+  return text.substr(0, size);
+}
+
+bool is_control(const unsigned char c)
+{
+  constexpr unsigned char blank = 0x20, del = 0x7f;
+  return c < blank || c == del;
+}
+
+/// A control character as in C and JSON, others as they are.
+std::string printable(const unsigned char c)
+{
+  constexpr const char *digits = "0123456789abcdef";
+  if (!is_control(c))
+    return {static_cast<char>(c)};
+  if (c == '\n' || c == '\t' || c == '\r')
+    return c == '\n' ? "\\n" : c == '\t' ? "\\t" : "\\r";
+  return {'\\', 'x', digits[c / 16], digits[c % 16]};
 }
 } // namespace
 
-std::string sentence(const dealii::ExceptionBase &exception)
-{
-  std::ostringstream text;
-  exception.print_info(text);
-  std::istringstream words(text.str());
-  std::string line;
-  for (std::string word; words >> word;)
-    line += (line.empty() ? "" : " ") + word;
-  return line;
-}
-
-// Plain searches: regular expressions recurse once a character, and users' values may be long.
-std::optional<std::string> between(const std::string &text, const std::string &before,
-                                   const std::string &after)
-{
-  const auto found = text.find(before);
-  if (found == std::string::npos)
-    return std::nullopt;
-  const auto first = found + before.size();
-  const auto last = after.empty() ? text.size() : text.find(after, first);
-  if (last == std::string::npos)
-    return std::nullopt;
-  return trimmed(text.substr(first, last - first));
-}
-
-std::string shown(const std::string &value)
+std::string shown(const std::string &text)
 {
   constexpr std::size_t most = 200;
-  return value.size() <= most ? value : value.substr(0, most) + "...";
+  std::string result;
+  for (const char c : text.size() <= most ? text : beginning(text, most))
+    result += printable(static_cast<unsigned char>(c));
+  return result + (text.size() <= most ? "" : "...");
+}
+
+std::string remark(const std::string &text)
+{
+  const bool is_ascii = std::all_of(text.begin(), text.end(), [](const unsigned char c) { return c < 0x80; });
+  return is_ascii ? "" : " (with characters beyond ASCII)";
+}
+
+bool is_entry(const std::string &name)
+{
+  return is_one_of(name, entry_names());
+}
+
+bool is_section(const std::string &name)
+{
+  return is_one_of(name, section_names());
+}
+
+std::string nearest_entry(const std::string &name)
+{
+  return nearest_name(name, entry_names());
 }
 
 std::string not_an_entry(const std::string &name)
 {
-  return not_known("an entry", name, entry_names());
+  return not_known("an entry", name, nearest_entry(name));
 }
 
 std::string not_a_section(const std::string &name)
 {
-  return not_known("a section", name, section_names());
-}
-
-std::string explain(const SourceText &source, const std::string &text, const std::string &file_name)
-{
-  const unsigned int number = line_number(text);
-  if (number == 0)
-  {
-    const auto open = source.open_sections(source.n_lines() + 1);
-    return open.empty() ? file_name + ": " + text
-                        : source.line(open.back()).place() + ": '" + trimmed(source.line(open.back()).text) +
-                              "' has no 'end'";
-  }
-  const SourceLine &line = source.line(number);
-  const std::string place = line.place() + ": ";
-  const std::string path = source.path_at(number);
-  constexpr const char *mismatch = "does not match the given pattern:";
-  if (const auto entry = between(text, "for the entry named", mismatch))
-    return place + path + *entry + " = " + shown(*between(text, "The entry value", "for the entry named")) +
-           ": allowed is " + *between(text, mismatch, "");
-  if (const auto unknown = between(text, "No entry with name <", "> was declared"))
-    return place + not_an_entry(path + *unknown);
-  if (text.find("no such subsection") != std::string::npos)
-    return place + not_a_section(path + trimmed(trimmed(line.text).substr(std::string("subsection").size())));
-  return place + "'" + shown(trimmed(line.text)) +
-         "' is not understood: expected is 'subsection NAME', 'set NAME = VALUE', " +
-         "'end', 'include FILE' or '# comment'";
+  const std::string section = nearest_name(name, section_names());
+  return not_known("a section", name, section.empty() ? nearest_entry(name) : section);
 }
 } // namespace orthocone

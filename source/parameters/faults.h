@@ -4,40 +4,33 @@
 // The sentences that tell users what is wrong with a parameter file.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <vector>
 
-namespace dealii
-{
-class ExceptionBase;
-}
-
 namespace orthocone
 {
-class SourceText;
+/// A value or name as messages show it: not too long, and with escapes for what a terminal would not print.
+std::string shown(const std::string &text);
 
-/// deal.II's sentence of an exception, on one line and without its C++ stack.
-std::string sentence(const dealii::ExceptionBase &exception);
+/// A remark behind a text whose characters may not be what they look like, or "".
+std::string remark(const std::string &text);
 
-/// The part of `text` between two marks ("" as the second: to the end), trimmed, or nothing.
-std::optional<std::string> between(const std::string &text, const std::string &before,
-                                   const std::string &after);
+/// Whether there is an entry "Section/Entry".
+bool is_entry(const std::string &name);
 
-/// A value as messages show it: not too long.
-std::string shown(const std::string &value);
+bool is_section(const std::string &name);
 
-/// "NAME is not an entry", the entry that is spelled most like it, and where all are listed. `name` is
-/// "Section/Entry".
+/// The entry that `name` ("Section/Entry" or "Entry") is most likely meant to be, or "".
+std::string nearest_entry(const std::string &name);
+
+/// "NAME is not an entry", the entry that is most like it, and where all are listed.
 std::string not_an_entry(const std::string &name);
 
-/// The same of a section.
+/// The same of a section; it may be meant to be an entry, too.
 std::string not_a_section(const std::string &name);
 
-/// The sentence for users of a fault that deal.II found in the joined text of a .prm file.
-std::string explain(const SourceText &source, const std::string &text, const std::string &file_name);
-
-/// The candidate that `name` is most likely a misspelling of (fewest letters inserted, deleted, exchanged or
-/// swapped, upper and lower case alike), or "" if none is near.
+/// The candidate ("Section/Entry" or "Section") that `name` is most likely a misspelling of (fewest letters
+/// inserted, deleted, exchanged or swapped, upper and lower case alike), else one that has all words of
+/// `name`, or the other way round; "" if there is none.
 std::string nearest_name(const std::string &name, const std::vector<std::string> &candidates);
 } // namespace orthocone

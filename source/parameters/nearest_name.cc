@@ -4,6 +4,9 @@
 
 #include <algorithm>
 #include <cctype>
+#include <iterator>
+#include <set>
+#include <sstream>
 
 namespace orthocone
 {
@@ -16,10 +19,16 @@ std::string lower_case(std::string text)
   return text;
 }
 
-/// What follows "Section/".
-std::string entry_of(const std::string &name)
+/// The part behind the last '/'.
+std::string own_part(const std::string &name)
 {
-  return name.substr(name.find('/') + 1);
+  return name.substr(name.rfind('/') + 1);
+}
+
+/// The part before it, or "".
+std::string section_of(const std::string &name)
+{
+  return name.substr(0, name.size() - own_part(name).size());
 }
 
 /// Letters to insert, delete, exchange or swap with their neighbour to make `a` of `b` (the restricted
@@ -43,6 +52,53 @@ std::size_t distance(const std::string &a, const std::string &b)
   }
   return last[b.size()];
 }
+
+/// How many letters of a name may be wrong: with more, the nearest name is hardly the one that was meant.
+std::size_t tolerance(const std::string &name)
+{
+  return std::min(name.size() / 2, std::max<std::size_t>(2, name.size() / 3));
+}
+
+std::string nearest_in_letters(const std::string &name, const std::vector<std::string> &candidates)
+{
+  const std::string own = own_part(name);
+  const std::size_t most = tolerance(own);
+  std::size_t least = most + 2;
+  std::string nearest;
+  for (const std::string &candidate : candidates)
+  {
+    const std::size_t d = distance(own, own_part(candidate));
+    // An entry that is right but for its section counts as one wrong letter.
+    const std::size_t all = d + (section_of(name) == section_of(candidate) ? 0 : 1);
+    if (d <= most && all < least)
+    {
+      least = all;
+      nearest = candidate;
+    }
+  }
+  return nearest;
+}
+
+std::set<std::string> words_of(const std::string &name)
+{
+  std::istringstream stream(name);
+  return {std::istream_iterator<std::string>(stream), {}};
+}
+
+/// In the same section, or in any if `name` has none.
+std::string nearest_in_words(const std::string &name, const std::vector<std::string> &candidates)
+{
+  const auto words = words_of(own_part(name));
+  const auto has_these = [&](const std::string &candidate)
+  {
+    const auto others = words_of(own_part(candidate));
+    return (section_of(name).empty() || section_of(name) == section_of(candidate)) && !words.empty() &&
+           (std::includes(others.begin(), others.end(), words.begin(), words.end()) ||
+            std::includes(words.begin(), words.end(), others.begin(), others.end()));
+  };
+  const auto found = std::find_if(candidates.begin(), candidates.end(), has_these);
+  return found == candidates.end() ? "" : *found;
+}
 } // namespace
 
 std::string nearest_name(const std::string &name, const std::vector<std::string> &candidates)
@@ -50,20 +106,13 @@ std::string nearest_name(const std::string &name, const std::vector<std::string>
   constexpr std::size_t longest = 100;
   if (name.size() > longest)
     return {};
-  // A third of the letters may be wrong; with more, the nearest name is hardly the one that was meant.
-  std::size_t least = std::max<std::size_t>(2, name.size() / 3) + 1;
-  std::string nearest;
-  for (const std::string &candidate : candidates)
-  {
-    // An entry that is right but for its section counts as one wrong letter.
-    const std::size_t d = std::min(distance(lower_case(name), lower_case(candidate)),
-                                   distance(lower_case(entry_of(name)), lower_case(entry_of(candidate))) + 1);
-    if (d < least)
-    {
-      least = d;
-      nearest = candidate;
-    }
-  }
-  return nearest;
+  std::vector<std::string> in_lower_case;
+  std::transform(candidates.begin(), candidates.end(), std::back_inserter(in_lower_case), lower_case);
+  const std::string text = lower_case(name);
+  std::string nearest = nearest_in_letters(text, in_lower_case);
+  if (nearest.empty())
+    nearest = nearest_in_words(text, in_lower_case);
+  const auto found = std::find(in_lower_case.begin(), in_lower_case.end(), nearest);
+  return found == in_lower_case.end() ? "" : candidates[found - in_lower_case.begin()];
 }
 } // namespace orthocone

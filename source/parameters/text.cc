@@ -24,7 +24,8 @@ std::vector<std::string> words_of(const std::string &text)
 
 bool is_file_name(const std::string &name)
 {
-  return !name.empty() &&
+  constexpr std::size_t longest = 100; // file systems allow 255 with all that is put before and behind
+  return !name.empty() && name.size() <= longest &&
          std::all_of(name.begin(), name.end(),
                      [](const unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; });
 }

@@ -4,6 +4,7 @@
 #include <orthocone/parameters/text.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace orthocone
@@ -31,21 +32,59 @@ void warn_of_locking(const MaterialOptions &material, const MeshOptions &mesh,
                        "take degree 2 or 3");
 }
 
-void warn_of_large_strain(const LoadOptions &load, const GeometryOptions &geometry,
-                          std::vector<std::string> &warnings)
+/// Where the corners of the load program are.
+std::vector<std::array<double, 3>> corners(const LoadOptions &load)
+{
+  std::vector<std::array<double, 3>> targets;
+  for (const Leg &leg : load.preload)
+    targets.push_back(leg.target);
+  if (load.cycles > 0)
+    for (const Leg &leg : load.legs)
+      targets.push_back(leg.target);
+  return targets;
+}
+
+void warn_of_large_strain(const std::string &motion, const double largest, const std::string &strain,
+                          const double height, std::vector<std::string> &warnings)
 {
   constexpr double small = 0.05;
   constexpr double percent = 100;
-  double compression = 0;
-  for (const auto *const legs : {&load.preload, &load.legs})
-    for (const Leg &leg : *legs)
-      compression = std::max(compression, std::abs(leg.target[2]));
-  const double strain = compression / geometry.height;
-  if (strain > small)
-    warnings.push_back("Load program: |u_z| up to " + to_text(compression) +
-                       " mm on Geometry/Height = " + to_text(geometry.height) + " mm is a strain of " +
-                       to_text(std::round(percent * strain)) +
+  if (largest / height > small)
+    warnings.push_back("Load program: " + motion + " up to " + to_text(largest) +
+                       " mm on Geometry/Height = " + to_text(height) + " mm " + strain + " of " +
+                       to_text(std::round(percent * largest / height)) +
                        " %; the program computes with small strains, good to about 5 %");
+}
+
+void warn_of_large_strains(const LoadOptions &load, const GeometryOptions &geometry,
+                           std::vector<std::string> &warnings)
+{
+  double compression = 0;
+  double sideways = 0;
+  for (const auto &corner : corners(load))
+  {
+    compression = std::max(compression, std::abs(corner[2]));
+    sideways = std::max(sideways, std::hypot(corner[0], corner[1]));
+  }
+  warn_of_large_strain("|u_z|", compression, "is a strain", geometry.height, warnings);
+  warn_of_large_strain("|u_t|", sideways, "is, unless the base slides, a shear", geometry.height, warnings);
+}
+
+void warn_of_no_contact(const LoadOptions &load, std::vector<std::string> &warnings)
+{
+  const auto all = corners(load);
+  if (std::all_of(all.begin(), all.end(), [](const auto &corner) { return corner[2] >= 0; }))
+    warnings.emplace_back(
+        "Load program: no leg has u_z < 0; the body is never pressed onto the plane and there "
+        "are no contact forces");
+}
+
+void warn_of_ignored_relaxation(const ContactSolverOptions &solver, std::vector<std::string> &warnings)
+{
+  if (solver.method != ContactMethod::gauss_seidel && solver.relaxation != ContactSolverOptions().relaxation)
+    warnings.push_back("Contact solver/Relaxation = " + to_text(solver.relaxation) +
+                       " is ignored with Contact solver/Method = " + to_word(solver.method) +
+                       "; it is for gauss-seidel");
 }
 
 /// Size of the elements at the rim of the base relative to the radius, divided by degree^2: what decides how
@@ -83,8 +122,10 @@ std::vector<std::string> parameter_warnings(const Parameters &parameters)
   std::vector<std::string> warnings;
   warn_of_slip_ellipse(parameters.friction, warnings);
   warn_of_locking(parameters.material, parameters.mesh, warnings);
-  warn_of_large_strain(parameters.load, parameters.geometry, warnings);
+  warn_of_large_strains(parameters.load, parameters.geometry, warnings);
+  warn_of_no_contact(parameters.load, warnings);
   warn_of_coarse_rim(parameters.geometry, parameters.mesh, warnings);
+  warn_of_ignored_relaxation(parameters.contact_solver, warnings);
   return warnings;
 }
 } // namespace orthocone

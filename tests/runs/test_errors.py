@@ -8,64 +8,25 @@ import os
 import pathlib
 import re
 import resource
-import subprocess
 import sys
-import tempfile
-import unittest
 
 sys.dont_write_bytecode = True  # the source tree stays clean
+import rejection  # noqa: E402
 import wrong_input as table  # noqa: E402
+from rejection import FILE_ERROR, WRONG_INPUT, content_of  # noqa: E402
 
-PROGRAM = ""
-WRONG_INPUT, FILE_ERROR = 2, 4
 NOBODY = 65534
-
-# Words of the libraries beneath, which mean nothing to users.
-LIBRARY_TALK = re.compile(r"Line <|pattern|Boost|boost|assert|[Ee]xception|unspecified|declared|std::|dealii")
-
-
-def content_of(folder):
-    """Everything below a folder: path -> (bytes, time of the last change)."""
-    files = sorted(pathlib.Path(folder).rglob("*"))
-    return {str(file): (file.read_bytes() if file.is_file() else None, file.stat().st_mtime_ns) for file in files}
+CASE_B = pathlib.Path(__file__).resolve().parent.parent.parent / "prm/paper/case_b.prm"
 
 
 def settings(overrides):
     return [word for override in overrides for word in ("--set", override)]
 
 
-class ErrorTest(unittest.TestCase):
+class ErrorTest(rejection.RejectionTest):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        self.folder.chmod(0o777)
+        super().setUp()
         self.put("good.prm", table.SCENE)
-
-    def put(self, name, text):
-        path = self.folder / name
-        path.parent.mkdir(parents=True, exist_ok=True)
-        path.write_bytes(text.encode())
-        return path
-
-    def run_program(self, *arguments, folder=".", **options):
-        return subprocess.run([PROGRAM, *arguments], cwd=self.folder / folder, timeout=120, text=True,
-                              capture_output=True, errors="replace", env={**os.environ, "LC_ALL": "C"}, **options)
-
-    def assert_sentence(self, result, code, expression):
-        lines = result.stderr.splitlines()
-        self.assertEqual(result.returncode, code, result.stderr)
-        self.assertIn(len(lines), (1, 2), result.stderr)
-        self.assertTrue(lines[0].startswith("orthocone: "), result.stderr)
-        self.assertRegex(" ".join(lines), "^orthocone: (" + expression + ")")
-        self.assertNotRegex(result.stderr, LIBRARY_TALK)
-        self.assertEqual(result.stdout, "")
-
-    def assert_rejected(self, arguments, code, expression, **options):
-        before = content_of(self.folder)
-        result = self.run_program(*arguments, **options)
-        self.assert_sentence(result, code, expression)
-        self.assertEqual(content_of(self.folder), before, "the rejected run has changed the folder")
 
     def assert_accepted(self, arguments, model="quarter", **options):
         before = content_of(self.folder)
@@ -119,6 +80,12 @@ class ParameterTest(ErrorTest):
             with self.subTest(arguments=arguments):
                 self.assert_rejected(arguments, code, expression)
 
+    def test_suggestion(self):
+        for name, suggested in table.NAMES_ON_COMMAND_LINE:
+            with self.subTest(name):
+                expression = re.escape("--set: " + table.not_an_entry(name, suggested)) + "$"
+                self.assert_rejected(["good.prm", "--set", f"{name}=1"], WRONG_INPUT, expression)
+
     def test_fault_in_included_file(self):
         self.put("case.prm", table.LEGS + "include parts/middle.prm\n")
         self.put("parts/middle.prm", "# comment\ninclude mesh.prm\n")
@@ -136,6 +103,16 @@ class ParameterTest(ErrorTest):
         for overrides, model in table.VALID:
             with self.subTest(overrides=overrides):
                 self.assert_accepted(["good.prm", *settings(overrides)], model)
+
+    def test_warnings(self):
+        for overrides, expressions in table.WARNINGS:
+            with self.subTest(overrides=overrides):
+                result = self.run_program(str(CASE_B), *settings(overrides), "--check")
+                self.assertEqual((result.returncode, result.stderr), (0, ""))
+                warnings = [line for line in result.stdout.splitlines() if line.startswith("warning: ")]
+                self.assertEqual(len(warnings), len(expressions), result.stdout)
+                for warning, expression in zip(warnings, expressions):
+                    self.assertRegex(warning, "^warning: " + expression)
 
     def test_valid_files(self):
         self.put("cases/case.prm", "include ../parts/scene.prm # from the folder of this file\n")
@@ -189,5 +166,4 @@ class RunFolderTest(ErrorTest):
 
 
 if __name__ == "__main__":
-    PROGRAM = os.path.abspath(sys.argv.pop(1))
-    unittest.main()
+    rejection.main()

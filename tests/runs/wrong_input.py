@@ -45,7 +45,7 @@ WRONG_VALUES = [
     ("Output", "Probes", PROBE, ["P: 1 0; P: 2 0", "a/b: 1 0", "../P: 1 0", "P: 1", "P", ": 1 0",
                                  "P: 1 0 ;; Q: 2 0"]),
 ]
-WRONG_VALUES = [(f"{section}/{entry} = {value}", section, entry, value, allowed)
+WRONG_VALUES = [(f"{section}/{entry}" + (f" = {value}" if value else " is empty"), section, entry, value, allowed)
                 for section, entry, allowed, values in WRONG_VALUES for value in values]
 
 # Entries that do not fit together: overrides, expression. The sentence names the parameter file as well.
@@ -80,14 +80,25 @@ CONTRADICTIONS = [
 ]
 
 NOT_AN_ENTRY = " is not an entry.*--defaults"
+LIST = "'orthocone --defaults' lists all of them"
+
+
+def not_an_entry(name, suggested):
+    return f"{name} is not an entry; " + (f"is {suggested} meant? " if suggested else "") + LIST
+
+
 GRAMMAR = ".*expected is 'subsection NAME'"
 # Texts that cannot be parsed: text of case.prm, exit code, expression.
 WRONG_TEXTS = [
-    (LEGS + "subsection Msh\n  set Degree = 1\nend\n", 2, r"case\.prm:4: .*subsection Msh.*unknown section"),
+    (LEGS + "subsection Msh\n  set Degree = 1\nend\n", 2,
+     r"case\.prm:4: Msh is not a section; is Mesh meant\? .*--defaults"),
     (LEGS + "subsection Mesh\n  set Degre = 1\nend\n", 2, r"case\.prm:5: Mesh/Degre" + NOT_AN_ENTRY),
-    (LEGS + "set Degree = 1\n", 2, r"case\.prm:4: Degree" + NOT_AN_ENTRY),
+    (LEGS + "set Degree = 1\n", 2, r"case\.prm:4: " + re.escape(not_an_entry("Degree", "Mesh/Degree")) + "$"),
+    (LEGS + "subsection Contact slover\nend\n", 2,
+     r"case\.prm:4: Contact slover is not a section; is Contact solver meant\? " + LIST + "$"),
+    (LEGS + "subsection Foo\nend\n", 2, r"case\.prm:4: Foo is not a section; " + LIST + "$"),
     (LEGS + "subsection Mesh\n  set Degree = 1\n", 2, r"case\.prm.*Mesh.*'end'"),
-    (LEGS + "end\n", 2, r"case\.prm:4: 'end'" + GRAMMAR),
+    (LEGS + "end\n", 2, r"case\.prm:4: 'end' has no 'subsection'$"),
     (LEGS + "hello world\n", 2, r"case\.prm:4: 'hello world'" + GRAMMAR),
     (LEGS + "subsection Mesh\n  set Degree 1\nend\n", 2, r"case\.prm:5: 'set Degree 1'" + GRAMMAR),
     (LEGS + "subsection Mesh\n  Degree = 1\nend\n", 2, r"case\.prm:5: 'Degree = 1'" + GRAMMAR),
@@ -98,7 +109,7 @@ WRONG_TEXTS = [
      r"case\.prm:[23]: Load program/Legs = 0 0 -0\.1 : 2 ;\s*0 0 0 : 0: allowed is legs"),
     (LEGS + "include nowhere.prm\n", 4, r"case\.prm:4: nowhere\.prm: cannot be read \(No such file or directory\)"),
     (LEGS + "include .\n", 4, r"case\.prm:4: .*is a folder"),
-    (LEGS + "include case.prm\n", 2, r"case\.prm:4: case\.prm: .*does the file include itself"),
+    (LEGS + "include case.prm\n", 2, r"case\.prm:4: case\.prm: is included by itself$"),
     (LEGS + "include\n", 2, r"case\.prm:4: 'include'" + GRAMMAR),
     ("", 2, r"case\.prm: is empty.*--defaults"),
     ("\n   \n\t\n", 2, r"case\.prm: is empty.*--defaults"),
@@ -121,16 +132,39 @@ WRONG_JSON = [
     ({"Mesh": {"Degree": 1.5}}, r"case\.json: .*Mesh/Degree = 1\.5: allowed is a whole number from 1 to 3"),
     ({"Mesh": {"Degre": 1}}, r"case\.json: .*Mesh/Degre" + NOT_AN_ENTRY),
     ({"Msh": {"Degree": 1}}, r"case\.json: .*Msh.* is not an? (entry|section).*--defaults"),
+    ({"Mesh": {"Degre": 1}}, r"case\.json: " + re.escape(not_an_entry("Mesh/Degre", "Mesh/Degree")) + "$"),
+    ({"Geometry": {"Degree": 1}}, r"case\.json: " + re.escape(not_an_entry("Geometry/Degree", "Mesh/Degree")) + "$"),
+    ({"Contact slover": {"Method": "newton"}},
+     r"case\.json: Contact slover is not a section; is Contact solver meant\? " + LIST + "$"),
+    ({"Foo": {"Bar": 1}}, r"case\.json: Foo is not a section; " + LIST + "$"),
+    ({"Mesh": {"Foo": 1}}, r"case\.json: " + re.escape(not_an_entry("Mesh/Foo", "")) + "$"),
+    ("[" * 200000, r"case\.json: is nested more than 10 deep; allowed is \{"),
     ({"Mesh": {"Degree": [1]}}, r"case\.json: .*Mesh/Degree"),
     ('{"Mesh": {"Degree": 1}\n', r"case\.json(:\d+)?: is not valid JSON"),
     ("subsection Mesh\nend\n", r"case\.json(:\d+)?: is not valid JSON"),
     ("", r"case\.json: is empty"),
 ]
 
+# Names that --set does not know, and the entries that it takes for the ones that were meant.
+NAMES_ON_COMMAND_LINE = [
+    ("Mesh/Degre", "Mesh/Degree"), ("mesh/degree", "Mesh/Degree"), ("Msh/Degree", "Mesh/Degree"),
+    ("Geometry/Degree", "Mesh/Degree"), ("Contact slover/Method", "Contact solver/Method"),
+    ("Solver/Tolerance", "Contact solver/Tolerance"), ("Material/Youngs modulus", "Material/Young modulus"),
+    ("Contact solver/Max iterations", "Contact solver/Maximum iterations"),
+    ("Load program/Slip potential", "Friction/Slip potential"), ("Foo/Bar", ""), ("Material/Density", ""),
+    ("Friction/Angle", "Friction/Orthotropy angle"), ("Mesh/Element degree", "Mesh/Degree"),
+    # A right section is no reason to take an entry for another.
+    ("Solver options/Verbose", ""), ("Parameters/Mesh", ""), ("Contact solver/Solver", ""), ("Output/Folder", ""),
+]
+
 # Command lines: arguments, exit code, expression.
 COMMAND_LINES = [
     (["good.prm", "--set", "Mesh/Degree"], 2, "--set Mesh/Degree: allowed is \"Section/Entry=value\""),
-    (["good.prm", "--set", "Degree=1"], 2, "--set Degree=1: allowed is \"Section/Entry=value\""),
+    (["good.prm", "--set", "Degree=1"], 2,
+     "--set Degree=1: allowed is \"Section/Entry=value\"; is Mesh/Degree meant\\?$"),
+    (["good.prm", "--set", "Foo=1"], 2, "--set Foo=1: allowed is \"Section/Entry=value\"$"),
+    (["good.prm", "--set", "Mesh/Model=half\x1b[1m\n"], 2, r"--set: Mesh/Model = half\\x1b\[1m: allowed is auto \|"),
+    (["good.prm", "--set", "Mesh/Fo\no=1"], 2, r"--set: Mesh/Fo\\no is not an entry; 'orthocone"),
     (["good.prm", "--set", "Mesh/Degre=1"], 2, "--set: Mesh/Degre" + NOT_AN_ENTRY),
     (["good.prm", "--set", "Msh/Degree=1"], 2, "--set: Msh/Degree" + NOT_AN_ENTRY),
     (["good.prm", "--set", "Mesh/Degree=7"], 2, "--set: Mesh/Degree = 7: allowed is a whole number from 1 to 3"),
@@ -154,4 +188,41 @@ VALID = [
     (["Mesh/Core cells=3"], "full"), (["Output/Probes=A: 0 -10; B: 7.071067811865475 7.071067811865475"], "quarter"),
     (["Output/Probes=On-the-rim_but_for_rounding: 7.071067811865476 7.071067811865476"], "quarter"),
     (["Load program/Legs=", "Load program/Preload=0 0 -0.1 : 1"], "quarter"),
+]
+
+SLIP, RIM = "Friction/Slip potential = ", "Mesh: elements of degree "
+STRAIN, LOCKING = r"Load program: \|u_z\| up to ", "Material/Poisson ratio = "
+SHEAR, NO_CONTACT = r"Load program: \|u_t\| up to ", "Load program: no leg has u_z < 0"
+# Legal but suspicious: overrides of prm/paper/case_b.prm, which has nothing suspicious, and the warnings of --check.
+WARNINGS = [
+    ([], []),
+    (["Friction/Slip potential=20, 1"], []),
+    (["Friction/Slip potential=20.5, 1"], [SLIP + r"20\.5, 1: axes differ more than 20-fold"]),
+    (["Friction/Slip potential=0.01, 0.3"], [SLIP + r"0\.01, 0\.3: axes differ more than 20-fold"]),
+    (["Material/Poisson ratio=0.499"], []),
+    (["Material/Poisson ratio=0.49", "Mesh/Degree=1", "Mesh/Layers=12"], []),
+    (["Material/Poisson ratio=0.495", "Mesh/Degree=1", "Mesh/Layers=12"],
+     [LOCKING + r"0\.495 with Mesh/Degree = 1: .* take degree 2 or 3$"]),
+    (["Load program/Legs=0 0 -0.5 : 5"], []),
+    (["Load program/Legs=0 0 -0.1 : 5 ; 0 0 -0.6 : 5 ; 0 0 0 : 10"],
+     [STRAIN + r"0\.6 mm on Geometry/Height = 10 mm is a strain of 6 %"]),
+    (["Load program/Preload=0 0 -1 : 5"], [STRAIN + "1 mm on Geometry/Height = 10 mm is a strain of 10 %"]),
+    (["Geometry/Height=1"], [STRAIN + r"0\.1 mm on Geometry/Height = 1 mm is a strain of 10 %"]),
+    (["Load program/Legs=0.3 0.4 -0.1 : 5"], []),
+    (["Load program/Legs=3 4 -0.1 : 5"],
+     [SHEAR + "5 mm on Geometry/Height = 10 mm is, unless the base slides, a shear of 50 %"]),
+    (["Load program/Preload=100 0 -1 : 5"], [STRAIN, SHEAR]),
+    (["Load program/Preload=0 0 -1 : 5", "Load program/Legs=9 0 -9 : 5", "Load program/Cycles=0"],
+     [STRAIN + "1 mm "]),
+    (["Load program/Legs=0 0 0.1 : 5 ; 0.1 0 0 : 10"], [NO_CONTACT + ".* no contact forces$"]),
+    (["Load program/Preload=0 0 -1e-9 : 1", "Load program/Legs=0.1 0 0 : 10"], []),
+    (["Contact solver/Relaxation=1.5", "Contact solver/Method=gauss-seidel"], []),
+    (["Contact solver/Relaxation=1.5"], ["Contact solver/Relaxation = 1.5 is ignored with Contact solver/Method = "
+                                         "newton; it is for gauss-seidel$"]),
+    (["Mesh/Layers=2"], [RIM + "2 and 50 % of the radius do not resolve the rim.*more layers and rings"]),
+    (["Mesh/Layers=2", "Mesh/Degree=3"], []),
+    (["Mesh/Rings=1"], [RIM + "2 and 50 % of the radius"]),
+    (["Mesh/Degree=1"], [RIM + "1 and 25 % of the radius"]),
+    (["Mesh/Degree=1", "Material/Poisson ratio=0.495", "Friction/Slip potential=50, 1", "Geometry/Height=1"],
+     [SLIP, LOCKING, STRAIN]),
 ]

@@ -16,14 +16,16 @@ namespace orthocone
 /// InputError (one sentence: file and line, entry, value given, what is allowed) or FileError.
 Parameters read_parameters(const std::string &file_name, const std::vector<std::string> &overrides = {});
 
+/// Whether a parameter file is one of JSON, by the ending of its name.
+bool is_json(const std::string &file_name);
+
 /// Writes a complete, commented .prm file that holds these parameters.
 void write_parameters(const Parameters &parameters, std::ostream &out);
 
 /// All entries and the texts of their values, as "Section/Entry", in the order of the file.
 std::vector<std::pair<std::string, std::string>> entry_values(const Parameters &parameters);
 
-/// What is legal but suspicious, a sentence each: slip ellipses of extreme shape, near-incompressible
-/// material with linear elements, large strains, a mesh too coarse at the rim.
+/// What is legal but suspicious, a sentence each, such as large strains or a mesh too coarse at the rim.
 std::vector<std::string> parameter_warnings(const Parameters &parameters);
 
 /// Conditions between entries, e.g. probes lie on the contact surface. Throws InputError, without the file's

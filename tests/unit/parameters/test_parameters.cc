@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include <orthocone/parameters/errors.h>
-#include <orthocone/parameters/parameters.h>
+#include "parameter_files.h"
+
 #include <orthocone/parameters/text.h>
 
 #include <gtest/gtest.h>
 
-#include <filesystem>
-#include <fstream>
-#include <functional>
 #include <map>
 #include <sstream>
 
@@ -16,29 +13,6 @@ namespace orthocone::test
 {
 namespace
 {
-namespace fs = std::filesystem;
-
-/// A folder that is gone after the test.
-class Folder
-{
-public:
-  Folder()
-      : path_(fs::temp_directory_path() / ("orthocone-test-" + std::to_string(::getpid())))
-  {
-    fs::create_directories(path_ / "part");
-  }
-  ~Folder() { fs::remove_all(path_); }
-
-  std::string write(const std::string &name, const std::string &content) const
-  {
-    std::ofstream(path_ / name) << content;
-    return (path_ / name).string();
-  }
-
-private:
-  fs::path path_;
-};
-
 std::string text_of(const Parameters &parameters)
 {
   std::ostringstream text;
@@ -86,42 +60,6 @@ TEST(Parameters, LaterEntriesAndOverridesWin)
   EXPECT_EQ(parameters.friction.mu, (std::array<double, 2>{{0.5, 0.6}}));
 }
 
-TEST(Parameters, NameFileAndLineOfAFaultInAnIncludedFile)
-{
-  const Folder folder;
-  const std::string part =
-      folder.write("part/base.prm", "subsection Geometry\n\n  set Radius = -4 # mm\nend\n");
-  const std::string file = folder.write("top.prm", "include part/base.prm\n");
-  try
-  {
-    read_parameters(file);
-    FAIL() << "a negative radius was accepted";
-  }
-  catch (const InputError &error)
-  {
-    EXPECT_EQ(std::string(error.what()), part + ":3: Geometry/Radius = -4: allowed is a number > 0");
-  }
-}
-
-TEST(Parameters, TellOfAFaultInALongValueWithoutRepeatingAllOfIt)
-{
-  const Folder folder;
-  std::string legs;
-  for (unsigned int i = 0; i < 5000; ++i)
-    legs += "0 0 -0.1 : 5 ; ";
-  const std::string file =
-      folder.write("long.prm", "subsection Load program\n  set Legs = " + legs + "0 0 : 1\nend\n");
-  try
-  {
-    read_parameters(file);
-    FAIL() << "a leg of two coordinates was accepted";
-  }
-  catch (const InputError &error)
-  {
-    EXPECT_LT(std::string(error.what()).size(), 600u);
-  }
-}
-
 TEST(Text, ReadsLegs)
 {
   const auto legs = parse_legs(" 0 0 -0.1 : 5 ; 1e-3 -2 .5:10 ;");
@@ -142,6 +80,8 @@ TEST(Text, ReadsProbes)
   ASSERT_TRUE(probes.has_value());
   EXPECT_EQ((*probes)[0].name, "P");
   EXPECT_EQ((*probes)[1].position, (std::array<double, 2>{{0, 0}}));
+  EXPECT_TRUE(parse_probes(std::string(100, 'P') + ": 1 2").has_value());
+  EXPECT_FALSE(parse_probes(std::string(101, 'P') + ": 1 2").has_value());
   for (const char *const wrong : {"P", "P: 1", "P: 1 2 3", "a/b: 1 2", ": 1 2", "P: 1 2; P: 3 4", "P: 1 inf"})
     EXPECT_FALSE(parse_probes(wrong).has_value()) << wrong;
 }
@@ -166,85 +106,5 @@ TEST(Parameters, EntryValuesAreThoseOfTheFile)
   for (auto place = text.find("  set "); place != std::string::npos; place = text.find("  set ", place + 1))
     ++n_set;
   EXPECT_EQ(entries.size(), n_set);
-}
-
-TEST(Parameters, AMisspelledNameFindsTheNearestOne)
-{
-  const std::vector<std::pair<std::string, std::string>> meant{
-      {"Mesh/Degre", "Mesh/Degree"},
-      {"mesh/degree", "Mesh/Degree"},
-      {"Msh/Degree", "Mesh/Degree"},
-      {"Degree", "Mesh/Degree"},
-      {"Mesh/Radius", "Geometry/Radius"},
-      {"Friction/Coeficients", "Friction/Coefficients"},
-      {"Load program/Cylces", "Load program/Cycles"}};
-  for (const auto &[name, nearest] : meant)
-  {
-    const std::string section = name.find('/') == std::string::npos ? "" : name.substr(0, name.find('/'));
-    const std::string entry = section.empty() ? name : name.substr(section.size() + 1);
-    const Folder folder;
-    const std::string file = folder.write(
-        "x.prm", section.empty() ? "set " + entry + " = 1\n" : "subsection Mesh\n  set Degree = 1\nend\n");
-    try
-    {
-      read_parameters(file,
-                      section.empty() ? std::vector<std::string>() : std::vector<std::string>{name + "=1"});
-      FAIL() << name << " was accepted";
-    }
-    catch (const InputError &error)
-    {
-      EXPECT_NE(std::string(error.what()).find("is " + nearest + " meant?"), std::string::npos)
-          << error.what();
-    }
-  }
-}
-
-TEST(Parameters, NothingIsSuggestedForANameThatIsLikeNoOther)
-{
-  const Folder folder;
-  const std::string file = folder.write("good.prm", "subsection Mesh\n  set Degree = 1\nend\n");
-  try
-  {
-    read_parameters(file, {"Foo/Bar=1"});
-    FAIL() << "Foo/Bar was accepted";
-  }
-  catch (const InputError &error)
-  {
-    EXPECT_EQ(std::string(error.what()),
-              "--set: Foo/Bar is not an entry; 'orthocone --defaults' lists all of them");
-  }
-}
-
-TEST(Warnings, AreGivenForWhatIsLegalButSuspicious)
-{
-  EXPECT_TRUE(parameter_warnings(Parameters()).empty());
-  const auto warned = [](const std::function<void(Parameters &)> &change, const std::string &entry)
-  {
-    Parameters parameters;
-    change(parameters);
-    const auto warnings = parameter_warnings(parameters);
-    return warnings.size() == 1 && warnings.front().compare(0, entry.size(), entry) == 0;
-  };
-  EXPECT_TRUE(warned([](Parameters &p) { p.friction.p = {{1, 20.1}}; }, "Friction/Slip potential"));
-  EXPECT_TRUE(warned([](Parameters &p) { p.friction.p = {{20.1, 1}}; }, "Friction/Slip potential"));
-  EXPECT_FALSE(warned([](Parameters &p) { p.friction.p = {{20, 1}}; }, "Friction"));
-  EXPECT_TRUE(warned([](Parameters &p) { p.load.legs = {Leg{{{0, 0, -0.51}}, 1}}; }, "Load program"));
-  EXPECT_TRUE(warned([](Parameters &p) { p.mesh.degree = 1; }, "Mesh"));
-  // A mesh of linear elements that resolves the rim, of a material that it locks for.
-  const auto fine = [](Parameters &p)
-  {
-    p.mesh.degree = 1;
-    p.mesh.layers = 16;
-    p.mesh.layer_grading = 0.7;
-    p.mesh.rim_grading = 0.7;
-  };
-  EXPECT_FALSE(warned(fine, "Mesh"));
-  EXPECT_TRUE(warned(
-      [&](Parameters &p)
-      {
-        fine(p);
-        p.material.poisson_ratio = 0.495;
-      },
-      "Material/Poisson ratio"));
 }
 } // namespace orthocone::test

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "faults.h"
+#include "readers.h"
+#include "text_file.h"
+
+#include <orthocone/parameters/errors.h>
+
+#include <nlohmann/json.hpp>
+
+#include <set>
+
+namespace orthocone
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+constexpr const char *form = "{\"Section\": {\"Entry\": value}}";
+
+/// Looks over the text before it is read: the library's reader keeps the last of several values of one name
+/// without a word, and its values of unlimited depth overflow the stack.
+class JsonCheck : public nlohmann::json_sax<Json>
+{
+public:
+  JsonCheck(const std::string &file_name, const std::string &text)
+      : file_name_(file_name),
+        text_(text)
+  {
+  }
+
+  bool null() override { return true; }
+  bool boolean(bool) override { return true; }
+  bool number_integer(number_integer_t) override { return true; }
+  bool number_unsigned(number_unsigned_t) override { return true; }
+  bool number_float(number_float_t, const string_t &) override { return true; }
+  bool string(string_t &) override { return true; }
+  bool binary(binary_t &) override { return true; }
+  bool start_object(std::size_t) override { return open(); }
+  bool end_object() override { return close(); }
+  bool start_array(std::size_t) override { return open(); }
+  bool end_array() override { return close(); }
+  bool key(string_t &name) override;
+  bool parse_error(std::size_t position, const std::string &, const nlohmann::detail::exception &) override;
+
+private:
+  /// An object or array, the names in it so far, and the last of them.
+  struct Level
+  {
+    std::set<std::string> names;
+    std::string last;
+  };
+
+  bool open();
+  bool close();
+
+  const std::string &file_name_;
+  const std::string &text_;
+  std::vector<Level> levels_;
+};
+
+bool JsonCheck::open()
+{
+  constexpr std::size_t deepest = 10;
+  levels_.emplace_back();
+  if (levels_.size() > deepest)
+    throw InputError(file_name_ + ": is nested more than " + std::to_string(deepest) + " deep; allowed is " +
+                     form);
+  return true;
+}
+
+bool JsonCheck::close()
+{
+  levels_.pop_back();
+  return true;
+}
+
+bool JsonCheck::key(string_t &name)
+{
+  const bool is_first = levels_.back().names.insert(name).second;
+  levels_.back().last = name;
+  if (is_first)
+    return true;
+  std::string path;
+  for (const Level &level : levels_)
+    if (!level.last.empty()) // arrays have no names
+      path += (path.empty() ? "" : "/") + level.last;
+  throw InputError(file_name_ + ": " + shown(path) + " is given twice");
+}
+
+/// `position` counts the bytes up to and with the one that does not fit, which may be the end of the text.
+bool JsonCheck::parse_error(const std::size_t position, const std::string &,
+                            const nlohmann::detail::exception &)
+{
+  unsigned int line = 1, column = 1;
+  for (const char c : text_.substr(0, position - std::min<std::size_t>(position, 1)))
+    if (c == '\n')
+    {
+      ++line;
+      column = 1;
+    }
+    else if ((static_cast<unsigned char>(c) & 0xc0) != 0x80) // the first byte of a character
+      ++column;
+  throw InputError(file_name_ + ":" + std::to_string(line) + ": is not valid JSON at column " +
+                   std::to_string(column) + "; allowed is " + form);
+}
+
+/// What is wrong with something at the top that is not a section with entries.
+std::string wrong_section(const std::string &name, const Json &value)
+{
+  const std::string given = shown(value.dump());
+  const std::string fault = shown(name) + " = " + given + ": allowed is the form ";
+  if (is_section(name))
+    return fault + "{\"" + name + "\": {\"Entry\": value}}";
+  if (const auto slash = name.find('/'); is_entry(name))
+    return fault + "{\"" + name.substr(0, slash) + "\": {\"" + name.substr(slash + 1) + "\": " + given + "}}";
+  return not_a_section(name);
+}
+} // namespace
+
+void read_json(const std::string &file_name, dealii::ParameterHandler &handler)
+{
+  const std::string place = file_name + ": ";
+  const std::string text = read_text_file(file_name);
+  JsonCheck check(file_name, text);
+  Json::sax_parse(text, &check);
+  const Json json = Json::parse(text);
+  if (!json.is_object())
+    throw InputError(place + "is not valid JSON of the form " + form);
+  bool sets_anything = false;
+  for (const auto &[section, entries] : json.items())
+  {
+    if (!is_section(section) || !entries.is_object())
+      throw InputError(place + wrong_section(section, entries));
+    for (const auto &[entry, value] : entries.items())
+      set_entry(place, section + "/" + entry, value.is_string() ? value.get<std::string>() : value.dump(),
+                handler);
+    sets_anything = sets_anything || !entries.empty();
+  }
+  if (!sets_anything)
+    throw InputError(sets_no_entry(file_name));
+}
+} // namespace orthocone

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// The two kinds of parameter files. All readers throw InputError for what is wrong and FileError for what
+// cannot be read.
+#pragma once
+
+#include <deal.II/base/parameter_handler.h>
+
+#include <string>
+
+namespace orthocone
+{
+void read_prm(const std::string &file_name, dealii::ParameterHandler &handler);
+
+/// {"Section": {"Entry": value}}
+void read_json(const std::string &file_name, dealii::ParameterHandler &handler);
+
+/// Sets the entry `name` ("Section/Entry"); `place` tells users where it was given ("file:line: ").
+void set_entry(const std::string &place, const std::string &name, const std::string &value,
+               dealii::ParameterHandler &handler);
+
+/// The fault of a file without any setting.
+std::string sets_no_entry(const std::string &file_name);
+} // namespace orthocone

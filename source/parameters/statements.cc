@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "statements.h"
+
+#include "faults.h"
+#include "text_file.h"
+
+#include <orthocone/parameters/errors.h>
+#include <orthocone/parameters/text.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <sstream>
+
+namespace orthocone
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+/// A line without its comment and joined with those that continue it, and "file:line" of the first of them.
+struct Line
+{
+  std::string text;
+  std::string place;
+};
+
+bool continues(const std::string &text)
+{
+  return !text.empty() && text.back() == '\\';
+}
+
+/// What counts of a line of the file: no comment, no backslash.
+std::string content_of(const std::string &text, const std::string &place)
+{
+  const auto comment = text.find('#');
+  if (!continues(text))
+    return trimmed(text.substr(0, comment));
+  if (comment == std::string::npos)
+    return trimmed(text.substr(0, text.size() - 1));
+  throw InputError(place + ": '" + shown(text) +
+                   "' ends in a backslash, which would make a comment of the next line as well");
+}
+
+std::vector<Line> lines_of(const std::string &content, const std::string &file_name)
+{
+  std::vector<Line> lines;
+  std::istringstream stream(content);
+  bool is_continued = false;
+  unsigned int number = 0;
+  for (std::string text; std::getline(stream, text);)
+  {
+    const std::string place = file_name + ":" + std::to_string(++number);
+    std::replace(text.begin(), text.end(), '\t', ' ');
+    text = trimmed(text);
+    if (!is_continued)
+      lines.push_back({"", place});
+    // A blank between: "0 0 1\" and "0 : 5" are not to become "0 0 10 : 5".
+    lines.back().text += (is_continued ? " " : "") + content_of(text, place);
+    is_continued = continues(text);
+  }
+  return lines;
+}
+
+/// What stands behind `keyword`, or "" if the line does not begin with it.
+std::string behind(const std::string &keyword, const std::string &text)
+{
+  return text.compare(0, keyword.size() + 1, keyword + " ") == 0 ? trimmed(text.substr(keyword.size())) : "";
+}
+
+std::optional<Statement> parse(const Line &line)
+{
+  using Kind = Statement::Kind;
+  if (line.text == "end")
+    return Statement{Kind::end, "", "", line.place};
+  if (const std::string name = behind("subsection", line.text); !name.empty())
+    return Statement{Kind::subsection, name, "", line.place};
+  const std::string setting = behind("set", line.text);
+  const auto equals = setting.find('=');
+  const std::string name = trimmed(setting.substr(0, equals));
+  if (name.empty() || equals == std::string::npos)
+    return std::nullopt;
+  return Statement{Kind::set, name, trimmed(setting.substr(equals + 1)), line.place};
+}
+
+/// Path of an included file for reading and for messages: without detours, unless these pass a symbolic link.
+std::string included_path(const std::string &including, const std::string &included)
+{
+  const fs::path path = fs::path(including).parent_path() / included;
+  const fs::path direct = path.lexically_normal();
+  std::error_code code;
+  return (fs::equivalent(path, direct, code) ? direct : path).string();
+}
+
+class Reader
+{
+public:
+  void read(const std::string &file_name, const std::string &asked_from);
+
+  std::vector<Statement> statements;
+
+private:
+  void check_include(const std::string &file_name, const std::string &asked_from) const;
+
+  std::vector<std::string> open_files_;
+};
+
+void Reader::check_include(const std::string &file_name, const std::string &asked_from) const
+{
+  constexpr std::size_t deepest = 20;
+  std::error_code code;
+  for (const std::string &open : open_files_)
+    if (fs::equivalent(open, file_name, code))
+      throw InputError(asked_from + file_name + ": is included by itself");
+  if (open_files_.size() > deepest)
+    throw InputError(asked_from + file_name + ": includes are nested more than " + std::to_string(deepest) +
+                     " deep");
+}
+
+void Reader::read(const std::string &file_name, const std::string &asked_from)
+{
+  check_include(file_name, asked_from);
+  open_files_.push_back(file_name);
+  for (const Line &line : lines_of(read_text_file(file_name, asked_from), file_name))
+    if (const std::string included = behind("include", line.text); !included.empty())
+      read(included_path(file_name, included), line.place + ": ");
+    else if (const auto statement = parse(line))
+      statements.push_back(*statement);
+    else if (!line.text.empty())
+      throw InputError(line.place + ": '" + shown(line.text) + "'" + remark(line.text) +
+                       " is not understood: expected is 'subsection NAME', 'set NAME = VALUE', 'end', "
+                       "'include FILE' or '# comment'");
+  open_files_.pop_back();
+}
+} // namespace
+
+std::vector<Statement> read_statements(const std::string &file_name)
+{
+  Reader reader;
+  reader.read(file_name, "");
+  return reader.statements;
+}
+} // namespace orthocone

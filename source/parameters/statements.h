@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// The language of .prm files. It is deal.II's, read here line by line so that every fault is told with the
+// file and the line that it is in, also of included files, which deal.II's own reader cannot do.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace orthocone
+{
+struct Statement
+{
+  enum class Kind
+  {
+    subsection,
+    set,
+    end,
+  };
+
+  Kind kind = Kind::end;
+  std::string name;  ///< of the section or entry
+  std::string value; ///< of the entry
+  std::string place; ///< "file:line" of its first line
+};
+
+/// Statements of a .prm file, with those of included files (paths relative to the including file) in their
+/// place. Throws FileError for what cannot be read and InputError for lines that are no statements.
+std::vector<Statement> read_statements(const std::string &file_name);
+} // namespace orthocone

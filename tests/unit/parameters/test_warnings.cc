@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/parameters/parameters.h>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace orthocone::test
+{
+namespace
+{
+/// Whether the defaults with this change have just one warning, which begins with `entry`.
+bool warned(const std::function<void(Parameters &)> &change, const std::string &entry)
+{
+  Parameters parameters;
+  change(parameters);
+  const auto warnings = parameter_warnings(parameters);
+  return warnings.size() == 1 && warnings.front().compare(0, entry.size(), entry) == 0;
+}
+} // namespace
+
+TEST(Warnings, AreGivenForWhatIsLegalButSuspicious)
+{
+  EXPECT_TRUE(parameter_warnings(Parameters()).empty());
+  EXPECT_TRUE(warned([](Parameters &p) { p.friction.p = {{1, 20.1}}; }, "Friction/Slip potential"));
+  EXPECT_TRUE(warned([](Parameters &p) { p.friction.p = {{20.1, 1}}; }, "Friction/Slip potential"));
+  EXPECT_FALSE(warned([](Parameters &p) { p.friction.p = {{20, 1}}; }, "Friction"));
+  EXPECT_TRUE(warned([](Parameters &p) { p.load.legs = {Leg{{{0, 0, -0.51}}, 1}}; }, "Load program"));
+  EXPECT_TRUE(warned(
+      [](Parameters &p) {
+        p.load.legs = {Leg{{{0.4, -0.4, -0.1}}, 1}};
+      },
+      "Load program: |u_t|"));
+  EXPECT_FALSE(warned([](Parameters &p) { p.load.legs = {Leg{{{0.3, -0.3, -0.1}}, 1}}; }, "Load program"));
+  EXPECT_TRUE(warned([](Parameters &p) { p.mesh.degree = 1; }, "Mesh"));
+  // A mesh of linear elements that resolves the rim, of a material that it locks for.
+  const auto fine = [](Parameters &p)
+  {
+    p.mesh.degree = 1;
+    p.mesh.layers = 16;
+    p.mesh.layer_grading = 0.7;
+    p.mesh.rim_grading = 0.7;
+  };
+  EXPECT_FALSE(warned(fine, "Mesh"));
+  EXPECT_TRUE(warned(
+      [&](Parameters &p)
+      {
+        fine(p);
+        p.material.poisson_ratio = 0.495;
+      },
+      "Material/Poisson ratio"));
+}
+
+TEST(Warnings, AreGivenForALoadProgramThatNeverPresses)
+{
+  const std::string warning = "Load program: no leg has u_z < 0";
+  EXPECT_TRUE(warned(
+      [](Parameters &p) {
+        p.load.legs = {Leg{{{0.1, 0, 0}}, 1}, Leg{{{0, 0, 0.1}}, 1}};
+      },
+      warning));
+  EXPECT_FALSE(warned(
+      [](Parameters &p) {
+        p.load.legs = {Leg{{{0, 0, 0}}, 1}, Leg{{{0, 0, -1e-6}}, 1}};
+      },
+      warning));
+  const auto preloaded = [](Parameters &p)
+  {
+    p.load.preload = {Leg{{{0, 0, -0.1}}, 1}};
+    p.load.legs = {Leg{{{0.1, 0, 0}}, 1}};
+  };
+  EXPECT_FALSE(warned(preloaded, warning));
+  // Legs that are passed through no time do not press.
+  const auto no_cycle = [](Parameters &p)
+  {
+    p.load.preload = {Leg{{{0.1, 0, 0}}, 1}};
+    p.load.cycles = 0;
+  };
+  EXPECT_TRUE(warned(no_cycle, warning));
+}
+
+TEST(Warnings, AreGivenForARelaxationThatTheMethodIgnores)
+{
+  const std::string warning = "Contact solver/Relaxation = 1.2 is ignored";
+  for (const ContactMethod method :
+       {ContactMethod::newton, ContactMethod::uzawa, ContactMethod::feng2006, ContactMethod::gauss_seidel})
+    for (const double relaxation : {1., 1.2})
+      EXPECT_EQ(warned(
+                    [&](Parameters &p) {
+                      p.contact_solver = {method, 1e-10, 5000, relaxation};
+                    },
+                    warning),
+                method != ContactMethod::gauss_seidel && relaxation != 1);
+}
+} // namespace orthocone::test
