@@ -62,7 +62,7 @@ fi
 
 build=build
 [ "$preset" = release ] || build=build/$preset
-if [ ! -f "$build/build.ninja" ]; then
+if [ ! -f "$build/build.ninja" ] || [ CMakePresets.json -nt "$build/build.ninja" ]; then
   say "configuring $build"
   cmake --preset "$preset" >&2
 fi
