@@ -79,7 +79,8 @@ std::string usage()
        << "Elastic body on a rigid plane under cyclic loads with orthotropic friction.\n\n"
        << visible_options()
        << "\nexit codes: 0 done, 2 wrong command line or parameter file, 3 a load step could not "
-       << "be solved,\n            4 a file could not be read or written, 130 interrupted (--resume goes "
+       << "be solved or failed a check,\n            4 a file could not be read or written, 130 interrupted "
+          "(--resume goes "
           "on)\n";
   return text.str();
 }

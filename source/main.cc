@@ -51,6 +51,8 @@ int print_model(const Parameters &parameters, const ModelChoice &model)
   }
   for (const std::string &warning : parameter_warnings(parameters))
     std::cout << "warning: " << warning << "\n";
+  if (!std::cout.flush())
+    throw FileError("standard output: cannot be written");
   return exit_code(ExitCode::done);
 }
 
@@ -61,8 +63,7 @@ void keep_parameters(const RunFolder &folder, const CommandLine &line, const Par
   verbatim << std::ifstream(line.parameter_file, std::ios::binary).rdbuf();
   std::ostringstream complete;
   write_parameters(parameters, complete);
-  folder.remove_earlier_run();
-  folder.write("parameters.prm", complete.str()); // first: it marks the folder as one of a run
+  folder.start_anew(complete.str());
   folder.write(is_json(line.parameter_file) ? "input.json" : "input.prm", verbatim.str());
 }
 
@@ -99,6 +100,8 @@ int run(const CommandLine &line)
   if (!checkpoint)
     keep_parameters(folder, line, parameters);
   Log log(folder, line.quiet);
+  if (line.resume && !checkpoint)
+    log.line("no checkpoint in " + folder.path() + ": starts with the first load step");
   const auto outcome = QuasiStaticProblem(parameters, model, folder, log).run(checkpoint);
   return outcome.code == ExitCode::done ? exit_code(ExitCode::done) : fail(outcome.code, outcome.message);
 }

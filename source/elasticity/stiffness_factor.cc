@@ -33,9 +33,12 @@ public:
     if (common.status == CHOLMOD_NOT_POSDEF)
       throw std::runtime_error(std::string(task) + ": the stiffness matrix is not positive definite");
     if (common.status < CHOLMOD_OK)
-      throw std::runtime_error(std::string(task) + ": CHOLMOD fails with status " +
-                               std::to_string(common.status) +
-                               (common.status == CHOLMOD_OUT_OF_MEMORY ? " (out of memory)" : ""));
+      throw std::runtime_error(
+          std::string(task) + ": CHOLMOD fails with status " + std::to_string(common.status) +
+          (common.status == CHOLMOD_OUT_OF_MEMORY ? " (out of memory)"
+           : common.status == CHOLMOD_TOO_LARGE
+               ? " (more than 2^31 entries: a coarser mesh or a reduced Mesh/Model needs less)"
+               : ""));
   }
 
   cholmod_common common{};

@@ -103,6 +103,11 @@ void declare_checks(CheckOptions &checks, ParameterHandler &handler)
       "the normal force." +
           times);
   add_number(
+      handler, "Energy identity", checks.energy_identity, positive,
+      "Work of the upper face minus change of elastic energy minus work of the mean contact forces, and "
+      "dissipation that these cannot do, relative to the largest energy or work of a step so far. It holds "
+      "for steps of any size.");
+  add_number(
       handler, "Energy defect", checks.energy_defect, positive,
       "Work of the upper face minus change of elastic energy minus dissipation in a step, relative to the "
       "largest energy or work of a step so far. It falls with the square of the steps: a step in which all "

@@ -40,7 +40,8 @@ void require_nothing_to_lose(const RunFolder &folder, const Parameters &paramete
 {
   std::ostringstream text;
   write_parameters(parameters, text);
-  if (folder.has("parameters.prm") && folder.read("parameters.prm") != text.str())
+  if (folder.has("history.csv") && folder.has("parameters.prm") &&
+      folder.read("parameters.prm") != text.str())
     throw FileError(
         folder.path(file_name) +
         ": is missing, and the folder holds results of other parameters; without --resume the run "

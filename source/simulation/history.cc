@@ -77,7 +77,7 @@ void History::start() const
                  "max_pressure,n_open,n_stick,n_slip,stick_area,dissipation,total_dissipation,"
                  "elastic_energy,method,iterations,residual\n");
   folder_.append("checks.csv", "step,equilibrium,penetration,complementarity,friction_cone,slip_rule,work,"
-                               "energy_defect\n");
+                               "energy_identity,energy_defect\n");
   folder_.append("timing.csv", "step,seconds,iterations\n");
 }
 
@@ -91,8 +91,9 @@ void History::write(const SolvedStep &step) const
                      totals.total_dissipation - before.total_dissipation, totals.total_dissipation,
                      totals.elastic_energy, to_word(method_), report.iterations, report.residual));
   const LawErrors &law = checks.law;
-  folder_.append("checks.csv", row(state.step, checks.equilibrium, law.penetration, law.complementarity,
-                                   law.friction_cone, law.slip_rule, checks.work, checks.energy_defect));
+  folder_.append("checks.csv",
+                 row(state.step, checks.equilibrium, law.penetration, law.complementarity, law.friction_cone,
+                     law.slip_rule, checks.work, checks.energy_identity, checks.energy_defect));
   folder_.append("timing.csv", row(state.step, seconds, report.iterations));
 }
 

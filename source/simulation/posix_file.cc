@@ -129,17 +129,28 @@ void synchronize(const std::filesystem::path &file)
     fail(file, "cannot be written", errno);
 }
 
+/// Network file systems lock only what is open for writing, and so no folders.
+static FolderLock lock_file(const std::filesystem::path &file)
+{
+  const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, readable_by_all);
+  if (descriptor < 0)
+    fail(file, "cannot be written", errno);
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)
+    return {descriptor, false};
+  ::close(descriptor);
+  return {-1, true};
+}
+
 FolderLock lock_folder(const std::filesystem::path &folder)
 {
   const int descriptor = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
   if (descriptor < 0)
     fail(folder, "cannot be opened", errno);
-  if (::flock(descriptor, LOCK_EX | LOCK_NB) != 0 && errno == EWOULDBLOCK)
-  {
-    ::close(descriptor);
-    return {-1, true};
-  }
-  return {descriptor, false};
+  if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0)
+    return {descriptor, false};
+  const bool is_taken = errno == EWOULDBLOCK;
+  ::close(descriptor);
+  return is_taken ? FolderLock{-1, true} : lock_file(folder / ".lock");
 }
 
 void close(const int descriptor)

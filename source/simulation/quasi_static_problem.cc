@@ -63,7 +63,7 @@ QuasiStaticProblem::QuasiStaticProblem(const Parameters &parameters, const Model
       state_(problem_.n_nodes()),
       evaluator_(body_.discretization.contact_surface(), model_.planes, axes_,
                  friction_of(parameters_.friction)),
-      checker_(parameters_, condensed_, stiffness_),
+      checker_(parameters_, model_.planes, condensed_, stiffness_),
       output_(folder_, parameters_, body_.discretization, condensed_, evaluator_)
 {
 }
@@ -94,7 +94,7 @@ QuasiStaticProblem::Outcome QuasiStaticProblem::run(const std::optional<Checkpoi
     {
       finish({ExitCode::file_error, error.what()});
     }
-    catch (const FileError &)
+    catch (const std::exception &)
     {
       // The first failure is the one to tell; a disk that is full is likely to be so for the summary, too.
     }
@@ -128,6 +128,7 @@ void QuasiStaticProblem::begin(const std::optional<Checkpoint> &checkpoint)
 QuasiStaticProblem::Outcome QuasiStaticProblem::march()
 {
   log_.start_steps(state_.step);
+  let_steps_finish();
   for (const LoadStep &step : steps_)
   {
     if (step.number <= state_.step)
@@ -141,10 +142,7 @@ QuasiStaticProblem::Outcome QuasiStaticProblem::march()
     }
     const Outcome outcome = advance_to(step);
     if (outcome.code != ExitCode::done)
-    {
-      save_checkpoint();
-      return outcome;
-    }
+      return with_checkpoint(outcome);
     if (since_checkpoint_.seconds() >= parameters_.output.checkpoint_seconds)
       save_checkpoint();
   }
@@ -162,9 +160,11 @@ QuasiStaticProblem::Outcome QuasiStaticProblem::advance_to(const LoadStep &step)
   if (!report.converged)
     return failure(step, report);
   const Totals totals = compute_totals(evaluator_, next, condensed_.compliance());
-  const StepChecks checks = timed(
-      record_.seconds.checks,
-      [&] { return checker_.check(state_.top, totals_, next, totals, report.law, record_.largest_energy); });
+  const StepChecks checks =
+      timed(record_.seconds.checks,
+            [&] {
+              return checker_.check({state_, totals_}, {next, totals}, report, record_.largest_energy);
+            });
   if (const auto which = checker_.violation(checks))
     return violation(step, *which);
   timed(record_.seconds.output,
@@ -178,6 +178,20 @@ QuasiStaticProblem::Outcome QuasiStaticProblem::advance_to(const LoadStep &step)
   totals_ = totals;
   record_.add_step(step.number, totals, report, checks);
   return {};
+}
+
+/// Saves the state before the step that failed; what is told first is why it failed.
+QuasiStaticProblem::Outcome QuasiStaticProblem::with_checkpoint(Outcome outcome)
+{
+  try
+  {
+    save_checkpoint();
+  }
+  catch (const FileError &error)
+  {
+    outcome.message += std::string(" No checkpoint: ") + error.what();
+  }
+  return outcome;
 }
 
 void QuasiStaticProblem::save_checkpoint()

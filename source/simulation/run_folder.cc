@@ -44,7 +44,7 @@ std::vector<std::string> files_of_a_run(const fs::path &folder)
   for (const std::string &name : matching(folder / checkpoint_folder, "state(\\.part)?"))
     names.push_back(std::string(checkpoint_folder) + "/" + name);
   for (const std::string &name : matching(
-           folder, "((contact|volume)(-\\d+\\.vtu|\\.pvd)|probe-.*\\.csv|(history|timing|checks)\\.csv|"
+           folder, "((contact|volume)(-\\d{4,9}\\.vtu|\\.pvd)|probe-.*\\.csv|(history|timing|checks)\\.csv|"
                    "summary\\.json|(input|parameters)\\.prm|input\\.json|log\\.txt|report\\.html)(\\.part)?"))
     names.push_back(name);
   return names;
@@ -85,47 +85,68 @@ void RunFolder::lock()
   lock_ = result.descriptor;
 }
 
-void RunFolder::remove_earlier_run() const
+void RunFolder::start_anew(const std::string &parameters) const
 {
   const std::vector<std::string> files = files_of_a_run(path_);
   if (!files.empty() && !has(marker) && !has(std::string(marker) + ".part"))
     fail(path_, "cannot be the run folder",
          "it holds a " + files.front() + " that no run left there, for " + marker +
              " is missing; --output DIR takes another one");
-  // Before anything is removed, everything must be removable.
+  // Before anything is removed, everything must be removable, and there must be room for the new parameters.
   for (const std::string &file : files)
     if (fs::is_directory(path_ / file))
       fail(path_ / file, "cannot be replaced", "a folder of this name is in its place");
-  for (const std::string &file : files)
-    if (file != marker)
-      remove(file);
+  const fs::path part = write_part(marker, parameters, false);
+  for (const std::string &name : files)
+    if (name.compare(0, std::string(checkpoint_folder).size(), checkpoint_folder) == 0)
+      remove(name);
+  // From here on the folder is that of the new run, which has not come to a checkpoint yet.
+  posix::rename(part, path_ / marker);
+  for (const std::string &name : files)
+    if (name != marker)
+      remove(name);
 }
 
 void RunFolder::remove_fields_after(const unsigned int step) const
 {
-  for (const std::string &name : matching(path_, "(contact|volume)-\\d+\\.vtu"))
+  for (const std::string &name : matching(path_, "(contact|volume)-\\d{4,9}\\.vtu"))
     if (std::stoull(name.substr(name.find('-') + 1)) > step)
       remove(name);
 }
 
-void RunFolder::replace(const std::string &name, const std::string &content, const bool durably) const
+/// The new content beside the file; nothing stays if it cannot be written.
+fs::path RunFolder::write_part(const std::string &name, const std::string &content, const bool durably) const
 {
-  const fs::path file = path_ / name;
-  const fs::path temporary = path_ / (name + ".part");
+  const fs::path part = path_ / (name + ".part");
   std::error_code code;
-  fs::create_directories(file.parent_path(), code);
+  fs::create_directories(part.parent_path(), code);
   if (code)
-    fail(file.parent_path(), "cannot be created", code.message());
+    fail(part.parent_path(), "cannot be created", code.message());
   try
   {
-    posix::write(temporary, content);
+    posix::write(part, content);
     if (durably)
-      posix::synchronize(temporary);
-    posix::rename(temporary, file);
+      posix::synchronize(part);
+    return part;
   }
   catch (const FileError &)
   {
-    fs::remove(temporary, code);
+    fs::remove(part, code);
+    throw;
+  }
+}
+
+void RunFolder::replace(const std::string &name, const std::string &content, const bool durably) const
+{
+  const fs::path part = write_part(name, content, durably);
+  try
+  {
+    posix::rename(part, path_ / name);
+  }
+  catch (const FileError &)
+  {
+    std::error_code code;
+    fs::remove(part, code);
     throw;
   }
 }
@@ -142,6 +163,7 @@ void RunFolder::write_durably(const std::string &name, const std::string &conten
     if (has(file))
       posix::synchronize(path_ / file);
   not_on_disk_.clear();
+  posix::synchronize(path_);
   replace(name, content, true);
   posix::synchronize((path_ / name).parent_path());
   posix::synchronize(path_);
@@ -187,6 +209,8 @@ void RunFolder::require_tables(const std::map<std::string, std::uintmax_t> &size
     if (const auto found = present.find(name); found == present.end() || found->second < size)
       fail(path_ / name, "cannot be continued",
            found == present.end() ? "it is missing" : "it is shorter than when the checkpoint was written");
+    else if (size > 0 && read(name)[size - 1] != '\n')
+      fail(path_ / name, "cannot be continued", "it was changed since the checkpoint was written");
 }
 
 void RunFolder::cut_tables(const std::map<std::string, std::uintmax_t> &sizes) const

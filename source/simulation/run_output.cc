@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/simulation/run_output.h>
 
+#include <orthocone/parameters/errors.h>
 #include <orthocone/simulation/vtu.h>
 
 #include <deal.II/base/data_out_base.h>
@@ -50,10 +51,21 @@ void RunOutput::start() const
 void RunOutput::return_to(const unsigned int step,
                           const std::map<std::string, std::uintmax_t> &table_sizes) const
 {
+  require_fields("contact", options_.contact_interval, step);
+  require_fields("volume", options_.volume_interval, step);
   folder_.cut_tables(table_sizes);
   write_records("contact", options_.contact_interval, step);
   write_records("volume", options_.volume_interval, step);
   folder_.remove_fields_after(step);
+}
+
+void RunOutput::require_fields(const std::string &name, const unsigned int interval,
+                               const unsigned int step) const
+{
+  for (unsigned int number = 1; number <= step; ++number)
+    if (is_due(interval, number, n_steps_) && !folder_.has(numbered(name, number)))
+      throw FileError(folder_.path(numbered(name, number)) +
+                      ": is missing, so that the run cannot be continued; without --resume it starts anew");
 }
 
 /// The .pvd file, which names the field files of all steps up to `step`.

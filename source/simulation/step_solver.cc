@@ -84,6 +84,7 @@ SolverReport StepSolver::solve_to(ContactState &state, const std::array<double, 
   const SolverReport first = solve_to(state, middle, state.force, depth + 1);
   report = first.converged ? solve_to(state, top, state.force, depth + 1) : first;
   report.iterations += spent + (first.converged ? first.iterations : 0);
+  report.n_parts += first.n_parts;
   report.law.merge(first.law);
   return report;
 }

@@ -127,7 +127,8 @@ std::string summary_json(const Summary &summary)
   for (const auto &[name, version] : versions())
     json["versions"][name] = version;
   json["seconds"] = seconds_json(summary);
-  return json.dump(2) + "\n";
+  // Names of folders need not be UTF-8.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
 std::string describe_model(const Parameters &parameters, const ModelChoice &model,

@@ -110,6 +110,24 @@ class SignalTest(ResumeTest):
                 self.assert_resumes("stopped", settings)
             shutil.rmtree(self.folder / "stopped")
 
+    def test_signal_during_the_set_up_does_not_wait(self):
+        run = self.start("stopped", ["Mesh/Core cells=20", "Mesh/Rings=16", "Mesh/Model=full"])
+        while not (self.folder / "stopped/log.txt").exists() and run.poll() is None:
+            time.sleep(0.001)
+        run.terminate()
+        error = run.communicate(timeout=10)[1]  # the set-up alone takes a minute
+        self.assertEqual(run.returncode, INTERRUPTED)
+        self.assertRegex(error, "interrupted during the set-up")
+
+    def test_a_screen_that_is_gone_stops_nothing(self):
+        self.whole(SMALL)
+        command = [word for word in self.command("run", settings=SMALL) if word != "--quiet"]
+        run = subprocess.Popen(command, cwd=self.folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE)
+        run.stdout.close()
+        run.stderr.close()
+        self.assertEqual(run.wait(), DONE)
+        self.assert_same_files("whole", "run", self.results)
+
     def test_second_run_refuses(self):
         settings = ["Mesh/Core cells=6", "Mesh/Degree=1", "Mesh/Model=full"]
         self.whole(settings)
@@ -169,6 +187,17 @@ class RefusalTest(ResumeTest):
         history.unlink()
         self.assert_refused(FILE_ERROR, r".*history\.csv: cannot be continued \(it is missing")
 
+    def test_changed_tables_and_lost_fields(self):
+        history = self.folder / "run/history.csv"
+        good = history.read_bytes()
+        history.write_bytes(good.replace(b"\n", b"\r\n"))
+        self.assert_refused(FILE_ERROR, r".*history\.csv: cannot be continued \(it was changed")
+        history.write_bytes(good)
+        (self.folder / "run/contact-0010.vtu").unlink()
+        result = self.run_program("run", "--resume", settings=self.SETTINGS)
+        self.assertEqual(result.returncode, FILE_ERROR)
+        self.assertRegex(result.stderr, r"contact-0010\.vtu: is missing")
+
     def test_lost_checkpoint(self):
         (self.folder / "run/checkpoint/state").unlink()
         self.assert_refused(FILE_ERROR, r".*checkpoint/state: is missing, and the folder holds results of other",
@@ -180,7 +209,7 @@ class RefusalTest(ResumeTest):
         self.assertEqual((result.returncode, result.stderr), (DONE, ""))
         after = self.content()
         changed = {file.name for file in after if after[file] != before.get(file)}
-        self.assertLessEqual(changed, {"log.txt", "summary.json", "state"})
+        self.assertLessEqual(changed, {"log.txt", "summary.json", "state", "contact.pvd"})  # a date in its comment
 
     def test_an_unsolved_step_can_be_tried_otherwise(self):
         file = self.FILE.with_name("case_c_q1.prm")
@@ -219,6 +248,16 @@ class FullDiskTest(ResumeTest):
                 self.assert_stopped(result, "File too large")
                 self.assert_resumes("full", self.SETTINGS)
             shutil.rmtree(self.folder / "full")
+
+    def test_earlier_results_stay_if_there_is_no_room_for_a_new_run(self):
+        self.whole(self.SETTINGS)
+        before = {file: file.read_bytes() for file in (self.folder / "whole").rglob("*") if file.is_file()}
+        result = self.run_program("whole", settings=[*self.SETTINGS, "Material/Poisson ratio=0.2"], preexec_fn=lambda:
+                                  resource.setrlimit(resource.RLIMIT_FSIZE, (100, 100)))
+        self.assertEqual(result.returncode, FILE_ERROR)
+        after = {file: file.read_bytes() for file in (self.folder / "whole").rglob("*")
+                 if file.is_file() and file.suffix != ".part"}
+        self.assertEqual(after, before)
 
     def test_full_file_system(self):
         """A small file system of its own, full at ten different moments, then enlarged."""

@@ -18,6 +18,7 @@ struct SolverReport
   double residual = 0;         ///< ContactProblem::residual()
   Eigen::Index worst_node = 0; ///< node with the largest part of the residual
   double penetration = 0;      ///< largest -gap (mm), the paper's own measure of convergence
+  unsigned int n_parts = 1;    ///< 1, unless the step had to be divided
   LawErrors law;               ///< the same solution against the contact law in its own terms
 };
 

@@ -110,7 +110,8 @@ struct CheckOptions
   double complementarity = 1000;
   double friction_cone = 1000;
   double slip_rule = 1000;
-  double energy_defect = 2; ///< relative to the largest energy so far
+  double energy_identity = 1e-8; ///< relative to the largest energy so far
+  double energy_defect = 2;      ///< relative to the largest energy so far
 };
 
 /// A point of the contact surface whose history is written.

@@ -45,6 +45,7 @@ private:
   void begin(const std::optional<Checkpoint> &checkpoint);
   Outcome march();
   Outcome advance_to(const LoadStep &step);
+  Outcome with_checkpoint(Outcome outcome);
   void save_checkpoint();
   void finish(const Outcome &outcome);
   Outcome failure(const LoadStep &step, const SolverReport &report) const;

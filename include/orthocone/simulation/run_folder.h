@@ -22,9 +22,9 @@ public:
   RunFolder(const RunFolder &) = delete;
   RunFolder &operator=(const RunFolder &) = delete;
 
-  /// Removes the files that an earlier run left, but for parameters.prm, which marks the folder as one of a
-  /// run; whatever else lies there stays.
-  void remove_earlier_run() const;
+  /// Removes the files that an earlier run left; whatever else lies there stays. `parameters` becomes the
+  /// content of parameters.prm, which marks the folder as one of a run, and as one of this run.
+  void start_anew(const std::string &parameters) const;
 
   /// Removes the field files of steps after `step`.
   void remove_fields_after(unsigned int step) const;
@@ -47,7 +47,7 @@ public:
   /// Sizes of the CSV files, which grow from step to step.
   std::map<std::string, std::uintmax_t> table_sizes() const;
 
-  /// Throws FileError if a CSV file is missing or shorter than this.
+  /// Throws FileError if a CSV file is missing, shorter than this, or has no line that ends there.
   void require_tables(const std::map<std::string, std::uintmax_t> &sizes) const;
 
   /// Cuts the CSV files back to these sizes, if all are long enough, and removes the others.
@@ -57,6 +57,7 @@ public:
 
 private:
   void lock();
+  std::filesystem::path write_part(const std::string &name, const std::string &content, bool durably) const;
   void replace(const std::string &name, const std::string &content, bool durably) const;
 
   std::filesystem::path path_;

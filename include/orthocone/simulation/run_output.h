@@ -26,6 +26,7 @@ public:
   void write(const SolvedStep &step) const;
 
 private:
+  void require_fields(const std::string &name, unsigned int interval, unsigned int step) const;
   void write_records(const std::string &name, unsigned int interval, unsigned int step) const;
 
   const RunFolder &folder_;

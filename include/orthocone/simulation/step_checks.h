@@ -19,29 +19,41 @@ struct StepChecks
   LawErrors law;          ///< of the contact law
   double work = 0;        ///< of the upper face in the step by the trapezoidal rule, N mm
   double energy = 0; ///< the largest so far, stored or work in a step with either of its end forces, N mm
-  double energy_defect = 0; ///< work - change of elastic energy - dissipation, relative to `energy`
-  bool is_finite = true;    ///< all numbers of the state are
+  double energy_identity = 0; ///< error of what holds for any forces, and dissipation that no force can do
+  double energy_defect = 0;   ///< work - change of elastic energy - dissipation, relative to `energy`
+  bool is_finite = true;      ///< all numbers of the state are
 };
 
-/// Checks steps from their final states, by code that no solver owns. Holds no memory of earlier steps.
+/// A state and the totals of the whole body in it.
+struct Situation
+{
+  const ContactState &state;
+  const Totals &totals;
+};
+
+/// Checks steps from the states at their ends, by code that no solver owns. Holds no memory of earlier steps.
 class StepChecker
 {
 public:
-  /// All but `parameters` must outlive the checker.
-  StepChecker(const Parameters &parameters, const CondensedBody &body, const Stiffness &stiffness);
+  /// `body` and `stiffness` must outlive the checker.
+  StepChecker(const Parameters &parameters, const SymmetryPlanes &planes, const CondensedBody &body,
+              const Stiffness &stiffness);
 
-  /// `top_before` and `before`: upper face and totals before the step; `largest_energy`: of the steps before.
-  StepChecks check(const std::array<double, 3> &top_before, const Totals &before, const ContactState &after,
-                   const Totals &totals, const LawErrors &law, double largest_energy) const;
+  /// `largest_energy`: StepChecks::energy of the steps before.
+  StepChecks check(const Situation &before, const Situation &after, const SolverReport &report,
+                   double largest_energy) const;
 
   /// The sentence on the first check that exceeds its bound, naming its entry, or nothing.
   std::optional<std::string> violation(const StepChecks &checks) const;
 
 private:
   double equilibrium(const ContactState &state) const;
+  double identity_error(const Situation &before, const Situation &after, double work) const;
 
   CheckOptions options_;
   double tolerance_;
+  double slip_amplification_; ///< of errors of the natural map in the slip rule
+  unsigned int n_copies_;
   double length_; ///< largest motion of the upper face, mm
   const CondensedBody &body_;
   const Stiffness &stiffness_;
