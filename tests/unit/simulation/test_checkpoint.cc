@@ -165,6 +165,9 @@ TEST(Checkpoint, WithoutOneTheFolderMustHaveNothingToLose)
   write_parameters(small_scene(), text);
   folder.write("parameters.prm", text.str());
   EXPECT_FALSE(find_checkpoint(folder, small_scene(), "x.prm"));
+  EXPECT_FALSE(find_checkpoint(folder, small_scene(2), "x.prm")); // there are no results yet
+  folder.append("history.csv", "one\n");
+  EXPECT_FALSE(find_checkpoint(folder, small_scene(), "x.prm"));
   EXPECT_THROW(find_checkpoint(folder, small_scene(2), "x.prm"), FileError);
 }
 
