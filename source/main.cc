@@ -34,8 +34,8 @@ int fail(const ExitCode code, const std::string &message)
 
 int print_model(const Parameters &parameters, const ModelChoice &model)
 {
-  constexpr double largest_meshed =
-      3e6; // unknowns; the mesh of more takes longer than somebody who checks waits
+  // The mesh of more unknowns takes longer than somebody who checks waits.
+  constexpr double largest_meshed = 3e6;
   const unsigned int n_steps = load_steps(parameters.load).size();
   const unsigned int n_copies = model.planes.n_copies();
   const ModelSize size = model_size(parameters.mesh, n_copies);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/contact/contact_problem.h>
+#include <orthocone/contact/law_errors.h>
 
 #include <algorithm>
 #include <cmath>
@@ -93,7 +94,7 @@ double ContactProblem::residual(const NodeVector &force, const NodeVector &displ
   const double scale = force_scale(force);
   if (!std::isfinite(error) || !std::isfinite(scale))
     return std::numeric_limits<double>::infinity();
-  return error == 0 ? 0 : error / scale;
+  return relative(error, scale);
 }
 
 NodeStatus ContactProblem::status(const Index node, const NodeVector &force,

@@ -27,12 +27,6 @@ double largest_norm(const NodeVector &vector)
   return largest;
 }
 
-/// 0 where there is nothing to relate to, as all forces vanish.
-double ratio(const double value, const double scale)
-{
-  return value == 0 ? 0 : value / scale;
-}
-
 /// Part of the change of slip `d` that the slip rule does not allow under the force (r_n, r_t): across its
 /// direction, against it, or while the force lies inside the cone.
 double forbidden_slip(const OrthotropicFriction &law, const double r_n, const Vector2d &r_t,
@@ -48,6 +42,11 @@ double forbidden_slip(const OrthotropicFriction &law, const double r_n, const Ve
   return across + std::max(0., -along) + margin * std::abs(along);
 }
 } // namespace
+
+double relative(const double value, const double scale)
+{
+  return value == 0 ? 0 : value / scale;
+}
 
 void LawErrors::merge(const LawErrors &other)
 {
@@ -71,13 +70,14 @@ LawErrors law_errors(const ContactProblem &problem, const NodeVector &force, con
     const double r_n = force[3 * node];
     const double gap = displacement[3 * node];
     LawErrors of_node;
-    of_node.penetration = ratio(std::max(0., -gap), length);
-    of_node.complementarity = std::abs(std::min(ratio(gap, length), ratio(r_n, strength)));
-    of_node.friction_cone = ratio(std::max(0., friction_norm(law, r_t[0], r_t[1]) - r_n), strength);
+    of_node.penetration = relative(std::max(0., -gap), length);
+    of_node.complementarity = std::abs(std::min(relative(gap, length), relative(r_n, strength)));
+    of_node.friction_cone = relative(std::max(0., friction_norm(law, r_t[0], r_t[1]) - r_n), strength);
     // The weight is what friction can carry: the direction of a force that is next to nothing is not known.
     if (const double friction = std::min(law.mu_x, law.mu_y) * r_n; friction > 0)
-      of_node.slip_rule = friction / strength *
-                          ratio(forbidden_slip(law, r_n, r_t, displacement.segment<2>(3 * node + 1)), length);
+      of_node.slip_rule =
+          friction / strength *
+          relative(forbidden_slip(law, r_n, r_t, displacement.segment<2>(3 * node + 1)), length);
     errors.merge(of_node);
   }
   return errors;

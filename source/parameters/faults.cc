@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include "faults.h"
 
+#include "text_file.h"
+
 #include <orthocone/parameters/parameters.h>
 
 #include <algorithm>
@@ -43,11 +45,6 @@ std::string not_known(const std::string &kind, const std::string &name, const st
   return shown(name) + remark(name) + " is not " + kind +
          (nearest.empty() ? "; " : "; is " + nearest + " meant? ") +
          "'orthocone --defaults' lists all of them";
-}
-
-bool continues_character(const char c)
-{
-  return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
 }
 
 /// The first bytes of `text`, at most `most`, without a part of a UTF-8 character at the end.

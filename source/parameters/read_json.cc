@@ -99,7 +99,7 @@ bool JsonCheck::parse_error(const std::size_t position, const std::string &,
       ++line;
       column = 1;
     }
-    else if ((static_cast<unsigned char>(c) & 0xc0) != 0x80) // the first byte of a character
+    else if (!continues_character(c))
       ++column;
   throw InputError(file_name_ + ":" + std::to_string(line) + ": is not valid JSON at column " +
                    std::to_string(column) + "; allowed is " + form);

@@ -42,6 +42,11 @@ bool is_text(const std::string &content)
 }
 } // namespace
 
+bool continues_character(const char c)
+{
+  return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
+}
+
 std::string read_text_file(const std::string &file_name, const std::string &asked_from)
 {
   std::error_code code;

@@ -6,9 +6,11 @@
 
 namespace orthocone
 {
+/// Whether a byte goes on with a UTF-8 character that began before.
+bool continues_character(char c);
+
 /// Content of a text file, without a byte-order mark and with '\n' at the end of lines whatever wrote it.
-/// Throws FileError if it cannot be read, InputError if it is empty or binary. `asked_from` is put before the
-/// message
-/// ("" or "file:line: ").
+/// Throws FileError if it cannot be read, InputError if it is empty or binary; their messages begin with
+/// `asked_from` ("" or "file:line: ").
 std::string read_text_file(const std::string &file_name, const std::string &asked_from = "");
 } // namespace orthocone

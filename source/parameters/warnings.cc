@@ -56,18 +56,27 @@ void warn_of_large_strain(const std::string &motion, const double largest, const
                        " %; the program computes with small strains, good to about 5 %");
 }
 
-void warn_of_large_strains(const LoadOptions &load, const GeometryOptions &geometry,
-                           std::vector<std::string> &warnings)
+/// Most that friction can shear the body sideways under a compression by `compression`: mu E strain / G.
+double sheared_by_friction(const Parameters &parameters, const double compression)
 {
+  return 2 * (1 + parameters.material.poisson_ratio) *
+         std::max(parameters.friction.mu[0], parameters.friction.mu[1]) * compression;
+}
+
+void warn_of_large_strains(const Parameters &parameters, std::vector<std::string> &warnings)
+{
+  const double height = parameters.geometry.height;
   double compression = 0;
   double sideways = 0;
-  for (const auto &corner : corners(load))
+  for (const auto &corner : corners(parameters.load))
   {
     compression = std::max(compression, std::abs(corner[2]));
     sideways = std::max(sideways, std::hypot(corner[0], corner[1]));
   }
-  warn_of_large_strain("|u_z|", compression, "is a strain", geometry.height, warnings);
-  warn_of_large_strain("|u_t|", sideways, "is, unless the base slides, a shear", geometry.height, warnings);
+  warn_of_large_strain("|u_z|", compression, "is a strain", height, warnings);
+  // Beyond that the base slides along.
+  const double sheared = std::min(sideways, sheared_by_friction(parameters, compression));
+  warn_of_large_strain("|u_t| without sliding", sheared, "is a shear", height, warnings);
 }
 
 void warn_of_no_contact(const LoadOptions &load, std::vector<std::string> &warnings)
@@ -122,7 +131,7 @@ std::vector<std::string> parameter_warnings(const Parameters &parameters)
   std::vector<std::string> warnings;
   warn_of_slip_ellipse(parameters.friction, warnings);
   warn_of_locking(parameters.material, parameters.mesh, warnings);
-  warn_of_large_strains(parameters.load, parameters.geometry, warnings);
+  warn_of_large_strains(parameters, warnings);
   warn_of_no_contact(parameters.load, warnings);
   warn_of_coarse_rim(parameters.geometry, parameters.mesh, warnings);
   warn_of_ignored_relaxation(parameters.contact_solver, warnings);

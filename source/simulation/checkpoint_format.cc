@@ -99,15 +99,15 @@ StartMemory starts_from(const Json &json, const ContactState &state)
 
 Json record_json(const RunRecord &record)
 {
-  const PhaseSeconds &seconds = record.seconds;
+  Json seconds{{"total", record.total_seconds}};
+  for (const auto &[name, phase] : phases)
+    seconds[name] = record.seconds.*phase;
   return {{"n_iterations", record.n_iterations},
           {"largest_residual", record.largest_residual},
           {"largest_energy", record.largest_energy},
           {"energy_defect", record.energy_defect},
           {"peaks", {record.peaks.slip, record.peaks.pressure, record.peaks.force_z}},
-          {"seconds",
-           {seconds.mesh, seconds.assembly, seconds.factorization, seconds.condensation, seconds.contact,
-            seconds.checks, seconds.output, record.total_seconds}}};
+          {"seconds", std::move(seconds)}};
 }
 
 RunRecord record_from(const Json &json)
@@ -119,9 +119,10 @@ RunRecord record_from(const Json &json)
   record.energy_defect = json.at("energy_defect");
   const Json &peaks = json.at("peaks");
   record.peaks = {peaks.at(0), peaks.at(1), peaks.at(2)};
-  const Json &s = json.at("seconds");
-  record.seconds = {s.at(0), s.at(1), s.at(2), s.at(3), s.at(4), s.at(5), s.at(6)};
-  record.total_seconds = s.at(7);
+  const Json &seconds = json.at("seconds");
+  for (const auto &[name, phase] : phases)
+    record.seconds.*phase = seconds.at(name);
+  record.total_seconds = seconds.at("total");
   return record;
 }
 

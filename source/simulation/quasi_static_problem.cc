@@ -116,6 +116,9 @@ void QuasiStaticProblem::begin(const std::optional<Checkpoint> &checkpoint)
   output_.return_to(checkpoint->state.step, checkpoint->table_sizes);
   log_.line("resumed after load step " + std::to_string(checkpoint->state.step) + " of " +
             std::to_string(steps_.size()));
+  if (checkpoint->program != program_version())
+    log_.line("warning: the steps before were computed by version " + checkpoint->program +
+              ", these are by " + program_version() + "; last digits may differ");
   state_ = checkpoint->state;
   solver_.restore(checkpoint->starts);
   totals_ = compute_totals(evaluator_, state_, condensed_.compliance());

@@ -67,8 +67,6 @@ RunFolder::RunFolder(const fs::path &path)
   if (code)
     fail(path_, "cannot be created as the run folder", code.message());
   lock();
-  posix::write(path_ / ".writable", "");
-  fs::remove(path_ / ".writable", code);
 }
 
 RunFolder::~RunFolder()

@@ -6,6 +6,7 @@
 #include <orthocone/simulation/load_program.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace orthocone
@@ -53,10 +54,6 @@ double impossible_dissipation(const ContactState &before, const ContactState &af
   return wrong;
 }
 
-double ratio(const double value, const double scale)
-{
-  return value == 0 ? 0 : value / scale;
-}
 } // namespace
 
 StepChecker::StepChecker(const Parameters &parameters, const SymmetryPlanes &planes,
@@ -76,7 +73,7 @@ double StepChecker::equilibrium(const ContactState &state) const
 {
   const NodeVector elastic = state.displacement - body_.free_displacement(state.top);
   const auto mismatch = body_.mismatch(stiffness_, state.force, elastic);
-  return std::max(mismatch.unbalanced, ratio(mismatch.displacement, length_));
+  return std::max(mismatch.unbalanced, relative(mismatch.displacement, length_));
 }
 
 /// Work of the top - change of elastic energy = -(work of the mean contact forces), whatever the forces: an
@@ -105,10 +102,10 @@ StepChecks StepChecker::check(const Situation &before, const Situation &after, c
   double identity = identity_error(before, after, checks.work);
   if (report.n_parts == 1)
     identity = std::max(identity, n_copies_ * impossible_dissipation(before.state, after.state));
-  checks.energy_identity = ratio(identity, checks.energy);
+  checks.energy_identity = relative(identity, checks.energy);
   const double defect = checks.work - (after.totals.elastic_energy - before.totals.elastic_energy) -
                         (after.totals.total_dissipation - before.totals.total_dissipation);
-  checks.energy_defect = ratio(std::abs(defect), checks.energy);
+  checks.energy_defect = relative(std::abs(defect), checks.energy);
   return checks;
 }
 
@@ -117,23 +114,41 @@ std::optional<std::string> StepChecker::violation(const StepChecks &checks) cons
   if (!checks.is_finite)
     return "forces, displacements or energies are no longer numbers: are lengths in mm, forces in N, moduli "
            "in MPa?";
-  constexpr double most_of_slip_rule = 1e-3;
-  const double slip_rule = tolerance_ * options_.slip_rule;
-  const std::array<std::tuple<const char *, double, double>, 7> all{{
+  struct Check
+  {
+    const char *name;
+    double value;
+    double bound;
+    const char *remedy = "";
+  };
+  const std::array<Check, 7> all{{
       {"Equilibrium", checks.equilibrium, options_.equilibrium},
-      {"Penetration", checks.law.penetration, tolerance_ * options_.penetration},
-      {"Complementarity", checks.law.complementarity, tolerance_ * options_.complementarity},
-      {"Friction cone", checks.law.friction_cone, tolerance_ * options_.friction_cone},
-      {"Slip rule", checks.law.slip_rule,
-       std::max(slip_rule, std::min(slip_amplification_ * slip_rule, most_of_slip_rule))},
+      {"Penetration", checks.law.penetration, law_bound(options_.penetration)},
+      {"Complementarity", checks.law.complementarity, law_bound(options_.complementarity)},
+      {"Friction cone", checks.law.friction_cone, law_bound(options_.friction_cone)},
+      {"Slip rule", checks.law.slip_rule, slip_rule_bound()},
       // Nodes that stick may creep as far as the tolerance lets them.
       {"Energy identity", checks.energy_identity, std::max(tolerance_, options_.energy_identity)},
-      {"Energy defect", checks.energy_defect, options_.energy_defect},
+      {"Energy defect", checks.energy_defect, options_.energy_defect, "; the leg needs more steps"},
   }};
-  for (const auto &[name, value, bound] : all)
-    if (!(value <= bound))
-      return std::string("Checks/") + name + ": " + to_text(value) + " exceeds the bound " + to_text(bound) +
-             (&value == &std::get<1>(all.back()) ? "; the leg needs more steps" : "");
+  for (const Check &check : all)
+    if (!(check.value <= check.bound))
+      return std::string("Checks/") + check.name + ": " + to_text(check.value) + " exceeds the bound " +
+             to_text(check.bound) + check.remedy;
   return std::nullopt;
+}
+
+/// Whatever the tolerance, the law is not obeyed where a tenth of the largest force or displacement is wrong.
+double StepChecker::law_bound(const double multiple) const
+{
+  constexpr double most = 0.1;
+  return std::min(tolerance_ * multiple, most);
+}
+
+double StepChecker::slip_rule_bound() const
+{
+  constexpr double most_by_amplification = 1e-3;
+  const double bound = law_bound(options_.slip_rule);
+  return std::max(bound, std::min(slip_amplification_ * bound, most_by_amplification));
 }
 } // namespace orthocone

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <sstream>
 
 namespace orthocone
@@ -35,17 +36,13 @@ Json model_json(const Summary &summary)
           {"contact_nodes", discretization.contact_surface().nodes.size()}};
 }
 
-Json seconds_json(const Summary &summary)
+Json seconds_json(const RunRecord &record)
 {
-  const PhaseSeconds &seconds = summary.record.seconds;
-  return {{"mesh", seconds.mesh},
-          {"assembly", seconds.assembly},
-          {"factorization", seconds.factorization},
-          {"condensation", seconds.condensation},
-          {"contact", seconds.contact},
-          {"checks", seconds.checks},
-          {"output", seconds.output},
-          {"total", summary.record.total_seconds}};
+  Json json;
+  for (const auto &[name, phase] : phases)
+    json[name] = record.seconds.*phase;
+  json["total"] = record.total_seconds;
+  return json;
 }
 
 void consider(std::pair<double, unsigned int> &peak, const double value, const unsigned int step)
@@ -64,13 +61,8 @@ void Peaks::consider(const unsigned int step, const Totals &totals)
 
 void PhaseSeconds::add(const PhaseSeconds &other)
 {
-  mesh += other.mesh;
-  assembly += other.assembly;
-  factorization += other.factorization;
-  condensation += other.condensation;
-  contact += other.contact;
-  checks += other.checks;
-  output += other.output;
+  for (const auto &[name, phase] : phases)
+    this->*phase += other.*phase;
 }
 
 void RunRecord::add_step(const unsigned int step, const Totals &totals, const SolverReport &report,
@@ -98,14 +90,11 @@ std::vector<std::string> all_warnings(const Parameters &parameters, const RunRec
 
 std::string describe_seconds(const RunRecord &record)
 {
-  const PhaseSeconds &seconds = record.seconds;
   std::ostringstream text;
-  text << std::fixed;
-  text.precision(2);
-  text << "seconds: mesh " << seconds.mesh << ", assembly " << seconds.assembly << ", factorization "
-       << seconds.factorization << ", condensation " << seconds.condensation << ", contact "
-       << seconds.contact << ", checks " << seconds.checks << ", output " << seconds.output << ", total "
-       << record.total_seconds;
+  text << std::fixed << std::setprecision(2) << "seconds: ";
+  for (const auto &[name, phase] : phases)
+    text << name << " " << record.seconds.*phase << ", ";
+  text << "total " << record.total_seconds;
   return text.str();
 }
 
@@ -126,7 +115,7 @@ std::string summary_json(const Summary &summary)
   json["total_dissipation_Nmm"] = summary.total_dissipation;
   for (const auto &[name, version] : versions())
     json["versions"][name] = version;
-  json["seconds"] = seconds_json(summary);
+  json["seconds"] = seconds_json(summary.record);
   // Names of folders need not be UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }

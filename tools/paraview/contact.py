@@ -10,6 +10,8 @@ Pictures:  xvfb-run -a -s -noreset pvbatch contact.py RUN_FOLDER --png DIR [--st
 Window:    ORTHOCONE_RUN=RUN_FOLDER paraview --script=contact.py
            or, in the Python Shell of an open one: Run Script... contact.py, then open_run("RUN_FOLDER")
 
+One file on purpose: ParaView's window does not tell a script where it lies, so that it could not find others.
+
 Exit codes of pvbatch: 0 done; 2 wrong command line; 4 a file could not be read or written."""
 import argparse
 import csv

@@ -6,6 +6,9 @@
 
 namespace orthocone
 {
+/// value / scale, and 0 where there is no value, even if there is nothing to relate it to.
+double relative(double value, double scale);
+
 /// How far a solution is from the contact law as the paper states it (section 2), in the law's own terms:
 /// without the projection, the natural map or anything else that solvers use. Largest values over the nodes,
 /// relative to the largest force and displacement of the problem; NaN where forces are no numbers.

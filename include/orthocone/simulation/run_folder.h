@@ -15,8 +15,8 @@ namespace orthocone
 class RunFolder
 {
 public:
-  /// Creates the folder if need be, makes sure that files can be written there and that no other run does so
-  /// until this object is destroyed (or the process ends in whatever way).
+  /// Creates the folder if need be and makes sure that no other run writes there until this object is
+  /// destroyed (or the process ends in whatever way).
   explicit RunFolder(const std::filesystem::path &path);
   ~RunFolder();
   RunFolder(const RunFolder &) = delete;

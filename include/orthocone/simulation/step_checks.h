@@ -47,6 +47,8 @@ public:
   std::optional<std::string> violation(const StepChecks &checks) const;
 
 private:
+  double law_bound(double multiple) const;
+  double slip_rule_bound() const;
   double equilibrium(const ContactState &state) const;
   double identity_error(const Situation &before, const Situation &after, double work) const;
 

@@ -7,6 +7,7 @@
 #include <orthocone/simulation/model_choice.h>
 #include <orthocone/simulation/step_checks.h>
 
+#include <array>
 #include <string>
 #include <utility>
 #include <vector>
@@ -26,6 +27,16 @@ struct PhaseSeconds
 
   void add(const PhaseSeconds &other);
 };
+
+/// The phases in their order, with the names that users see.
+constexpr std::array<std::pair<const char *, double PhaseSeconds::*>, 7> phases{
+    {{"mesh", &PhaseSeconds::mesh},
+     {"assembly", &PhaseSeconds::assembly},
+     {"factorization", &PhaseSeconds::factorization},
+     {"condensation", &PhaseSeconds::condensation},
+     {"contact", &PhaseSeconds::contact},
+     {"checks", &PhaseSeconds::checks},
+     {"output", &PhaseSeconds::output}}};
 
 /// Largest values over the run and the steps that had them.
 struct Peaks

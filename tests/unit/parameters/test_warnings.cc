@@ -27,12 +27,18 @@ TEST(Warnings, AreGivenForWhatIsLegalButSuspicious)
   EXPECT_TRUE(warned([](Parameters &p) { p.friction.p = {{20.1, 1}}; }, "Friction/Slip potential"));
   EXPECT_FALSE(warned([](Parameters &p) { p.friction.p = {{20, 1}}; }, "Friction"));
   EXPECT_TRUE(warned([](Parameters &p) { p.load.legs = {Leg{{{0, 0, -0.51}}, 1}}; }, "Load program"));
-  EXPECT_TRUE(warned(
-      [](Parameters &p) {
-        p.load.legs = {Leg{{{0.4, -0.4, -0.1}}, 1}};
-      },
-      "Load program: |u_t|"));
-  EXPECT_FALSE(warned([](Parameters &p) { p.load.legs = {Leg{{{0.3, -0.3, -0.1}}, 1}}; }, "Load program"));
+  // The body shears only as far as friction holds it.
+  const auto sideways = [](const double mu, const double motion)
+  {
+    return [=](Parameters &p)
+    {
+      p.friction.mu = {{mu, mu}};
+      p.load.legs = {Leg{{{motion, -motion, -0.1}}, 1}};
+    };
+  };
+  EXPECT_TRUE(warned(sideways(3, 0.4), "Load program: |u_t|"));
+  EXPECT_FALSE(warned(sideways(3, 0.3), "Load program"));
+  EXPECT_FALSE(warned(sideways(0.3, 0.4), "Load program"));
   EXPECT_TRUE(warned([](Parameters &p) { p.mesh.degree = 1; }, "Mesh"));
   // A mesh of linear elements that resolves the rim, of a material that it locks for.
   const auto fine = [](Parameters &p)
