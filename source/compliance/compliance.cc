@@ -14,7 +14,7 @@ DenseCompliance::DenseCompliance(Eigen::MatrixXd matrix)
 
 void DenseCompliance::vmult(NodeVector &displacement, const NodeVector &force) const
 {
-  displacement.noalias() = matrix_ * force;
+  displacement.noalias() = matrix_.selfadjointView<Eigen::Lower>() * force;
 }
 
 Eigen::Matrix3d DenseCompliance::diagonal_block(const Eigen::Index node) const

@@ -4,6 +4,8 @@
 // The contact solvers, for the factory and for each other.
 #pragma once
 
+#include "inner_compliance.h"
+
 #include <orthocone/contact/contact_solver.h>
 #include <orthocone/contact/one_node.h>
 
@@ -74,11 +76,12 @@ public:
   SolverReport solve(NodeVector &force) override;
 
 private:
-  void iterate_while_it_pays(NodeVector &force, unsigned int &iterations) const;
+  double iterate_while_it_pays(NodeVector &force, unsigned int &iterations) const;
 
   const ContactProblem &problem_;
   ContactSolverOptions options_;
   GaussSeidel sweeps_;
+  InnerCompliance inner_;
 };
 
 /// Calls `iterate` until the residual is within the tolerance, the iterations are used up, or the forces are

@@ -2,29 +2,30 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/simulation/step_solver.h>
 
+#include <limits>
+
 namespace orthocone
 {
-NodeVector StartForces::best(const ContactProblem &problem, const ContactState &state,
-                             const LoadStep &step) const
+NodeVector StartForces::best(const ContactProblem &problem, const ContactState &state, const LoadStep &step,
+                             const double tolerance) const
 {
-  NodeVector start = state.force;
-  double least = problem.residual(start);
-  const auto consider = [&](const NodeVector &candidate)
-  {
-    const double residual = problem.residual(candidate);
-    if (residual < least)
-    {
-      least = residual;
-      start = candidate;
-    }
-  };
-  consider(NodeVector::Zero(start.size())); // full unloading
-  if (step.step_of_leg > 1)
-    consider(state.force + memory_.change);
+  std::vector<NodeVector> candidates;
   if (const auto last_cycle = memory_.of_phase.find(step.phase);
       step.cycle > 1 && last_cycle != memory_.of_phase.end())
-    consider(last_cycle->second);
-  return start;
+    candidates.push_back(last_cycle->second);
+  if (step.step_of_leg > 1)
+    candidates.push_back(state.force + memory_.change);
+  candidates.push_back(NodeVector::Zero(state.force.size())); // full unloading
+  candidates.push_back(state.force);
+  double least = std::numeric_limits<double>::infinity();
+  std::size_t best = candidates.size() - 1;
+  for (std::size_t i = 0; i < candidates.size() && least > tolerance; ++i)
+    if (const double residual = problem.residual(candidates[i]); residual < least)
+    {
+      least = residual;
+      best = i;
+    }
+  return candidates[best];
 }
 
 void StartForces::remember(const NodeVector &before, const NodeVector &after, const LoadStep &step)
@@ -38,6 +39,7 @@ StepSolver::StepSolver(const CondensedBody &body, ContactProblem &problem,
                        const ContactSolverOptions &options)
     : body_(body),
       problem_(problem),
+      tolerance_(options.tolerance),
       solver_(make_contact_solver(problem, options))
 {
 }
@@ -51,7 +53,7 @@ SolverReport StepSolver::solve(ContactState &state, const LoadStep &step) const
 {
   const ContactState before = state;
   set_problem(state, step.top);
-  const SolverReport report = solve_to(state, step.top, starts_.best(problem_, state, step), 0);
+  const SolverReport report = solve_to(state, step.top, starts_.best(problem_, state, step, tolerance_), 0);
   if (report.converged)
     state.step = step.number;
   else

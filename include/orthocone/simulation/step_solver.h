@@ -24,8 +24,10 @@ struct StartMemory
 class StartForces
 {
 public:
-  /// The candidate with the least residual; costs one product with W for each.
-  NodeVector best(const ContactProblem &problem, const ContactState &state, const LoadStep &step) const;
+  /// The first candidate whose residual is within the tolerance, which costs one product with W, or the one
+  /// with the least.
+  NodeVector best(const ContactProblem &problem, const ContactState &state, const LoadStep &step,
+                  double tolerance) const;
 
   /// To be called with every solved step.
   void remember(const NodeVector &before, const NodeVector &after, const LoadStep &step);
@@ -61,6 +63,7 @@ private:
 
   const CondensedBody &body_;
   ContactProblem &problem_;
+  double tolerance_;
   std::unique_ptr<ContactSolver> solver_;
   StartForces starts_;
 };

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <Eigen/Dense>
+#include <Eigen/Sparse>
+
+namespace orthocone
+{
+/// The compliance as inner iterations use it: in single precision, half the memory to run through, relative
+/// to its largest eigenvalue, so that no unit of force or length comes near the ends of the number range.
+class InnerCompliance
+{
+public:
+  /// `compliance`: W, 3 n x 3 n; `scale` > 0.
+  InnerCompliance(const Eigen::MatrixXd &compliance, double scale);
+
+  double scale() const { return scale_; }
+
+  /// W v / scale.
+  Eigen::VectorXf multiply(const Eigen::VectorXf &vector) const
+  {
+    return matrix_.selfadjointView<Eigen::Lower>() * vector;
+  }
+
+  /// About scale W^-1 v: each node with its nearest neighbours, the rest at rest. The inverse of a compliance
+  /// falls off so fast with the distance that more neighbours make no better preconditioner.
+  Eigen::VectorXf multiply_stiffness(const Eigen::VectorXf &vector) const { return stiffness_ * vector; }
+
+private:
+  Eigen::SparseMatrix<float, Eigen::RowMajor> local_stiffness() const;
+
+  double scale_;
+  Eigen::MatrixXf matrix_;
+  Eigen::SparseMatrix<float, Eigen::RowMajor> stiffness_;
+};
+} // namespace orthocone
