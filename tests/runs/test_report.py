@@ -4,102 +4,24 @@
 
 Usage: test_report.py PROGRAM [unittest options]"""
 import json
-import os
 import pathlib
 import re
 import shutil
-import subprocess
 import sys
-import tempfile
 import time
-import unittest
 
 import meshio
 import numpy as np
 
 sys.dont_write_bytecode = True  # the source tree stays clean
+from program import main  # noqa: E402
 from report_page import Keys, Page, Select, column, table  # noqa: E402
+from report_run import COARSE, SCRATCH, report, run  # noqa: E402
 
-PROGRAM = ""
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-REPORT = ROOT / "tools/report.py"
-CASE_B = ROOT / "prm/paper/case_b.prm"
-SCRATCH = tempfile.TemporaryDirectory()
 SMALL = ["Mesh/Core cells=4", "Mesh/Layers=2", "Load program/Cycles=2", "Output/Volume fields=0",
          "Output/Probes=P: 6.72 6.72; __proto__: 3 -3; -: -6 0"]
-COARSE = ["Mesh/Core cells=2", "Mesh/Layers=1", "Mesh/Degree=1", "Output/Volume fields=0"]
 STATE_COLOURS = [(200, 200, 200), (0, 114, 178), (240, 165, 30)]  # open, stick, slip
 WARNING = "<i>beware</i> of </script><script>throw 1</script> & \"quotes\""
-
-
-def run(name, *settings, code=0):
-    folder = pathlib.Path(SCRATCH.name) / name
-    words = [f"--set={setting}" for setting in settings]
-    done = subprocess.run([PROGRAM, CASE_B, "--quiet", "--output", folder, *words], capture_output=True, timeout=300,
-                          check=False)
-    assert done.returncode == code, done.stderr
-    return folder
-
-
-def report(*arguments):
-    return subprocess.run([sys.executable, REPORT, *arguments], capture_output=True, text=True, timeout=120, check=False)
-
-
-class CommandTest(unittest.TestCase):
-    """What needs no browser: errors, and what is left on the disk."""
-
-    @classmethod
-    def setUpClass(cls):
-        cls.folder = run("command", *COARSE, "Load program/Cycles=1")
-
-    def assert_error(self, result, code, pattern):
-        self.assertEqual(result.returncode, code, result.stderr)
-        self.assertRegex(result.stderr, rf"^report: .*{pattern}.*\n$")
-        self.assertEqual(result.stderr.count("\n"), 1)
-
-    def test_wrong_usage(self):
-        self.assert_error(report(), 2, "RUN_FOLDER")
-        self.assert_error(report(self.folder, "--colour"), 2, "--colour")
-
-    def test_no_run_folder(self):
-        self.assert_error(report(self.folder / "nothing"), 4, "nothing: no such folder")
-        empty = tempfile.mkdtemp(dir=SCRATCH.name)
-        self.assert_error(report(empty), 4, "not a run folder, for history.csv and parameters.prm are missing")
-
-    def test_bad_files(self):
-        for name, text in (("contact-0003.vtu", "<VTKFile>"), ("history.csv", "step,ux\n1"), ("summary.json", "{"),
-                           ("summary.json", "{}x"), ("parameters.prm", "subsection Friction\nend")):
-            with self.subTest(name):
-                bad = pathlib.Path(tempfile.mkdtemp(dir=SCRATCH.name)) / "bad"
-                shutil.copytree(self.folder, bad)
-                (bad / name).write_text(text)
-                self.assert_error(report(bad), 4, f"{name}: cannot be understood")
-                self.assertFalse(list(bad.glob("*report*")) + list(bad.glob(".report*")))
-
-    def test_output(self):
-        page = self.folder / "page.html"
-        self.assertEqual(report(self.folder, "--output", page).returncode, 0)
-        first = page.read_bytes()
-        self.assertEqual(report(self.folder, "--output", page).returncode, 0)
-        self.assertEqual(page.read_bytes(), first)
-        self.assertFalse(list(self.folder.glob(".report*")))
-        self.assertNotIn(str(self.folder.parent).encode(), first)
-        self.assert_error(report(self.folder, "--output", self.folder), 4, "is no ordinary file")
-        pipe = self.folder / "pipe"
-        os.mkfifo(pipe)
-        self.assert_error(report(self.folder, "--output", pipe), 4, "pipe: is no ordinary file")
-        self.assert_error(report(self.folder, "--output", self.folder / "none/page.html"), 4, "none: no such folder")
-
-    def test_long_run(self):
-        folder = run("long", *COARSE, "Load program/Cycles=70")
-        self.assertEqual((report(folder).returncode, len(table(folder))), (0, 1050))
-        text = (folder / "report.html").read_text()
-        self.assertLess(len(text), 5e6)
-        self.assertIn("The maps show 60 of the 1050 steps", text)
-        data = json.loads(re.search(r'id="data">(.*?)</script>', text)[1])
-        steps = [frame["step"] for frame in data["maps"]["frames"]]
-        self.assertEqual(steps[:15] + steps[-15:], [*range(1, 16), *range(1036, 1051)])
-        self.assertTrue(set(steps) <= set(data["history"]["step"]))
 
 
 class PageTest(Page):
@@ -305,5 +227,4 @@ def tearDownModule():
 
 
 if __name__ == "__main__":
-    PROGRAM = os.path.abspath(sys.argv.pop(1))
-    unittest.main()
+    main()
