@@ -71,7 +71,7 @@ def figure_6(runs):
 
 
 def figure_7(runs):
-    """Stick zone at the peak, with the friction ellipse of the same width."""
+    """Stick zone at the peak, with the friction ellipse through the outermost sticking nodes along x."""
     figure, axes = three_cases(2, [MESHES["bricks"].title, "refined mesh"])
     for row, mesh in zip(axes, ("bricks", "refined")):
         for ax, case in zip(row, CASES):
@@ -80,9 +80,10 @@ def figure_7(runs):
             a, b = surface.extent(run_folder.STICK)
             mu_x, mu_y = FRICTION_ELLIPSE[case]
             ellipse = Ellipse((0, 0), 2 * a, 2 * a * mu_y / mu_x, fill=False, linestyle="--", linewidth=1,
-                              label="friction ellipse, as wide as the stick zone")
+                              label="friction ellipse through the outermost sticking nodes along x; "
+                                    "colours reach half a cell farther")
             ax.add_patch(ellipse)
-            ax.set_title(f"{TITLES[case]}\nstick zone ±{a:.1f} × ±{b:.1f} mm", fontsize=9.5)
+            ax.set_title(f"{TITLES[case]}\nstick zone, half-axes {a:.2f} × {b:.2f} mm", fontsize=9.5)
     status_legend(figure, ellipse)
     return figure
 

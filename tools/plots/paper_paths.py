@@ -42,12 +42,13 @@ def figure_9(runs):
         ax.plot(x[second], y[second], "--", color=RED, linewidth=1.4, label="B, second cycle (lies on the first)")
         ax.plot(*(from_rest(isotropic[name] * 1000) for name in ("slip_x", "slip_y")), "-s", color=GREEN, markersize=3,
                 linewidth=1.2, label="A, isotropic")
-        mark_steps(ax, x, y, (1, PEAK, 12, 13, 14))
+        mark_steps(ax, x, y, (PEAK, 12, 13))
+        mark_steps(ax, x, y, (1, 14), offset=(-13, 3))  # on the other side there are the other curves
         ax.set_title(f"{MESHES[mesh].title}; P at {place(run, 'P')}", fontsize=10)
         ax.set_xlabel("slip $u_x$, µm")
         ax.set(xlim=(-0.5, 12.5), ylim=(-0.5, 12.5), aspect="equal")
     axes[0].set_ylabel("slip $u_y$, µm")
-    axes[1].legend(fontsize=8.5, loc="upper right", title="small numbers: steps", title_fontsize=8.5)
+    axes[1].legend(fontsize=8.5, loc="upper right", title="small numbers: steps of B", title_fontsize=8.5)
     return figure
 
 
@@ -86,7 +87,7 @@ def figure_11(runs, positive_load):
         axes[0].plot(steps, slip, "-o", color=colour, markersize=3, linewidth=1.3, label=MESHES[mesh].title)
     axes[1].plot(steps, from_rest(slip_length(positive_load.probe("P")) * 1000), "-o", color=BLUE, markersize=3,
                  linewidth=1.3, label=MESHES["bricks"].title)
-    for ax, title in zip(axes, ("unloaded to u_z = 0, as in the paper", "unloaded to u_z = −0.02 mm")):
+    for ax, title in zip(axes, ("unloaded to $u_z = 0$, as in the paper", "unloaded to $u_z = -0.02$ mm")):
         ax.axhline(P_SLIP * 1000, color="0.4", linestyle=":", label="printed peak, about")
         ax.set_title(f"case B, {title}", fontsize=10)
         ax.set_xlabel("step")
