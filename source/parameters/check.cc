@@ -63,6 +63,10 @@ void check_load(const LoadOptions &load)
   if (n_steps > most_steps)
     throw InputError("Load program: Preload, Legs and Cycles = " + std::to_string(load.cycles) + " make " +
                      to_text(n_steps) + " load steps: allowed are 1000000");
+  if (load.stop_when_periodic > 0 && load.jump_when_periodic > 0)
+    throw InputError("Load program/Stop when periodic = " + to_text(load.stop_when_periodic) +
+                     " and Load program/Jump when periodic = " + to_text(load.jump_when_periodic) +
+                     ": allowed is one of them, the other 0 (a run that stops has nothing to jump)");
 }
 
 void check_probes(const std::vector<Probe> &probes, const double radius)

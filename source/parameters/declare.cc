@@ -67,6 +67,18 @@ void declare_load(LoadOptions &load, ParameterHandler &handler)
   add_legs(handler, "Legs", load.legs,
            "Legs of a cycle: the upper face moves to (ux, uy, uz) in equal steps, from where it was.");
   add_count(handler, "Cycles", load.cycles, 0, 1000000, "How many times the legs are passed through.");
+  const Range share{0, 1, true, false};
+  add_number(
+      handler, "Stop when periodic", load.stop_when_periodic, share,
+      "The run is complete as soon as a cycle ends as it began: nodal forces within this share of the "
+      "largest one, displacements within this share of the largest motion of the upper face; 0 = never.");
+  add_number(
+      handler, "Jump when periodic", load.jump_when_periodic, share,
+      "When a cycle ends as it began, in the same measure, the next ones are not computed: accumulated "
+      "slip and dissipated energy grow as in this one; 0 = never. The last cycle is always computed.");
+  add_count(handler, "Jump cycles", load.jump_cycles, 1, 1000000,
+            "Most cycles that are jumped before another one is computed, which shows whether the response is "
+            "still periodic.");
 }
 
 void declare_contact_solver(ContactSolverOptions &solver, ParameterHandler &handler)

@@ -96,6 +96,17 @@ void warn_of_ignored_relaxation(const ContactSolverOptions &solver, std::vector<
                        "; it is for gauss-seidel");
 }
 
+/// Forces may differ by a hundred times the residual that the solver leaves: W is that ill-conditioned.
+void warn_of_unresolved_period(const std::string &entry, const double bound, const double tolerance,
+                               std::vector<std::string> &warnings)
+{
+  constexpr double resolved = 100;
+  if (bound > 0 && bound < resolved * tolerance)
+    warnings.push_back("Load program/" + entry + " = " + to_text(bound) +
+                       " is less than a hundred times Contact solver/Tolerance = " + to_text(tolerance) +
+                       ": what the solver leaves may hide, or look like, a change from cycle to cycle");
+}
+
 /// Size of the elements at the rim of the base relative to the radius, divided by degree^2: what decides how
 /// well the singular slip at the rim is resolved.
 double rim_size(const GeometryOptions &geometry, const MeshOptions &mesh)
@@ -133,6 +144,10 @@ std::vector<std::string> parameter_warnings(const Parameters &parameters)
   warn_of_locking(parameters.material, parameters.mesh, warnings);
   warn_of_large_strains(parameters, warnings);
   warn_of_no_contact(parameters.load, warnings);
+  warn_of_unresolved_period("Stop when periodic", parameters.load.stop_when_periodic,
+                            parameters.contact_solver.tolerance, warnings);
+  warn_of_unresolved_period("Jump when periodic", parameters.load.jump_when_periodic,
+                            parameters.contact_solver.tolerance, warnings);
   warn_of_coarse_rim(parameters.geometry, parameters.mesh, warnings);
   warn_of_ignored_relaxation(parameters.contact_solver, warnings);
   return warnings;

@@ -17,7 +17,7 @@ namespace
 using Eigen::Index;
 using Json = nlohmann::json;
 
-constexpr unsigned int format_version = 1;
+constexpr unsigned int format_version = 2;
 constexpr const char *magic = "orthocone-checkpoint";
 
 std::uint32_t checksum(const std::string &bytes)
@@ -97,6 +97,60 @@ StartMemory starts_from(const Json &json, const ContactState &state)
   return starts;
 }
 
+Json row_json(const CycleRow &row)
+{
+  return {{"cycle", row.cycle},       {"peak_force_z", row.peak_force_z},
+          {"max_slip", row.max_slip}, {"last_step", row.last_step},
+          {"work", row.work},         {"iterations", row.iterations}};
+}
+
+/// What adds up in a cycle; the rest of the row is known at its end.
+CycleRow row_from(const Json &json)
+{
+  CycleRow row;
+  row.cycle = json.at("cycle");
+  row.last_step = json.at("last_step");
+  row.peak_force_z = json.at("peak_force_z");
+  row.max_slip = json.at("max_slip");
+  row.work = json.at("work");
+  row.iterations = json.at("iterations");
+  return row;
+}
+
+Json cycles_json(const CycleMemory &cycles)
+{
+  Json jumped = Json::array();
+  for (const StepRange &range : cycles.jumped)
+    jumped.push_back({range.first, range.last});
+  return {{"start", state_json(cycles.start)},
+          {"start_dissipation", cycles.start_dissipation},
+          {"largest_nodal_force", cycles.largest_nodal_force},
+          {"largest_force", cycles.largest_force},
+          {"row", row_json(cycles.row)},
+          {"n_completed", cycles.n_completed},
+          {"change", cycles.change},
+          {"periodic_since", cycles.periodic_since},
+          {"jumped", std::move(jumped)}};
+}
+
+CycleMemory cycles_from(const Json &json, const ContactState &state)
+{
+  CycleMemory cycles;
+  cycles.start = state_from(json.at("start"));
+  if (cycles.start.n_nodes() != state.n_nodes())
+    throw CheckpointError("is damaged (an array has the wrong size)");
+  cycles.start_dissipation = json.at("start_dissipation");
+  cycles.largest_nodal_force = json.at("largest_nodal_force");
+  cycles.largest_force = json.at("largest_force");
+  cycles.row = row_from(json.at("row"));
+  cycles.n_completed = json.at("n_completed");
+  cycles.change = json.at("change");
+  cycles.periodic_since = json.at("periodic_since");
+  for (const Json &range : json.at("jumped"))
+    cycles.jumped.push_back({range.at(0), range.at(1)});
+  return cycles;
+}
+
 Json record_json(const RunRecord &record)
 {
   Json seconds{{"total", record.total_seconds}};
@@ -134,6 +188,7 @@ Checkpoint from_json(const Json &json)
   json.at("table_sizes").get_to(checkpoint.table_sizes);
   checkpoint.state = state_from(json.at("state"));
   checkpoint.starts = starts_from(json.at("starts"), checkpoint.state);
+  checkpoint.cycles = cycles_from(json.at("cycles"), checkpoint.state);
   checkpoint.record = record_from(json.at("record"));
   return checkpoint;
 }
@@ -143,7 +198,8 @@ std::string encode(const Checkpoint &checkpoint)
 {
   const Json json{{"parameters", checkpoint.parameters},      {"program", checkpoint.program},
                   {"table_sizes", checkpoint.table_sizes},    {"state", state_json(checkpoint.state)},
-                  {"starts", starts_json(checkpoint.starts)}, {"record", record_json(checkpoint.record)}};
+                  {"starts", starts_json(checkpoint.starts)}, {"cycles", cycles_json(checkpoint.cycles)},
+                  {"record", record_json(checkpoint.record)}};
   std::string content;
   Json::to_cbor(json, content);
   std::ostringstream bytes;

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/simulation/history.h>
 
-#include <orthocone/parameters/text.h>
+#include "csv.h"
 
 #include <cmath>
 #include <limits>
@@ -11,28 +11,8 @@ namespace orthocone
 {
 namespace
 {
+using csv::row;
 using Eigen::Vector2d;
-
-std::string cell(const double value)
-{
-  return to_text(value);
-}
-std::string cell(const unsigned int value)
-{
-  return std::to_string(value);
-}
-std::string cell(const std::string &value)
-{
-  return value;
-}
-
-template<typename... Values>
-std::string row(const Values &...values)
-{
-  std::string text;
-  ((text += (text.empty() ? "" : ",") + cell(values)), ...);
-  return text + "\n";
-}
 
 const char *word_of(const NodeStatus status)
 {

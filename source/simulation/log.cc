@@ -39,6 +39,11 @@ void Log::line(const std::string &text)
     std::cout << text << std::endl;
 }
 
+void Log::note(const std::string &text) const
+{
+  folder_.append("log.txt", text + "\n");
+}
+
 void Log::start_steps(const unsigned int n_done)
 {
   n_done_ = n_done;

@@ -64,6 +64,7 @@ QuasiStaticProblem::QuasiStaticProblem(const Parameters &parameters, const Model
       evaluator_(body_.discretization.contact_surface(), model_.planes, axes_,
                  friction_of(parameters_.friction)),
       checker_(parameters_, model_.planes, condensed_, stiffness_),
+      cycles_(parameters_.load, problem_.n_nodes()),
       output_(folder_, parameters_, body_.discretization, condensed_, evaluator_)
 {
 }
@@ -113,7 +114,9 @@ void QuasiStaticProblem::begin(const std::optional<Checkpoint> &checkpoint)
     throw FileError(folder_.path() + ": the checkpoint is of " + std::to_string(checkpoint->state.n_nodes()) +
                     " contact nodes, the model has " + std::to_string(problem_.n_nodes()) +
                     "; was it written by another version of the program (" + checkpoint->program + ")?");
-  output_.return_to(checkpoint->state.step, checkpoint->table_sizes);
+  cycles_.restore(checkpoint->cycles);
+  output_.return_to(checkpoint->state.step, cycles_.is_to_stop(), checkpoint->cycles.jumped,
+                    checkpoint->table_sizes);
   log_.line("resumed after load step " + std::to_string(checkpoint->state.step) + " of " +
             std::to_string(steps_.size()));
   if (checkpoint->program != program_version())
@@ -136,6 +139,8 @@ QuasiStaticProblem::Outcome QuasiStaticProblem::march()
   {
     if (step.number <= state_.step)
       continue;
+    if (cycles_.is_to_stop())
+      break;
     if (stop_is_requested())
     {
       save_checkpoint();
@@ -170,17 +175,43 @@ QuasiStaticProblem::Outcome QuasiStaticProblem::advance_to(const LoadStep &step)
             });
   if (const auto which = checker_.violation(checks))
     return violation(step, *which);
+  const SolvedStep solved{next, totals_, totals, report, checks, seconds};
   timed(record_.seconds.output,
         [&]
         {
-          output_.write({next, totals_, totals, report, checks, seconds});
+          output_.write(solved);
           log_.progress(step, steps_.size(), totals, report);
         });
+  const auto cycle = cycles_.add_step(step, state_, solved);
   solver_.accept(state_, next, step);
   state_ = std::move(next);
   totals_ = totals;
   record_.add_step(step.number, totals, report, checks);
+  if (cycle)
+    timed(record_.seconds.output, [&] { end_cycle(*cycle); });
   return {};
+}
+
+/// Tells of a cycle, and ends the run or jumps the next cycles if these would be like it.
+void QuasiStaticProblem::end_cycle(const CycleRow &row)
+{
+  output_.write(row);
+  log_.note(describe(row, parameters_.load.cycles));
+  if (cycles_.is_to_stop())
+  {
+    log_.line(describe_stop(cycles_.memory(), parameters_.load.stop_when_periodic));
+    output_.end_with(state_);
+  }
+  if (const unsigned int n = cycles_.n_to_jump(); n > 0)
+  {
+    CycleRow jumped = cycles_.jump_cycles(state_, n);
+    totals_ = compute_totals(evaluator_, state_, condensed_.compliance());
+    jumped.dissipation = totals_.total_dissipation - row.total_dissipation;
+    jumped.total_dissipation = totals_.total_dissipation;
+    jumped.max_accumulated_slip = totals_.max_accumulated_slip;
+    output_.write(jumped);
+    log_.line(describe_jump(jumped, cycles_.memory(), parameters_.load.jump_when_periodic));
+  }
 }
 
 /// Saves the state before the step that failed; what is told first is why it failed.
@@ -201,8 +232,9 @@ void QuasiStaticProblem::save_checkpoint()
 {
   const Stopwatch watch;
   record_.total_seconds = seconds_before_ + total_.seconds();
+  output_.flush();
   write_checkpoint(folder_, {entry_values(parameters_), program_version(), folder_.table_sizes(), state_,
-                             solver_.memory(), record_});
+                             solver_.memory(), cycles_.memory(), record_});
   since_checkpoint_ = Stopwatch();
   record_.seconds.output += watch.seconds();
 }
@@ -212,13 +244,15 @@ void QuasiStaticProblem::finish(const Outcome &outcome)
   record_.total_seconds = seconds_before_ + total_.seconds();
   const std::string status = outcome.code == ExitCode::done ? "complete" : outcome.message;
   folder_.write("summary.json", summary_json({status, parameters_, model_, body_.discretization,
-                                              static_cast<unsigned int>(steps_.size()), state_.step,
-                                              totals_.total_dissipation, record_}));
+                                              static_cast<unsigned int>(steps_.size()),
+                                              state_.step - cycles_.memory().n_jumped_steps(),
+                                              totals_.total_dissipation, record_, cycles_.memory()}));
   // Those of the parameters were told at the beginning.
   const auto warnings = all_warnings(parameters_, record_);
   for (std::size_t i = parameter_warnings(parameters_).size(); i < warnings.size(); ++i)
     log_.line("warning: " + warnings[i]);
   log_.line(describe_seconds(record_) + "; files in " + folder_.path());
+  output_.flush();
 }
 
 QuasiStaticProblem::Outcome QuasiStaticProblem::failure(const LoadStep &step,

@@ -44,15 +44,16 @@ std::vector<std::string> files_of_a_run(const fs::path &folder)
   for (const std::string &name : matching(folder / checkpoint_folder, "state(\\.part)?"))
     names.push_back(std::string(checkpoint_folder) + "/" + name);
   for (const std::string &name : matching(
-           folder, "((contact|volume)(-\\d{4,9}\\.vtu|\\.pvd)|probe-.*\\.csv|(history|timing|checks)\\.csv|"
-                   "summary\\.json|(input|parameters)\\.prm|input\\.json|log\\.txt|report\\.html)(\\.part)?"))
+           folder,
+           "((contact|volume)(-\\d{4,9}\\.vtu|\\.pvd)|probe-.*\\.csv|(history|timing|checks|cycles)\\.csv|"
+           "summary\\.json|(input|parameters)\\.prm|input\\.json|log\\.txt|report\\.html)(\\.part)?"))
     names.push_back(name);
   return names;
 }
 
 std::vector<std::string> tables(const fs::path &folder)
 {
-  return matching(folder, "probe-.*\\.csv|(history|timing|checks)\\.csv");
+  return matching(folder, "probe-.*\\.csv|(history|timing|checks|cycles)\\.csv");
 }
 } // namespace
 

@@ -5,40 +5,25 @@
 #include <orthocone/parameters/errors.h>
 #include <orthocone/simulation/vtu.h>
 
-#include <deal.II/base/data_out_base.h>
-
 #include <algorithm>
-#include <sstream>
 
 namespace orthocone
 {
-namespace
-{
-std::string numbered(const std::string &name, const unsigned int step)
-{
-  constexpr std::size_t digits = 4;
-  const std::string number = std::to_string(step);
-  return name + "-" + std::string(digits - std::min(digits, number.size()), '0') + number + ".vtu";
-}
-
-bool is_due(const unsigned int interval, const unsigned int step, const unsigned int n_steps)
-{
-  return interval != 0 && (step % interval == 0 || step == n_steps);
-}
-} // namespace
-
 RunOutput::RunOutput(const RunFolder &folder, const Parameters &parameters,
                      const Discretization &discretization, const CondensedBody &condensed,
                      const ContactFieldEvaluator &evaluator)
     : folder_(folder),
       options_(parameters.output),
       material_(parameters.material),
-      n_steps_(load_steps(parameters.load).size()),
+      last_step_(load_steps(parameters.load).size()),
       discretization_(discretization),
       condensed_(condensed),
       evaluator_(evaluator),
       history_(folder, parameters.contact_solver.method),
-      probes_(folder, parameters.output.probes, evaluator)
+      probes_(folder, parameters.output.probes, evaluator),
+      cycles_(folder),
+      contact_(folder, "contact"),
+      volume_(folder, "volume")
 {
 }
 
@@ -46,59 +31,83 @@ void RunOutput::start() const
 {
   history_.start();
   probes_.start();
+  cycles_.start();
 }
 
-void RunOutput::return_to(const unsigned int step,
-                          const std::map<std::string, std::uintmax_t> &table_sizes) const
+bool RunOutput::is_due(const unsigned int interval, const unsigned int step) const
 {
-  require_fields("contact", options_.contact_interval, step);
-  require_fields("volume", options_.volume_interval, step);
+  return interval != 0 && (step % interval == 0 || step == last_step_);
+}
+
+/// Steps up to `step` that have a field file.
+std::vector<unsigned int> RunOutput::due_steps(const unsigned int interval, const unsigned int step,
+                                               const std::vector<StepRange> &jumped) const
+{
+  std::vector<unsigned int> steps;
+  for (unsigned int number = 1; number <= step; ++number)
+    if (is_due(interval, number))
+      steps.push_back(number);
+  for (const StepRange &range : jumped)
+    steps.erase(std::lower_bound(steps.begin(), steps.end(), range.first),
+                std::upper_bound(steps.begin(), steps.end(), range.last));
+  return steps;
+}
+
+void RunOutput::return_to(const unsigned int step, const bool is_last, const std::vector<StepRange> &jumped,
+                          const std::map<std::string, std::uintmax_t> &table_sizes)
+{
+  if (is_last)
+    last_step_ = step;
+  const auto contact = due_steps(options_.contact_interval, step, jumped);
+  const auto volume = due_steps(options_.volume_interval, step, jumped);
+  require_fields(contact_, contact);
+  require_fields(volume_, volume);
   folder_.cut_tables(table_sizes);
-  write_records("contact", options_.contact_interval, step);
-  write_records("volume", options_.volume_interval, step);
+  contact_.set(contact);
+  volume_.set(volume);
   folder_.remove_fields_after(step);
 }
 
-void RunOutput::require_fields(const std::string &name, const unsigned int interval,
-                               const unsigned int step) const
+void RunOutput::require_fields(const FieldList &list, const std::vector<unsigned int> &steps) const
 {
-  for (unsigned int number = 1; number <= step; ++number)
-    if (is_due(interval, number, n_steps_) && !folder_.has(numbered(name, number)))
-      throw FileError(folder_.path(numbered(name, number)) +
+  for (const unsigned int step : steps)
+    if (!folder_.has(list.field_file(step)))
+      throw FileError(folder_.path(list.field_file(step)) +
                       ": is missing, so that the run cannot be continued; without --resume it starts anew");
 }
 
-/// The .pvd file, which names the field files of all steps up to `step`.
-void RunOutput::write_records(const std::string &name, const unsigned int interval,
-                              const unsigned int step) const
+void RunOutput::write(const SolvedStep &step)
 {
-  std::vector<std::pair<double, std::string>> files;
-  for (unsigned int number = 1; number <= step; ++number)
-    if (is_due(interval, number, n_steps_))
-      files.emplace_back(number, numbered(name, number));
-  if (files.empty())
-    return folder_.remove(name + ".pvd");
-  std::ostringstream text;
-  dealii::DataOutBase::write_pvd_record(text, files);
-  folder_.write(name + ".pvd", text.str());
+  history_.write(step);
+  probes_.write(step.state);
+  write_fields(step.state);
 }
 
-void RunOutput::write(const SolvedStep &step) const
+void RunOutput::write_fields(const ContactState &state)
 {
-  const ContactState &state = step.state;
-  history_.write(step);
-  probes_.write(state);
-  if (is_due(options_.contact_interval, state.step, n_steps_))
+  if (is_due(options_.contact_interval, state.step) && !contact_.has(state.step))
   {
-    folder_.write(numbered("contact", state.step), contact_vtu(evaluator_, state));
-    write_records("contact", options_.contact_interval, state.step);
+    folder_.write(contact_.field_file(state.step), contact_vtu(evaluator_, state));
+    contact_.add(state.step);
   }
-  if (is_due(options_.volume_interval, state.step, n_steps_))
+  if (is_due(options_.volume_interval, state.step) && !volume_.has(state.step))
   {
     folder_.write(
-        numbered("volume", state.step),
+        volume_.field_file(state.step),
         volume_vtu(discretization_, material_, condensed_.volume_displacement(state.top, state.force)));
-    write_records("volume", options_.volume_interval, state.step);
+    volume_.add(state.step);
   }
+}
+
+void RunOutput::end_with(const ContactState &state)
+{
+  last_step_ = state.step;
+  write_fields(state);
+}
+
+void RunOutput::flush()
+{
+  contact_.flush();
+  volume_.flush();
 }
 } // namespace orthocone

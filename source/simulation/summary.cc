@@ -45,6 +45,14 @@ Json seconds_json(const RunRecord &record)
   return json;
 }
 
+Json cycles_json(const CycleMemory &cycles)
+{
+  Json json{{"completed", cycles.n_completed}, {"jumped_steps", cycles.n_jumped_steps()}};
+  json["change"] = cycles.n_completed > 0 ? Json(cycles.change) : Json();
+  json["periodic_since_cycle"] = cycles.periodic_since > 0 ? Json(cycles.periodic_since) : Json();
+  return json;
+}
+
 void consider(std::pair<double, unsigned int> &peak, const double value, const unsigned int step)
 {
   if (value > peak.first)
@@ -104,6 +112,7 @@ std::string summary_json(const Summary &summary)
   json["status"] = summary.status;
   json["model"] = model_json(summary);
   json["steps"] = {{"planned", summary.n_steps}, {"solved", summary.n_solved}};
+  json["cycles"] = cycles_json(summary.cycles);
   json["contact_solver"] = {{"method", to_word(summary.parameters.contact_solver.method)},
                             {"tolerance", summary.parameters.contact_solver.tolerance},
                             {"iterations", summary.record.n_iterations},

@@ -31,7 +31,7 @@ std::string with_header(const std::string &content)
 {
   boost::crc_32_type crc;
   crc.process_bytes(content.data(), content.size());
-  return "orthocone-checkpoint 1 " + std::to_string(content.size()) + " " + std::to_string(crc.checksum()) + "\n" +
+  return "orthocone-checkpoint 2 " + std::to_string(content.size()) + " " + std::to_string(crc.checksum()) + "\n" +
          content;
 }
 } // namespace

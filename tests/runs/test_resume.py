@@ -18,7 +18,7 @@ from program import RunTest, SMALL, main  # noqa: E402
 
 DONE, WRONG_INPUT, UNSOLVED, FILE_ERROR, INTERRUPTED = 0, 2, 3, 4, 130
 EVERY_STEP = "Output/Checkpoint=0"
-RESULTS = ["history.csv", "checks.csv", "probe-P.csv", "contact.pvd", "volume.pvd", "contact-0045.vtu",
+RESULTS = ["history.csv", "checks.csv", "cycles.csv", "probe-P.csv", "contact.pvd", "volume.pvd", "contact-0045.vtu",
            "volume-0045.vtu"]
 
 
@@ -176,7 +176,7 @@ class RefusalTest(ResumeTest):
         for bad, expression in ((b"", "is not a checkpoint"), (b"hello\n", "is not a checkpoint"),
                                 (good[:middle], "is cut off"), (good + b"x", "is cut off"),
                                 (good[:middle] + bytes([good[middle] ^ 1]) + good[middle + 1:], "is damaged"),
-                                (good.replace(b" 1 ", b" 2 ", 1), "has format version 2, and this program reads")):
+                                (good.replace(b" 2 ", b" 3 ", 1), "has format version 3, and this program reads")):
             state.write_bytes(bad)
             self.assert_refused(FILE_ERROR, r".*checkpoint/state: " + expression + r".*; without --resume")
 

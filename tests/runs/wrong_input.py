@@ -193,6 +193,7 @@ VALID = [
 SLIP, RIM = "Friction/Slip potential = ", "Mesh: elements of degree "
 STRAIN, LOCKING = r"Load program: \|u_z\| up to ", "Material/Poisson ratio = "
 SHEAR, NO_CONTACT = r"Load program: \|u_t\| without sliding up to ", "Load program: no leg has u_z < 0"
+PERIOD = r"Load program/{} when periodic = 1e-10 is less than a hundred times Contact solver/Tolerance = 1e-10: "
 # Legal but suspicious: overrides of prm/paper/case_b.prm, which has nothing suspicious, and the warnings of --check.
 WARNINGS = [
     ([], []),
@@ -217,6 +218,9 @@ WARNINGS = [
      [STRAIN + "1 mm "]),
     (["Load program/Legs=0 0 0.1 : 5 ; 0.1 0 0 : 10"], [NO_CONTACT + ".* no contact forces$"]),
     (["Load program/Preload=0 0 -1e-9 : 1", "Load program/Legs=0.1 0 0 : 10"], []),
+    (["Load program/Stop when periodic=2e-8", "Load program/Cycles=10"], []),
+    (["Load program/Stop when periodic=1e-10"], [PERIOD.format("Stop")]),
+    (["Load program/Jump when periodic=1e-10"], [PERIOD.format("Jump")]),
     (["Contact solver/Relaxation=1.5", "Contact solver/Method=gauss-seidel"], []),
     (["Contact solver/Relaxation=1.5"], ["Contact solver/Relaxation = 1.5 is ignored with Contact solver/Method = "
                                          "newton; it is for gauss-seidel$"]),

@@ -91,6 +91,9 @@ struct LoadOptions
   std::vector<Leg> preload;
   std::vector<Leg> legs{{{{0, 0, -0.1}}, 5}, {{{0, 0, 0}}, 10}}; ///< the paper's cycle
   unsigned int cycles = 1;
+  double stop_when_periodic = 0;  ///< bound of the change of state in a cycle; 0 = never
+  double jump_when_periodic = 0;  ///< bound of the change of state in a cycle; 0 = never
+  unsigned int jump_cycles = 100; ///< most cycles that are jumped before another one is computed
 };
 
 /// Section Contact solver.

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <orthocone/simulation/contact_state.h>
+#include <orthocone/simulation/cycles.h>
 #include <orthocone/simulation/run_folder.h>
 #include <orthocone/simulation/step_solver.h>
 #include <orthocone/simulation/summary.h>
@@ -20,6 +21,7 @@ struct Checkpoint
   std::map<std::string, std::uintmax_t> table_sizes;           ///< of the CSV files, bytes
   ContactState state{0};
   StartMemory starts;
+  CycleMemory cycles;
   RunRecord record;
 };
 

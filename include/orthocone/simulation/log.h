@@ -31,6 +31,9 @@ public:
   /// A line for the screen and for log.txt.
   void line(const std::string &text);
 
+  /// A line for log.txt alone.
+  void note(const std::string &text) const;
+
   /// Elapsed and remaining time count from here, where `n_done` steps are solved already.
   void start_steps(unsigned int n_done);
 

@@ -45,6 +45,7 @@ private:
   void begin(const std::optional<Checkpoint> &checkpoint);
   Outcome march();
   Outcome advance_to(const LoadStep &step);
+  void end_cycle(const CycleRow &row);
   Outcome with_checkpoint(Outcome outcome);
   void save_checkpoint();
   void finish(const Outcome &outcome);
@@ -69,6 +70,7 @@ private:
   ContactFieldEvaluator evaluator_;
   Totals totals_; ///< of state_
   StepChecker checker_;
+  CycleWatch cycles_;
   RunOutput output_;
   Stopwatch since_checkpoint_;
   double seconds_before_ = 0; ///< wall time of the runs before the checkpoint

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <orthocone/elasticity/condensed_body.h>
-#include <orthocone/simulation/history.h>
+#include <orthocone/simulation/cycles.h>
+#include <orthocone/simulation/field_list.h>
 #include <orthocone/simulation/load_program.h>
 
 namespace orthocone
 {
-/// The files of a run that grow with its steps: tables and fields. Holds no memory of earlier steps.
+/// The files of a run that grow with its steps: tables and fields. Of earlier steps it knows only the names
+/// of their files.
 class RunOutput
 {
 public:
@@ -19,24 +21,38 @@ public:
   /// Starts the tables.
   void start() const;
 
-  /// Brings the files back to what they were after `step`, when the tables had these sizes. Throws FileError
-  /// before it touches anything, if they cannot be.
-  void return_to(unsigned int step, const std::map<std::string, std::uintmax_t> &table_sizes) const;
+  /// Brings the files back to what they were after `step`, when the tables had these sizes. `is_last`: the
+  /// run ended there. Throws FileError before it touches anything, if they cannot be.
+  void return_to(unsigned int step, bool is_last, const std::vector<StepRange> &jumped,
+                 const std::map<std::string, std::uintmax_t> &table_sizes);
 
-  void write(const SolvedStep &step) const;
+  void write(const SolvedStep &step);
+  void write(const CycleRow &row) const { cycles_.write(row); }
+
+  /// Writes what is still due after the last step of a run that ends before its program does.
+  void end_with(const ContactState &state);
+
+  /// Brings the .pvd files up to date.
+  void flush();
 
 private:
-  void require_fields(const std::string &name, unsigned int interval, unsigned int step) const;
-  void write_records(const std::string &name, unsigned int interval, unsigned int step) const;
+  bool is_due(unsigned int interval, unsigned int step) const;
+  std::vector<unsigned int> due_steps(unsigned int interval, unsigned int step,
+                                      const std::vector<StepRange> &jumped) const;
+  void require_fields(const FieldList &list, const std::vector<unsigned int> &steps) const;
+  void write_fields(const ContactState &state);
 
   const RunFolder &folder_;
   const OutputOptions options_;
   const MaterialOptions material_;
-  const unsigned int n_steps_;
+  unsigned int last_step_; ///< of the program, or of the run if that ended before
   const Discretization &discretization_;
   const CondensedBody &condensed_;
   const ContactFieldEvaluator &evaluator_;
   const History history_;
   const ProbeHistories probes_;
+  const CycleTable cycles_;
+  FieldList contact_;
+  FieldList volume_;
 };
 } // namespace orthocone

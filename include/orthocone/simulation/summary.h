@@ -3,6 +3,7 @@
 #pragma once
 
 #include <orthocone/contact/contact_solver.h>
+#include <orthocone/simulation/cycles.h>
 #include <orthocone/simulation/load_program.h>
 #include <orthocone/simulation/model_choice.h>
 #include <orthocone/simulation/step_checks.h>
@@ -74,6 +75,7 @@ struct Summary
   unsigned int n_solved;
   double total_dissipation; ///< N mm
   const RunRecord &record;
+  const CycleMemory &cycles;
 };
 
 /// Text of summary.json.

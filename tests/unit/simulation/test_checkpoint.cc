@@ -36,6 +36,17 @@ Checkpoint checkpoint_after(const unsigned int number, const Parameters &paramet
   checkpoint.table_sizes = {{"history.csv", 1234}, {"probe-P.csv", 5}};
   checkpoint.state = scene.state;
   checkpoint.starts = solver.memory();
+  checkpoint.cycles = CycleMemory(scene.state.n_nodes());
+  checkpoint.cycles.start = scene.state;
+  checkpoint.cycles.start_dissipation = 1. / 3;
+  checkpoint.cycles.largest_nodal_force = 2. / 7;
+  checkpoint.cycles.largest_force = 3. / 7;
+  checkpoint.cycles.row.cycle = 3;
+  checkpoint.cycles.row.work = 0.1;
+  checkpoint.cycles.n_completed = 2;
+  checkpoint.cycles.change = 1. / 9;
+  checkpoint.cycles.periodic_since = 1;
+  checkpoint.cycles.jumped = {{16, 30}, {46, 60}};
   checkpoint.record.energy_defect = {0.7, 2};
   checkpoint.record.seconds.contact = 0.1;
   checkpoint.record.total_seconds = 2. / 3;
@@ -83,6 +94,16 @@ TEST(Checkpoint, KeepsEverythingToTheLastBit)
   EXPECT_EQ(after.state.status, before.state.status);
   EXPECT_EQ(after.starts.change, before.starts.change);
   EXPECT_EQ(after.starts.of_phase, before.starts.of_phase);
+  EXPECT_EQ(after.cycles.start.accumulated_slip, before.cycles.start.accumulated_slip);
+  EXPECT_EQ(after.cycles.start_dissipation, before.cycles.start_dissipation);
+  EXPECT_EQ(after.cycles.largest_nodal_force, before.cycles.largest_nodal_force);
+  EXPECT_EQ(after.cycles.largest_force, before.cycles.largest_force);
+  EXPECT_EQ(after.cycles.row.cycle, before.cycles.row.cycle);
+  EXPECT_EQ(after.cycles.row.work, before.cycles.row.work);
+  EXPECT_EQ(after.cycles.n_completed, before.cycles.n_completed);
+  EXPECT_EQ(after.cycles.change, before.cycles.change);
+  EXPECT_EQ(after.cycles.periodic_since, before.cycles.periodic_since);
+  EXPECT_EQ(after.cycles.jumped, before.cycles.jumped);
   EXPECT_EQ(after.record.n_iterations, before.record.n_iterations);
   EXPECT_EQ(after.record.largest_residual, before.record.largest_residual);
   EXPECT_EQ(after.record.largest_energy, before.record.largest_energy);
@@ -120,9 +141,9 @@ TEST(Checkpoint, OfAnotherFormatIsRefused)
 {
   std::string bytes = encode(checkpoint_after(1));
   const std::size_t place = bytes.find(' ') + 1;
-  ASSERT_EQ(bytes[place], '1');
+  ASSERT_EQ(bytes[place], '2');
   bytes[place] = '7';
-  EXPECT_EQ(complaint(bytes), "has format version 7, and this program reads version 1");
+  EXPECT_EQ(complaint(bytes), "has format version 7, and this program reads version 2");
 }
 
 TEST(Checkpoint, IsFoundByTheSameParametersOnly)

@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/simulation/field_list.h>
+
+#include <deal.II/base/data_out_base.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace orthocone
+{
+FieldList::FieldList(const RunFolder &folder, const std::string &name)
+    : folder_(folder),
+      name_(name)
+{
+}
+
+std::string FieldList::field_file(const unsigned int step) const
+{
+  constexpr std::size_t digits = 4;
+  const std::string number = std::to_string(step);
+  return name_ + "-" + std::string(digits - std::min(digits, number.size()), '0') + number + ".vtu";
+}
+
+void FieldList::set(const std::vector<unsigned int> &steps)
+{
+  files_.clear();
+  for (const unsigned int step : steps)
+    files_.emplace_back(step, field_file(step));
+  is_up_to_date_ = files_.empty();
+  if (files_.empty())
+    folder_.remove(name_ + ".pvd");
+  flush();
+}
+
+void FieldList::add(const unsigned int step)
+{
+  files_.emplace_back(step, field_file(step));
+  is_up_to_date_ = false;
+  if (since_writing_.seconds() >= least_seconds_)
+    flush();
+}
+
+bool FieldList::has(const unsigned int step) const
+{
+  return !files_.empty() && files_.back().first >= step;
+}
+
+void FieldList::flush()
+{
+  if (is_up_to_date_)
+    return;
+  constexpr double usual_seconds = 1;
+  constexpr double least_pause = 50; // in multiples of the time that the writing takes
+  const Stopwatch watch;
+  std::ostringstream text;
+  dealii::DataOutBase::write_pvd_record(text, files_);
+  folder_.write(name_ + ".pvd", text.str());
+  is_up_to_date_ = true;
+  least_seconds_ = std::max(usual_seconds, least_pause * watch.seconds());
+  since_writing_ = Stopwatch();
+}
+} // namespace orthocone

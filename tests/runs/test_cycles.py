@@ -1,0 +1,219 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""Many cycles: the table of cycles, stopping when the response is periodic, jumping cycles, and resuming such runs.
+
+Usage: test_cycles.py PROGRAM [unittest options]"""
+import json
+import random
+import shutil
+import subprocess
+import sys
+import time
+
+import meshio
+import numpy as np
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+from program import ROOT, RunTest, SMALL, content, main  # noqa: E402
+
+STEPS = 6
+CYCLES = 40
+# Unloading to a fifth keeps a history, which takes some ten cycles to settle.
+MANY = [*SMALL, f"Load program/Legs=0 0 -0.1 : 3 ; 0 0 -0.02 : {STEPS - 3}", f"Load program/Cycles={CYCLES}",
+        "Output/Volume fields=0", "Output/Contact fields=100"]
+TOLERANCE = 1e-4
+STOP = f"Load program/Stop when periodic={TOLERANCE}"
+JUMP = f"Load program/Jump when periodic={TOLERANCE}"
+COLUMNS = ("cycle,n_cycles,last_step,peak_force_z,force_z,max_slip,max_accumulated_slip,accumulated_slip,dissipation,"
+           "total_dissipation,work,change,iterations")
+
+
+class CyclesTest(RunTest):
+    def run_many(self, name, *settings):
+        result = self.run_program(name, settings=[*MANY, *settings])
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+
+    def numbers(self, name, table):
+        return [{key: float(value) for key, value in row.items() if key != "method"} for row in self.rows(name, table)]
+
+    def cycles(self, name):
+        return self.numbers(name, "cycles.csv")
+
+    def summary(self, name):
+        return json.loads((self.folder / name / "summary.json").read_text())
+
+    def text(self, name, file):
+        return (self.folder / name / file).read_text()
+
+
+class TableTest(CyclesTest):
+    def test_rows_agree_with_those_of_the_steps(self):
+        self.run_many("run", "Load program/Preload=0 0 -0.05 : 2", "Load program/Cycles=4")
+        self.assertEqual(self.text("run", "cycles.csv").splitlines()[0], COLUMNS)
+        steps, checks = self.numbers("run", "history.csv")[2:], self.numbers("run", "checks.csv")[2:]
+        cycles = self.cycles("run")
+        self.assertEqual([row["cycle"] for row in cycles], [1, 2, 3, 4])
+        for number, row in enumerate(cycles):
+            part = steps[number * STEPS:(number + 1) * STEPS]
+            self.assertEqual(row["n_cycles"], 1)
+            self.assertEqual(row["last_step"], part[-1]["step"])
+            self.assertEqual(row["peak_force_z"], max(step["force_z"] for step in part))
+            self.assertEqual(row["max_slip"], max(step["max_slip"] for step in part))
+            for name in ("force_z", "max_accumulated_slip", "total_dissipation"):
+                self.assertEqual(row[name], part[-1][name])
+            self.assertEqual(row["iterations"], sum(step["iterations"] for step in part))
+            self.assertAlmostEqual(row["dissipation"] / sum(step["dissipation"] for step in part), 1, delta=1e-9)
+            work = sum(check["work"] for check in checks[number * STEPS:(number + 1) * STEPS])
+            self.assertAlmostEqual(row["work"] / work, 1, delta=1e-9)
+        self.assertEqual(self.text("run", "log.txt").count("\ncycle "), 4)
+
+    def loop_defect(self, refinement):
+        """Work of a loop that its dissipation and the change of elastic energy leave unexplained."""
+        legs = f"Load program/Legs=0 0 -0.1 : {3 * refinement} ; 0 0 -0.02 : {3 * refinement}"
+        self.run_many("run", legs, "Load program/Cycles=2")
+        energies = [row["elastic_energy"] for row in self.numbers("run", "history.csv")]
+        last = self.cycles("run")[-1]
+        change = energies[-1] - energies[6 * refinement - 1]
+        return abs(last["work"] - last["dissipation"] - change) / last["dissipation"]
+
+    def test_work_of_a_loop_is_dissipated(self):
+        """As well as the steps resolve it."""
+        coarse, fine = self.loop_defect(1), self.loop_defect(4)
+        self.assertLess(coarse, 0.2)
+        self.assertLess(fine, coarse / 4)
+
+    def test_the_wear_measure(self):
+        """dissipated_energy is per area: its integral over the disc is the total dissipation."""
+        self.run_many("run", "Load program/Cycles=3", "Mesh/Model=full")
+        mesh = meshio.read(self.folder / f"run/contact-{3 * STEPS:04d}.vtu")
+        total = 0
+        for corners in mesh.cells[0].data:
+            points, values = mesh.points[corners, :2], mesh.point_data["dissipated_energy"][corners]
+            total += integral(points, values)
+        self.assertAlmostEqual(total / self.cycles("run")[-1]["total_dissipation"], 1, delta=1e-6)
+
+
+def integral(points, values):
+    """Of a bilinear function over a quadrilateral, by 2 x 2 Gauss points, which are exact."""
+    total = 0
+    for xi in (-1 / np.sqrt(3), 1 / np.sqrt(3)):
+        for eta in (-1 / np.sqrt(3), 1 / np.sqrt(3)):
+            corners = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)])
+            shapes = (1 + xi * corners[:, 0]) * (1 + eta * corners[:, 1]) / 4
+            along_xi = corners[:, 0] * (1 + eta * corners[:, 1]) / 4
+            along_eta = corners[:, 1] * (1 + xi * corners[:, 0]) / 4
+            jacobian = np.linalg.det(np.array([along_xi @ points, along_eta @ points]))
+            total += abs(jacobian) * (shapes @ np.ravel(values))
+    return total
+
+
+class PeriodicTest(CyclesTest):
+    def test_stop(self):
+        """The rows are the first of the whole run; the last fields are written."""
+        self.run_many("whole")
+        self.run_many("stopped", STOP)
+        for table in ("history.csv", "checks.csv", "probe-P.csv", "cycles.csv"):
+            self.assertTrue(self.text("whole", table).startswith(self.text("stopped", table)), table)
+        rows = self.cycles("stopped")
+        self.assertLess(len(rows), CYCLES)
+        self.assertGreater(len(rows), 1)
+        self.assertEqual([row["change"] <= TOLERANCE for row in rows], [False] * (len(rows) - 1) + [True])
+        summary = self.summary("stopped")
+        self.assertEqual(summary["status"], "complete")
+        self.assertEqual(summary["steps"], {"planned": STEPS * CYCLES, "solved": STEPS * len(rows)})
+        self.assertEqual(summary["cycles"], {"completed": len(rows), "jumped_steps": 0, "change": rows[-1]["change"],
+                                             "periodic_since_cycle": len(rows)})
+        last = f"contact-{STEPS * len(rows):04d}.vtu"
+        self.assertTrue((self.folder / "stopped" / last).exists())
+        self.assertIn(last, self.text("stopped", "contact.pvd"))
+        self.assertRegex(self.text("stopped", "log.txt"), rf"\nperiodic since cycle {len(rows)}: change .*; stops after")
+        # What is complete stays so.
+        before = {file.name: content(file) for file in (self.folder / "stopped").iterdir() if file.suffix != ".txt"
+                  and file.is_file()}
+        result = self.run_program("stopped", "--resume", settings=[*MANY, STOP])
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        for name, old in before.items():
+            if name != "summary.json":
+                self.assertEqual(content(self.folder / "stopped" / name), old, name)
+
+    def test_jump(self):
+        """What has added up is that of the computed cycles, as far as the criterion promises."""
+        self.run_many("computed")
+        computed = self.cycles("computed")[-1]
+        for most in (4, 100):
+            with self.subTest(most=most):
+                self.run_many("jumped", JUMP, f"Load program/Jump cycles={most}")
+                rows = self.cycles("jumped")
+                last = rows[-1]
+                self.assertEqual(sum(row["n_cycles"] for row in rows), CYCLES)
+                self.assertLessEqual(max(row["n_cycles"] for row in rows), most)
+                self.assertEqual((last["cycle"], last["n_cycles"], last["last_step"]), (CYCLES, 1, CYCLES * STEPS))
+                bound = CYCLES * TOLERANCE
+                for name in ("total_dissipation", "max_accumulated_slip", "force_z", "max_slip"):
+                    self.assertAlmostEqual(last[name] / computed[name], 1, delta=bound, msg=name)
+                self.assertAlmostEqual(sum(row["dissipation"] for row in rows) / last["total_dissipation"], 1, delta=1e-9)
+                steps = [int(row["step"]) for row in self.rows("jumped")]
+                self.assertEqual(steps, sorted(set(steps)))
+                self.assertEqual(steps[-1], CYCLES * STEPS)
+                summary = self.summary("jumped")
+                self.assertEqual(summary["steps"]["solved"], len(steps))
+                self.assertEqual(summary["cycles"]["jumped_steps"], CYCLES * STEPS - len(steps))
+                # A jump is no step: nothing of it is in the energy balance of the next one.
+                self.assertLess(max(row["energy_defect"] for row in self.numbers("jumped", "checks.csv")[-STEPS:]), 0.05)
+                self.assertIn("; jumps ", self.text("jumped", "log.txt"))
+                fields = meshio.read(self.folder / f"jumped/contact-{CYCLES * STEPS:04d}.vtu").point_data
+                whole = meshio.read(self.folder / f"computed/contact-{CYCLES * STEPS:04d}.vtu").point_data
+                for name in ("accumulated_slip", "dissipated_energy"):
+                    self.assertLess(np.max(np.abs(fields[name] - whole[name])), bound * np.max(whole[name]))
+
+    def test_full_unloading_is_jumped_at_once(self):
+        """The paper's cycle leaves nothing: the first cycle tells all others."""
+        self.run_many("run", "Load program/Legs=0 0 -0.1 : 3 ; 0 0 0 : 3", "Load program/Cycles=1000",
+                      "Load program/Jump when periodic=1e-8", "Load program/Jump cycles=1000")
+        rows = self.cycles("run")
+        self.assertEqual([(row["cycle"], row["n_cycles"]) for row in rows], [(1, 1), (999, 998), (1000, 1)])
+        self.assertAlmostEqual(rows[-1]["total_dissipation"] / rows[0]["dissipation"] / 1000, 1, delta=1e-8)
+        self.assertAlmostEqual(rows[-1]["max_accumulated_slip"] / rows[0]["max_accumulated_slip"] / 1000, 1, delta=1e-8)
+
+    def test_a_bound_below_the_solver_is_warned_of(self):
+        file = ROOT / "prm/benchmarks/thousand_cycles.prm"
+        settings = ["--set=Load program/Stop when periodic=1e-10"]
+        result = self.run_program("run", "--check", *settings, file=file)
+        self.assertRegex(result.stdout, "warning: Load program/Stop when periodic = 1e-10 .*Contact solver/Tolerance = 1e-10")
+        result = self.run_program("run", "--check", "--set=Load program/Jump when periodic=1e-6", file=file)
+        self.assertNotIn("when periodic", result.stdout)
+
+
+class ResumeCyclesTest(CyclesTest):
+    RESULTS = ["history.csv", "checks.csv", "probe-P.csv", "cycles.csv", "contact.pvd"]
+
+    def test_killed_runs_go_on(self):
+        """Killed again and again, with fields of some jumped steps due, and resumed to the last bit."""
+        for kind in (JUMP, STOP):
+            settings = [*MANY, kind, "Load program/Jump cycles=7", "Output/Checkpoint=0", "Output/Contact fields=5"]
+            start = time.monotonic()
+            self.assertEqual(self.run_program("whole", settings=settings).returncode, 0)
+            seconds = time.monotonic() - start
+            moments = random.Random(1000)
+            for _ in range(6):
+                self.kill_after("killed", settings, moments.uniform(0.2, 0.7) * seconds)
+            result = self.run_program("killed", "--resume", settings=settings)
+            self.assertEqual((result.returncode, result.stderr), (0, ""))
+            with self.subTest(kind):
+                self.assert_same_files("whole", "killed", self.RESULTS)
+                names = [sorted(file.name for file in (self.folder / name).iterdir()) for name in ("whole", "killed")]
+                self.assertEqual(*names)
+                self.assertEqual(self.summary("killed")["cycles"], self.summary("whole")["cycles"])
+            for name in ("whole", "killed"):
+                shutil.rmtree(self.folder / name)
+
+    def kill_after(self, name, settings, seconds):
+        run = subprocess.Popen(self.command(name, "--resume", settings=settings), cwd=self.folder,
+                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        time.sleep(seconds)
+        run.kill()
+        run.communicate()
+
+
+if __name__ == "__main__":
+    main()
