@@ -4,7 +4,7 @@
 
 #include <orthocone/elasticity/stiffness.h>
 #include <orthocone/elasticity/stiffness_factor.h>
-#include <orthocone/simulation/log.h>
+#include <orthocone/simulation/stopwatch.h>
 
 #include <unistd.h>
 

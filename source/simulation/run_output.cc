@@ -27,18 +27,14 @@ bool is_due(const unsigned int interval, const unsigned int step, const unsigned
 }
 } // namespace
 
-RunOutput::RunOutput(const RunFolder &folder, const Parameters &parameters,
-                     const Discretization &discretization, const CondensedBody &condensed,
-                     const ContactFieldEvaluator &evaluator)
+RunOutput::RunOutput(const RunFolder &folder, const Parameters &parameters, const ContactModel &model)
     : folder_(folder),
       options_(parameters.output),
       material_(parameters.material),
       n_steps_(load_steps(parameters.load).size()),
-      discretization_(discretization),
-      condensed_(condensed),
-      evaluator_(evaluator),
+      model_(model),
       history_(folder, parameters.contact_solver.method),
-      probes_(folder, parameters.output.probes, evaluator)
+      probes_(folder, parameters.output.probes, model.evaluator())
 {
 }
 
@@ -90,14 +86,14 @@ void RunOutput::write(const SolvedStep &step) const
   probes_.write(state);
   if (is_due(options_.contact_interval, state.step, n_steps_))
   {
-    folder_.write(numbered("contact", state.step), contact_vtu(evaluator_, state));
+    folder_.write(numbered("contact", state.step), contact_vtu(model_.evaluator(), state));
     write_records("contact", options_.contact_interval, state.step);
   }
   if (is_due(options_.volume_interval, state.step, n_steps_))
   {
-    folder_.write(
-        numbered("volume", state.step),
-        volume_vtu(discretization_, material_, condensed_.volume_displacement(state.top, state.force)));
+    folder_.write(numbered("volume", state.step),
+                  volume_vtu(model_.body().discretization, material_,
+                             model_.condensed().volume_displacement(state.top, state.force)));
     write_records("volume", options_.volume_interval, state.step);
   }
 }

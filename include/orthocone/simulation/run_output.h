@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
-#include <orthocone/elasticity/condensed_body.h>
+#include <orthocone/simulation/contact_model.h>
 #include <orthocone/simulation/history.h>
 #include <orthocone/simulation/load_program.h>
 
@@ -13,8 +13,7 @@ class RunOutput
 {
 public:
   /// All but `parameters` must outlive the output.
-  RunOutput(const RunFolder &folder, const Parameters &parameters, const Discretization &discretization,
-            const CondensedBody &condensed, const ContactFieldEvaluator &evaluator);
+  RunOutput(const RunFolder &folder, const Parameters &parameters, const ContactModel &model);
 
   /// Starts the tables.
   void start() const;
@@ -33,9 +32,7 @@ private:
   const OutputOptions options_;
   const MaterialOptions material_;
   const unsigned int n_steps_;
-  const Discretization &discretization_;
-  const CondensedBody &condensed_;
-  const ContactFieldEvaluator &evaluator_;
+  const ContactModel &model_;
   const History history_;
   const ProbeHistories probes_;
 };
