@@ -18,32 +18,24 @@ Stiffness announced_stiffness(const Parameters &parameters, const Body &body,
 {
   if (on_meshed)
     on_meshed(body);
-  return timed(seconds, [&] { return Stiffness(body.discretization, parameters.material); });
+  return timed(seconds, [&] { return body.stiffness(parameters.material); });
 }
 } // namespace
-
-Body::Body(const Parameters &parameters, const SymmetryPlanes &planes, PhaseSeconds &seconds)
-    : mesh(timed(seconds.mesh, [&] { return BodyMesh(parameters.geometry, parameters.mesh, planes); })),
-      discretization(timed(
-          seconds.mesh, [&]
-          { return Discretization(mesh.triangulation(), parameters.mesh, parameters.geometry.top_face); }))
-{
-}
 
 ContactModel::ContactModel(const Parameters &parameters, const ModelChoice &choice,
                            const std::function<void(const Body &)> &on_meshed)
     : choice_(choice),
-      body_(parameters, choice.planes, seconds_),
+      body_(timed(seconds_.mesh, [&] { return Body(parameters, choice.symmetry); })),
       stiffness_(announced_stiffness(parameters, body_, on_meshed, seconds_.assembly)),
       factor_(timed(seconds_.factorization,
-                    [&] { return StiffnessFactor(stiffness_.matrix(), body_.discretization.n_interior()); })),
-      axes_(parameters.friction.angle),
+                    [&] { return StiffnessFactor(stiffness_.matrix(), body_.unknowns().n_interior()); })),
+      axes_(choice.symmetry.is_axisymmetric() ? 0 : parameters.friction.angle),
       condensed_(
-          timed(seconds_.condensation, [&] { return CondensedBody(body_.discretization, factor_, axes_); })),
+          timed(seconds_.condensation, [&] { return CondensedBody(body_.unknowns(), factor_, axes_); })),
       problem_(condensed_.compliance(),
                std::vector<OrthotropicFriction>(surface().nodes.size(), friction_of(parameters.friction))),
       solver_(condensed_, problem_, parameters.contact_solver),
-      evaluator_(surface(), choice.planes, axes_, friction_of(parameters.friction))
+      evaluator_(surface(), choice.symmetry, axes_, friction_of(parameters.friction))
 {
 }
 

@@ -21,7 +21,7 @@ QuasiStaticProblem::QuasiStaticProblem(const Parameters &parameters, const Model
       steps_(load_steps(parameters.load)),
       model_(parameters_, choice, [&](const Body &body) { announce(choice, body); }),
       state_(model_.initial_state()),
-      checker_(parameters_, choice.planes, model_.condensed(), model_.stiffness()),
+      checker_(parameters_, choice.symmetry, model_.condensed(), model_.stiffness()),
       output_(folder_, parameters_, model_)
 {
   record_.seconds = model_.seconds();
@@ -30,7 +30,7 @@ QuasiStaticProblem::QuasiStaticProblem(const Parameters &parameters, const Model
 /// Tells what is going to be computed, and with what, before the long work begins.
 void QuasiStaticProblem::announce(const ModelChoice &choice, const Body &body) const
 {
-  log_.line(describe_model(parameters_, choice, body.discretization, steps_.size()));
+  log_.line(describe_model(parameters_, choice, body.unknowns(), steps_.size()));
   for (const auto &[name, version] : versions())
     log_.line(name + " " + version);
   for (const std::string &warning : parameter_warnings(parameters_))
@@ -168,10 +168,9 @@ void QuasiStaticProblem::finish(const Outcome &outcome)
 {
   record_.total_seconds = seconds_before_ + total_.seconds();
   const std::string status = outcome.code == ExitCode::done ? "complete" : outcome.message;
-  folder_.write("summary.json",
-                summary_json({status, parameters_, model_.choice(), model_.body().discretization,
-                              static_cast<unsigned int>(steps_.size()), state_.step,
-                              totals_.total_dissipation, record_}));
+  folder_.write("summary.json", summary_json({status, parameters_, model_.choice(), model_.body().unknowns(),
+                                              static_cast<unsigned int>(steps_.size()), state_.step,
+                                              totals_.total_dissipation, record_}));
   // Those of the parameters were told at the beginning.
   const auto warnings = all_warnings(parameters_, record_);
   for (std::size_t i = parameter_warnings(parameters_).size(); i < warnings.size(); ++i)

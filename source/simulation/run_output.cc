@@ -91,9 +91,9 @@ void RunOutput::write(const SolvedStep &step) const
   }
   if (is_due(options_.volume_interval, state.step, n_steps_))
   {
-    folder_.write(numbered("volume", state.step),
-                  volume_vtu(model_.body().discretization, material_,
-                             model_.condensed().volume_displacement(state.top, state.force)));
+    folder_.write(
+        numbered("volume", state.step),
+        model_.body().vtu(material_, model_.condensed().volume_displacement(state.top, state.force)));
     write_records("volume", options_.volume_interval, state.step);
   }
 }

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
+#include <orthocone/simulation/body.h>
 #include <orthocone/simulation/model_choice.h>
 #include <orthocone/simulation/step_solver.h>
 #include <orthocone/simulation/summary.h>
@@ -11,16 +12,6 @@
 
 namespace orthocone
 {
-/// Mesh and unknowns of the body: all that --check needs.
-struct Body
-{
-  /// Adds the wall time to `seconds.mesh`.
-  Body(const Parameters &parameters, const SymmetryPlanes &planes, PhaseSeconds &seconds);
-
-  BodyMesh mesh;
-  Discretization discretization;
-};
-
 /// Everything from the mesh to the solver of load steps, for one choice of parameters: meshed, factorized and
 /// condensed when it is constructed. Owns every module by value and keeps no state, so that several models
 /// can be marched side by side, and without a run folder.
@@ -36,7 +27,7 @@ public:
 
   const ModelChoice &choice() const { return choice_; }
   const Body &body() const { return body_; }
-  const ContactSurface &surface() const { return body_.discretization.contact_surface(); }
+  const ContactSurface &surface() const { return body_.unknowns().contact_surface(); }
   const Stiffness &stiffness() const { return stiffness_; }
   const CondensedBody &condensed() const { return condensed_; }
   const ContactProblem &problem() const { return problem_; }
