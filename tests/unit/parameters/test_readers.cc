@@ -112,7 +112,8 @@ TEST(Readers, AreNotFooledByAValueThatQuotesTheLibrary)
 {
   const Folder folder;
   const std::string value = "<x> does not match the given pattern <y>.";
-  const std::string message = "Mesh/Model = " + value + ": allowed is auto | full | half | quarter | axisymmetric";
+  const std::string message =
+      "Mesh/Model = " + value + ": allowed is auto | full | half | quarter | axisymmetric";
   const std::string json = folder.write("x.json", "{\"Mesh\": {\"Model\": \"" + value + "\"}}");
   EXPECT_EQ(rejection(json), json + ": " + message);
   const std::string prm = folder.write("x.prm", "subsection Mesh\n  set Model = " + value + "\nend\n");

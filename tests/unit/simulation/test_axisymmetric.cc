@@ -65,30 +65,31 @@ TEST(Axisymmetric, PressureIsUniformWithoutFrictionOrLateralStrain)
   }
 }
 
-// Both are Galerkin solutions of the same scene in different spaces: they meet under refinement.
+// Both are Galerkin solutions of the same scene in different spaces: they meet under refinement. (The stick
+// area is that of whole nodes and rings, which differ by a node's size.)
 TEST(Axisymmetric, AgreesWithTheSolidBodyUnderRefinement)
 {
   double last_force = 1, last_slip = 1;
   for (const unsigned int n_cells : {2, 4})
   {
-    Parameters parameters = axisymmetric_scene(2);
+    Parameters parameters = axisymmetric_scene(3);
     parameters.contact_solver.tolerance = 1e-10;
-    parameters.mesh.core_cells = n_cells;
-    parameters.mesh.rings = parameters.mesh.layers = n_cells;
-    parameters.mesh.rim_grading = parameters.mesh.layer_grading = 0.7;
+    parameters.mesh.core_cells = parameters.mesh.rings = n_cells;
+    parameters.mesh.layers = 2 * n_cells;
+    parameters.mesh.rim_grading = parameters.mesh.layer_grading = 0.4;
     const Totals section = at_the_peak(parameters);
     parameters.mesh.model = ModelKind::quarter;
     const Totals solid = at_the_peak(parameters);
     const double force = std::abs(section.force[2] / solid.force[2] - 1);
     const double slip = std::abs(section.max_slip / solid.max_slip - 1);
-    EXPECT_LT(force, last_force / 3);
-    EXPECT_LT(slip, last_slip / 3);
-    EXPECT_NEAR(section.stick_area / solid.stick_area, 1, 0.3);
+    EXPECT_LT(force, last_force / 2);
+    EXPECT_LT(slip, last_slip / 2);
+    EXPECT_NEAR(section.total_dissipation / solid.total_dissipation, 1, 2e-3);
     last_force = force;
     last_slip = slip;
   }
-  EXPECT_LT(last_force, 1e-4);
-  EXPECT_LT(last_slip, 5e-3);
+  EXPECT_LT(last_force, 5e-5);
+  EXPECT_LT(last_slip, 1e-3);
 }
 
 // Near the axis pressure is smooth; its node has a weight of its own there, which must do no harm.
