@@ -37,17 +37,15 @@ int print_model(const Parameters &parameters, const ModelChoice &model)
   // The mesh of more unknowns takes longer than somebody who checks waits.
   constexpr double largest_meshed = 3e6;
   const unsigned int n_steps = load_steps(parameters.load).size();
-  const unsigned int n_copies = model.planes.n_copies();
-  const ModelSize size = model_size(parameters.mesh, n_copies);
+  const ModelSize size = model_size(parameters.mesh, model.symmetry);
   if (size.dofs > largest_meshed)
-    std::cout << "model          " << model.planes.name() << " (" << model.reason << ")\n"
+    std::cout << "model          " << model.symmetry.name() << " (" << model.reason << ")\n"
               << describe(size) << "\n";
   else
   {
-    PhaseSeconds seconds;
-    const Body body(parameters, model.planes, seconds);
-    std::cout << describe_model(parameters, model, body.discretization, n_steps) << "\n"
-              << describe(estimate(parameters, body.discretization, n_copies), n_steps) << "\n";
+    const Body body(parameters, model.symmetry);
+    std::cout << describe_model(parameters, model, body.unknowns(), n_steps) << "\n"
+              << describe(estimate(parameters, body, model.symmetry), n_steps) << "\n";
   }
   for (const std::string &warning : parameter_warnings(parameters))
     std::cout << "warning: " << warning << "\n";

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/elasticity/condensed_body.h>
 
-#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/base/numbers.h>
 
 #include <algorithm>
 #include <cmath>
@@ -38,9 +38,9 @@ Matrix3d SurfaceAxes::global_in_local() const
   return axes;
 }
 
-CondensedBody::CondensedBody(const Discretization &discretization, const StiffnessFactor &factor,
+CondensedBody::CondensedBody(const BodyUnknowns &unknowns, const StiffnessFactor &factor,
                              const SurfaceAxes &axes)
-    : discretization_(discretization),
+    : unknowns_(unknowns),
       factor_(factor),
       axes_(axes),
       compliance_(local_compliance(factor.trailing_inverse()))
@@ -49,8 +49,8 @@ CondensedBody::CondensedBody(const Discretization &discretization, const Stiffne
 
 MatrixXd CondensedBody::local_compliance(const MatrixXd &inverse) const
 {
-  const auto &nodes = discretization_.contact_surface().nodes;
-  const Index n_interior = discretization_.n_interior();
+  const auto &nodes = unknowns_.contact_surface().nodes;
+  const Index n_interior = unknowns_.n_interior();
   const Matrix3d turn = axes_.global_in_local();
   MatrixXd local(3 * nodes.size(), 3 * nodes.size());
   for (std::size_t j = 0; j < nodes.size(); ++j)
@@ -80,9 +80,9 @@ NodeVector CondensedBody::free_displacement(const std::array<double, 3> &top) co
 /// Contact forces (local axes) as forces on the free unknowns of the body.
 VectorXd CondensedBody::on_free_unknowns(const NodeVector &force) const
 {
-  const auto &nodes = discretization_.contact_surface().nodes;
+  const auto &nodes = unknowns_.contact_surface().nodes;
   const Matrix3d turn = axes_.global_in_local();
-  VectorXd forces = VectorXd::Zero(discretization_.n_free());
+  VectorXd forces = VectorXd::Zero(unknowns_.n_free());
   for (std::size_t i = 0; i < nodes.size(); ++i)
   {
     const Vector3d global = turn * force.segment<3>(3 * static_cast<Index>(i));
@@ -95,15 +95,10 @@ VectorXd CondensedBody::on_free_unknowns(const NodeVector &force) const
 
 VectorXd CondensedBody::volume_displacement(const std::array<double, 3> &top, const NodeVector &force) const
 {
-  VectorXd displacement = VectorXd::Zero(discretization_.n_dofs());
-  displacement.head(discretization_.n_free()) = factor_.solve(on_free_unknowns(force));
-  for (unsigned int d = 0; d < 3; ++d)
-  {
-    dealii::ComponentMask component(3, false);
-    component.set(d, true);
-    for (const auto dof : dealii::DoFTools::extract_dofs(discretization_.dof_handler(), component))
-      displacement[static_cast<Index>(dof)] += top[d];
-  }
+  VectorXd displacement = VectorXd::Zero(unknowns_.n_dofs());
+  displacement.head(unknowns_.n_free()) = factor_.solve(on_free_unknowns(force));
+  for (unsigned int dof = 0; dof < unknowns_.n_dofs(); ++dof)
+    displacement[dof] += top[unknowns_.direction(dof)];
   return displacement;
 }
 
@@ -124,7 +119,7 @@ CondensedBody::Mismatch CondensedBody::mismatch(const Stiffness &stiffness, cons
   Mismatch mismatch{rest.norm(), 0};
   if (mismatch.unbalanced != 0)
     mismatch.unbalanced /= forces.norm();
-  const auto &nodes = discretization_.contact_surface().nodes;
+  const auto &nodes = unknowns_.contact_surface().nodes;
   const Matrix3d turn = axes_.global_in_local();
   for (std::size_t i = 0; i < nodes.size(); ++i)
   {

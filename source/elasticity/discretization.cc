@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
+#include "dof_ranges.h"
+
 #include <orthocone/elasticity/discretization.h>
 
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/dofs/dof_tools.h>
 #include <deal.II/fe/fe_tools.h>
 #include <deal.II/fe/fe_values.h>
-
-#include <algorithm>
 
 namespace orthocone
 {
@@ -25,53 +24,23 @@ Discretization::Discretization(const dealii::Triangulation<3> &triangulation, co
       n_quadrature_points_(options.n_quadrature_points())
 {
   dof_handler_.distribute_dofs(fe_);
-  number_dofs(held_dofs(top_face));
+  n_cells_ = triangulation.n_active_cells();
+  const DofRanges ranges = number_by_range(dof_handler_, held_dofs(top_face));
+  n_interior_ = ranges.n_interior;
+  n_free_ = ranges.n_free;
+  directions_ = directions_of<dim>(dof_handler_, {{0, 1, 2}});
   find_contact_surface();
   lump_areas();
 }
 
 std::vector<bool> Discretization::held_dofs(const TopFace top_face) const
 {
-  std::vector<bool> is_held(n_dofs(), false);
-  const auto hold = [&](const Boundary boundary, const std::vector<bool> &components)
-  {
-    for (const auto dof :
-         dealii::DoFTools::extract_boundary_dofs(dof_handler_, dealii::ComponentMask(components), {boundary}))
-      is_held[dof] = true;
-  };
+  std::vector<bool> is_held(dof_handler_.n_dofs(), false);
   const bool is_clamped = top_face == TopFace::clamped;
-  hold(Boundary::top_face, {is_clamped, is_clamped, true});
-  hold(Boundary::plane_normal_to_x, {true, false, false});
-  hold(Boundary::plane_normal_to_y, {false, true, false});
+  hold(dof_handler_, Boundary::top_face, {is_clamped, is_clamped, true}, is_held);
+  hold(dof_handler_, Boundary::plane_normal_to_x, {true, false, false}, is_held);
+  hold(dof_handler_, Boundary::plane_normal_to_y, {false, true, false}, is_held);
   return is_held;
-}
-
-void Discretization::number_dofs(const std::vector<bool> &is_held)
-{
-  const dealii::IndexSet on_contact = dealii::DoFTools::extract_boundary_dofs(
-      dof_handler_, dealii::ComponentMask(dim, true), {Boundary::contact_surface});
-  enum Range
-  {
-    interior,
-    contact,
-    held
-  };
-  const auto range = [&](const unsigned int dof) {
-    return is_held[dof] ? held : on_contact.is_element(dof) ? contact : interior;
-  };
-  std::vector<dealii::types::global_dof_index> new_number(n_dofs());
-  unsigned int next = 0;
-  for (const Range wanted : {interior, contact, held})
-  {
-    for (unsigned int dof = 0; dof < n_dofs(); ++dof)
-      if (range(dof) == wanted)
-        new_number[dof] = next++;
-    if (wanted == interior)
-      n_interior_ = next;
-    if (wanted == contact)
-      n_free_ = next;
-  }
-  dof_handler_.renumber_dofs(new_number);
 }
 
 void Discretization::find_contact_surface()

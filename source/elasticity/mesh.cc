@@ -30,18 +30,6 @@ unsigned int block_of(const dealii::Point<3> &centre, const double half_side)
   return y > 0 ? 1 : 3;
 }
 
-/// Heights of the layers' faces; thickness grows or shrinks symmetrically from mid-height to both ends.
-std::vector<double> layer_heights(const double height, const unsigned int n_layers, const double grading)
-{
-  std::vector<double> z{0};
-  for (unsigned int layer = 0; layer < n_layers; ++layer)
-    z.push_back(z.back() + std::pow(grading, std::abs(layer - 0.5 * (n_layers - 1))));
-  for (double &position : z)
-    position *= height / z[n_layers];
-  z.back() = height;
-  return z;
-}
-
 bool lies_in_plane(const dealii::Triangulation<3>::face_iterator &face, const unsigned int axis,
                    const double value, const double tolerance)
 {

@@ -131,6 +131,17 @@ std::vector<double> graded_positions(const unsigned int n, const double grading)
   return positions;
 }
 
+std::vector<double> layer_heights(const double height, const unsigned int n_layers, const double grading)
+{
+  std::vector<double> z{0};
+  for (unsigned int layer = 0; layer < n_layers; ++layer)
+    z.push_back(z.back() + std::pow(grading, std::abs(layer - 0.5 * (n_layers - 1))));
+  for (double &position : z)
+    position *= height / z[n_layers];
+  z.back() = height;
+  return z;
+}
+
 void make_o_grid_disc(const double radius, const MeshOptions &options, const SymmetryPlanes &planes,
                       dealii::Triangulation<2> &triangulation)
 {

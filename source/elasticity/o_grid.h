@@ -15,4 +15,7 @@ double core_half_side(double radius, double core_ratio);
 
 /// Positions from 0 to 1 of `n` intervals, each `grading` times as wide as the one before.
 std::vector<double> graded_positions(unsigned int n, double grading);
+
+/// Heights of the layers' faces; thickness grows or shrinks symmetrically from mid-height to both ends.
+std::vector<double> layer_heights(double height, unsigned int n_layers, double grading);
 } // namespace orthocone

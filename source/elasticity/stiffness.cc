@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
+#include "cell_dofs.h"
+
 #include <orthocone/elasticity/stiffness.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -43,22 +45,6 @@ struct CellMatrix
   std::vector<dealii::types::global_dof_index> dofs;
 };
 
-/// dofs of a cell, numbered node by node.
-std::vector<dealii::types::global_dof_index>
-dofs_by_node(const dealii::DoFHandler<dim>::active_cell_iterator &cell)
-{
-  const auto &fe = cell->get_fe();
-  std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
-  std::vector<dealii::types::global_dof_index> sorted(dofs.size());
-  cell->get_dof_indices(dofs);
-  for (unsigned int i = 0; i < dofs.size(); ++i)
-  {
-    const auto [component, node] = fe.system_to_component_index(i);
-    sorted[dim * node + component] = dofs[i];
-  }
-  return sorted;
-}
-
 void integrate_gradient_products(const dealii::Triangulation<dim>::active_cell_iterator &cell,
                                  Scratch &scratch)
 {
@@ -88,6 +74,29 @@ void combine(const Eigen::MatrixXd &products, const LameParameters &lame, Eigen:
                                      lame.mu * block.trace() * Eigen::Matrix3d::Identity();
     }
 }
+
+template<int any_dim>
+void make_pattern(const dealii::DoFHandler<any_dim> &dof_handler, const unsigned int n_free,
+                  dealii::SparsityPattern &pattern)
+{
+  dealii::DynamicSparsityPattern entries(n_free);
+  std::vector<dealii::types::global_dof_index> dofs(dof_handler.get_fe().n_dofs_per_cell());
+  std::vector<dealii::types::global_dof_index> columns;
+  for (const auto &cell : dof_handler.active_cell_iterators())
+  {
+    cell->get_dof_indices(dofs);
+    std::sort(dofs.begin(), dofs.end());
+    columns.clear();
+    for (const auto row : dofs)
+    {
+      if (row >= n_free)
+        break;
+      columns.push_back(row);
+      entries.add_entries(row, columns.begin(), columns.end(), true);
+    }
+  }
+  pattern.copy_from(entries);
+}
 } // namespace
 
 LameParameters::LameParameters(const MaterialOptions &material)
@@ -106,24 +115,12 @@ Stiffness::Stiffness(const Discretization &discretization, const MaterialOptions
 
 void make_stiffness_pattern(const Discretization &discretization, dealii::SparsityPattern &pattern)
 {
-  const unsigned int n_free = discretization.n_free();
-  dealii::DynamicSparsityPattern entries(n_free);
-  std::vector<dealii::types::global_dof_index> dofs(discretization.fe().n_dofs_per_cell());
-  std::vector<dealii::types::global_dof_index> columns;
-  for (const auto &cell : discretization.dof_handler().active_cell_iterators())
-  {
-    cell->get_dof_indices(dofs);
-    std::sort(dofs.begin(), dofs.end());
-    columns.clear();
-    for (const auto row : dofs)
-    {
-      if (row >= n_free)
-        break;
-      columns.push_back(row);
-      entries.add_entries(row, columns.begin(), columns.end(), true);
-    }
-  }
-  pattern.copy_from(entries);
+  make_pattern(discretization.dof_handler(), discretization.n_free(), pattern);
+}
+
+void make_stiffness_pattern(const SectionDiscretization &discretization, dealii::SparsityPattern &pattern)
+{
+  make_pattern(discretization.dof_handler(), discretization.n_free(), pattern);
 }
 
 void Stiffness::assemble(const Discretization &discretization, const LameParameters &lame)
@@ -133,15 +130,9 @@ void Stiffness::assemble(const Discretization &discretization, const LameParamet
   {
     integrate_gradient_products(cell, scratch);
     combine(scratch.products, lame, copy.matrix);
-    copy.dofs = dofs_by_node(cell);
+    copy.dofs = dofs_by_node<dim>(cell);
   };
-  const auto add = [&](const CellMatrix &copy)
-  {
-    for (unsigned int i = 0; i < copy.dofs.size(); ++i)
-      for (unsigned int j = 0; j < copy.dofs.size(); ++j)
-        if (copy.dofs[i] < discretization.n_free() && copy.dofs[j] <= copy.dofs[i])
-          matrix_.add(copy.dofs[i], copy.dofs[j], copy.matrix(i, j));
-  };
+  const auto add = [&](const CellMatrix &copy) { add_cell_matrix(copy.matrix, copy.dofs, matrix_); };
   const auto &dof_handler = discretization.dof_handler();
   dealii::WorkStream::run(dof_handler.begin_active(), dof_handler.end(), work, add, Scratch(discretization),
                           CellMatrix());

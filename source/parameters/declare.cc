@@ -22,17 +22,20 @@ void declare_geometry(GeometryOptions &geometry, ParameterHandler &handler)
   add_choice(
       handler, "Top face", geometry.top_face,
       "The upper face moves as a rigid plate (clamped), or has u_z prescribed and is free sideways (guided; "
-      "only in a quarter model, where symmetry holds the body).");
+      "only in a quarter or axisymmetric model, where symmetry holds the body).");
 }
 
 void declare_mesh(MeshOptions &mesh, ParameterHandler &handler)
 {
   add_choice(handler, "Model", mesh.model,
-             "Part of the cylinder that is modelled; auto takes the smallest that is exact for the scene.");
+             "Part of the cylinder that is modelled; auto takes the smallest that is exact for the scene. "
+             "axisymmetric: "
+             "its section (r, z), with the cells that lie along the x axis.");
   add_count(handler, "Core cells", mesh.core_cells, 1, 200, "Cells along a side of the core block.");
   add_count(handler, "Rings", mesh.rings, 0, 200, "Cells from core to rim; 0 = as many as core cells.");
   add_count(handler, "Layers", mesh.layers, 1, 200, "Cells over the height.");
-  add_count(handler, "Degree", mesh.degree, 1, 3, "Polynomial degree of the elements.");
+  add_count(handler, "Degree", mesh.degree, 1, 4,
+            "Polynomial degree of the elements; 4 in the axisymmetric model only.");
   add_count(handler, "Quadrature points", mesh.quadrature_points, 0, 10,
             "Gauss points per direction, more than the degree; 0 = degree + 1.");
   add_number(handler, "Core ratio", mesh.core_ratio, Range{0.01, 1, true, false},

@@ -7,15 +7,10 @@ namespace orthocone
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-unsigned int n_images(const ContactNode &node, const SymmetryPlanes &planes)
-{
-  return (planes.normal_to_x && node.is_free[0] ? 2 : 1) * (planes.normal_to_y && node.is_free[1] ? 2 : 1);
-}
-
-ContactFieldEvaluator::ContactFieldEvaluator(const ContactSurface &surface, const SymmetryPlanes &planes,
+ContactFieldEvaluator::ContactFieldEvaluator(const ContactSurface &surface, const ModelSymmetry &symmetry,
                                              const SurfaceAxes &axes, const OrthotropicFriction &law)
     : surface_(surface),
-      planes_(planes),
+      symmetry_(symmetry),
       axes_(axes),
       law_(law)
 {
@@ -29,8 +24,9 @@ ContactFields ContactFieldEvaluator::fields(const ContactState &state, const uns
   const Vector3d r = state.force.segment<3>(first);
   const Vector2d slip = axes_.to_global(d.tail<2>());
   const Vector2d friction = axes_.to_global(r.tail<2>());
-  // A node on a plane of symmetry carries in the model only its share of the force.
-  const double share = static_cast<double>(n_images(place, planes_)) / planes_.n_copies();
+  // A node on a plane of symmetry carries in the model only its share of the force, a ring those of all its
+  // images.
+  const double share = static_cast<double>(symmetry_.n_images(surface_, place)) / symmetry_.n_copies();
   ContactFields fields;
   fields.displacement << slip, d[0];
   fields.slip << slip, 0;

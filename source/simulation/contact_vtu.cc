@@ -10,6 +10,8 @@ namespace orthocone
 {
 namespace
 {
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Patch = dealii::DataOutBase::Patch<2, 3>;
 using VectorRanges =
@@ -59,57 +61,44 @@ private:
   }
 };
 
-/// Reflection about the planes x = 0 and y = 0: factors of the components of vectors.
-ContactFields mirrored(ContactFields fields, const Vector3d &signs)
+ContactFields mapped(ContactFields fields, const Matrix2d &map)
 {
   for (Vector3d *const vector :
        {&fields.displacement, &fields.slip, &fields.friction_traction, &fields.nodal_force})
-    *vector = vector->cwiseProduct(signs);
+    vector->head<2>() = map * vector->head<2>().eval();
   return fields;
 }
 
-std::vector<Vector3d> image_signs(const SymmetryPlanes &planes)
+/// Values of all fields at all nodes, in one image, with the positions in the last three rows.
+Eigen::MatrixXf image_values(const ContactSurface &surface, const std::vector<ContactFields> &fields,
+                             const Matrix2d &map)
 {
-  std::vector<Vector3d> signs;
-  for (const double x : {1., -1.})
-    for (const double y : {1., -1.})
-      if ((x > 0 || planes.normal_to_x) && (y > 0 || planes.normal_to_y))
-        signs.emplace_back(x, y, 1);
-  return signs;
-}
-
-/// Values of all fields at all nodes, in one image.
-std::vector<std::vector<double>> image_values(const std::vector<ContactFields> &fields, const Vector3d &signs)
-{
-  std::vector<std::vector<double>> values;
-  values.reserve(fields.size());
-  for (const ContactFields &node : fields)
-    values.push_back(FieldList(mirrored(node, signs)).values);
+  const Eigen::Index n_rows = FieldList{ContactFields()}.values.size();
+  Eigen::MatrixXf values(n_rows + 3, fields.size());
+  for (std::size_t node = 0; node < fields.size(); ++node)
+  {
+    const FieldList list(mapped(fields[node], map));
+    const auto &place = surface.nodes[node].position;
+    const Vector2d position = map * Vector2d(place[0], place[1]);
+    values.col(node) << Eigen::Map<const Eigen::VectorXd>(list.values.data(), n_rows).cast<float>(),
+        static_cast<float>(position[0]), static_cast<float>(position[1]), 0;
+  }
   return values;
 }
 
-/// A face in one image. Its points are the nodes themselves, written as the last three rows of the data.
-Patch make_patch(const ContactSurface &surface, const std::vector<unsigned int> &face,
-                 const std::vector<std::vector<double>> &values, const Vector3d &signs)
+/// A face of the whole surface. Its points are the nodes themselves.
+Patch make_patch(const unsigned int degree, const std::vector<WholeSurface::Node> &face,
+                 const std::vector<Eigen::MatrixXf> &values)
 {
   Patch patch;
   patch.reference_cell = dealii::ReferenceCells::Quadrilateral; // its constructor leaves it invalid
-  patch.n_subdivisions = surface.degree;
+  patch.n_subdivisions = degree;
   patch.points_are_available = true;
-  const unsigned int n_rows = values.front().size();
-  patch.data.reinit(n_rows + 3, face.size());
-  // A reflection turns the face over; running through its first direction backwards turns it back.
-  const bool is_turned = signs.prod() < 0;
-  const unsigned int n_side = surface.degree + 1;
+  const Eigen::Index n_rows = values.front().rows();
+  patch.data.reinit(n_rows, face.size());
   for (unsigned int i = 0; i < face.size(); ++i)
-  {
-    const unsigned int node = face[is_turned ? i - i % n_side + (n_side - 1 - i % n_side) : i];
-    for (unsigned int row = 0; row < n_rows; ++row)
-      patch.data(row, i) = static_cast<float>(values[node][row]);
-    for (unsigned int d = 0; d < 2; ++d)
-      patch.data(n_rows + d, i) = static_cast<float>(signs[d] * surface.nodes[node].position[d]);
-    patch.data(n_rows + 2, i) = 0;
-  }
+    for (Eigen::Index row = 0; row < n_rows; ++row)
+      patch.data(row, i) = values[face[i].image](row, face[i].node);
   return patch;
 }
 } // namespace
@@ -117,20 +106,20 @@ Patch make_patch(const ContactSurface &surface, const std::vector<unsigned int> 
 std::string contact_vtu(const ContactFieldEvaluator &evaluator, const ContactState &state)
 {
   const auto fields = evaluator.all_fields(state);
+  const ContactSurface &surface = evaluator.surface();
+  const WholeSurface whole = evaluator.symmetry().whole(surface);
+  std::vector<Eigen::MatrixXf> values;
+  for (const Matrix2d &map : whole.images)
+    values.push_back(image_values(surface, fields, map));
   std::vector<Patch> patches;
-  for (const Vector3d &signs : image_signs(evaluator.planes()))
+  for (const auto &face : whole.faces)
   {
-    const auto values = image_values(fields, signs);
-    for (const auto &face : evaluator.surface().faces)
-    {
-      patches.push_back(make_patch(evaluator.surface(), face, values, signs));
-      patches.back().patch_index = patches.size() - 1;
-    }
+    patches.push_back(make_patch(surface.degree, face, values));
+    patches.back().patch_index = patches.size() - 1;
   }
   const FieldList list{ContactFields()};
   std::ostringstream text;
-  dealii::DataOutBase::write_vtu(patches, list.names, list.vectors, vtu_flags(evaluator.surface().degree),
-                                 text);
+  dealii::DataOutBase::write_vtu(patches, list.names, list.vectors, vtu_flags(surface.degree), text);
   return text.str();
 }
 } // namespace orthocone

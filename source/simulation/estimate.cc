@@ -2,9 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/simulation/estimate.h>
 
-#include <orthocone/elasticity/stiffness.h>
 #include <orthocone/elasticity/stiffness_factor.h>
-#include <orthocone/simulation/log.h>
+#include <orthocone/simulation/stopwatch.h>
 
 #include <unistd.h>
 
@@ -55,32 +54,47 @@ double fields_written_per_step(const unsigned int interval)
 {
   return interval == 0 ? 0 : 1. / interval;
 }
+
+double drawn_nodes(const ContactSurface &surface, const ModelSymmetry &symmetry)
+{
+  double n = 0;
+  for (const ContactNode &node : surface.nodes)
+    n += symmetry.n_images(surface, node);
+  return n;
+}
 } // namespace
 
-ModelSize model_size(const MeshOptions &mesh, const unsigned int n_copies)
+ModelSize model_size(const MeshOptions &mesh, const ModelSymmetry &symmetry)
 {
   const double core = mesh.core_cells;
-  const double faces = (core * core + 4 * core * mesh.n_rings()) / n_copies;
+  if (symmetry.is_axisymmetric())
+  {
+    const double faces = std::ceil(core / 2) + mesh.n_rings();
+    const double contact_nodes = faces * mesh.degree + 1;
+    return {faces * mesh.layers, contact_nodes, 2 * contact_nodes * (mesh.layers * mesh.degree + 1)};
+  }
+  const double faces = (core * core + 4 * core * mesh.n_rings()) / symmetry.n_copies();
   const double contact_nodes = faces * mesh.degree * mesh.degree;
   return {faces * mesh.layers, contact_nodes, 3 * contact_nodes * (mesh.layers * mesh.degree + 1)};
 }
 
-Estimate estimate(const Parameters &parameters, const Discretization &discretization,
-                  const unsigned int n_copies)
+Estimate estimate(const Parameters &parameters, const Body &body, const ModelSymmetry &symmetry)
 {
+  const BodyUnknowns &unknowns = body.unknowns();
   dealii::SparsityPattern pattern;
-  make_stiffness_pattern(discretization, pattern);
-  const FactorizationCost cost = factorization_cost(pattern, discretization.n_interior());
+  body.make_pattern(pattern);
+  const FactorizationCost cost = factorization_cost(pattern, unknowns.n_interior());
   const double rate = measured_flop_rate();
-  const double n_contact = 3. * discretization.contact_surface().nodes.size();
+  const double n_contact = 3. * unknowns.contact_surface().nodes.size();
   const double n_entries = pattern.n_nonzero_elements();
   Estimate result{};
   // The program itself; the stiffness and CHOLMOD's copy of it, with their indices; the factor.
   result.gigabytes = 0.15 + (2 * 1.5 * n_entries + cost.entries + dense_matrices * n_contact * n_contact) *
                                 bytes_per_number / gigabyte;
-  const double n_cell = discretization.fe().n_dofs_per_cell();
-  const double assembly = discretization.dof_handler().get_triangulation().n_active_cells() *
-                          std::pow(discretization.n_quadrature_points(), 3) * 2 * n_cell * n_cell;
+  const unsigned int dim = symmetry.is_axisymmetric() ? 2 : 3;
+  const double n_cell = dim * std::pow(parameters.mesh.degree + 1, dim);
+  const double assembly =
+      unknowns.n_cells() * std::pow(parameters.mesh.n_quadrature_points(), dim) * 2 * n_cell * n_cell;
   // Factorizations reach half of the speed of large products; METIS takes about as long again on small
   // models.
   result.set_up_seconds = 0.2 + 4 * assembly / rate + 3 * cost.flops / rate + 2 * cube(n_contact) / rate;
@@ -88,9 +102,10 @@ Estimate estimate(const Parameters &parameters, const Discretization &discretiza
   const double contact =
       0.3 * cube(n_contact) / rate + 10 * n_contact * n_contact * bytes_per_number / memory_bandwidth;
   const double checks = (2 * cost.entries + 3 * n_entries) * bytes_per_number / memory_bandwidth;
+  const double n_drawn = drawn_nodes(unknowns.contact_surface(), symmetry);
   const double output =
-      1.5e-6 * (discretization.n_dofs() * fields_written_per_step(parameters.output.volume_interval) +
-                3 * n_copies * n_contact * fields_written_per_step(parameters.output.contact_interval));
+      1.5e-6 * (unknowns.n_dofs() * fields_written_per_step(parameters.output.volume_interval) +
+                9 * n_drawn * fields_written_per_step(parameters.output.contact_interval));
   result.step_seconds = contact + checks + output;
   return result;
 }
@@ -110,7 +125,7 @@ std::string describe(const ModelSize &size)
 {
   const double n_contact = 3 * size.contact_nodes;
   std::ostringstream text;
-  text << std::setprecision(2) << "mesh           about " << size.cells << " hexahedra\n"
+  text << std::setprecision(2) << "mesh           about " << size.cells << " cells\n"
        << "unknowns       about " << size.dofs << "\n"
        << "contact nodes  about " << size.contact_nodes << "\n"
        << "memory         more than " << dense_matrices * n_contact * n_contact * bytes_per_number / gigabyte

@@ -12,18 +12,12 @@ namespace orthocone
 namespace
 {
 using csv::row;
+using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
 const char *word_of(const NodeStatus status)
 {
   return status == NodeStatus::open ? "open" : status == NodeStatus::stick ? "stick" : "slip";
-}
-
-/// Position of a probe in the modelled part, and the signs that lead back.
-Vector2d signs_of(const Probe &probe, const SymmetryPlanes &planes)
-{
-  return {planes.normal_to_x && probe.position[0] < 0 ? -1 : 1,
-          planes.normal_to_y && probe.position[1] < 0 ? -1 : 1};
 }
 
 unsigned int nearest_node(const ContactSurface &surface, const Vector2d &position)
@@ -84,9 +78,10 @@ ProbeHistories::ProbeHistories(const RunFolder &folder, const std::vector<Probe>
 {
   for (const Probe &probe : probes)
   {
-    const Vector2d signs = signs_of(probe, evaluator.planes());
-    const Vector2d position = signs.cwiseProduct(Vector2d(probe.position[0], probe.position[1]));
-    places_.push_back({"probe-" + probe.name + ".csv", nearest_node(evaluator.surface(), position), signs});
+    const Vector2d position(probe.position[0], probe.position[1]);
+    const Matrix2d map = evaluator.symmetry().map_to(position);
+    places_.push_back(
+        {"probe-" + probe.name + ".csv", nearest_node(evaluator.surface(), map.transpose() * position), map});
   }
 }
 
@@ -102,9 +97,9 @@ void ProbeHistories::write(const ContactState &state) const
   for (const Place &place : places_)
   {
     const ContactFields fields = evaluator_.fields(state, place.node);
-    const Vector2d slip = place.signs.cwiseProduct(fields.slip.head<2>());
-    const Vector2d force = place.signs.cwiseProduct(fields.nodal_force.head<2>());
-    const Vector2d traction = place.signs.cwiseProduct(fields.friction_traction.head<2>());
+    const Vector2d slip = place.map * fields.slip.head<2>();
+    const Vector2d force = place.map * fields.nodal_force.head<2>();
+    const Vector2d traction = place.map * fields.friction_traction.head<2>();
     folder_.append(place.file, row(state.step, state.top[2], slip[0], slip[1], fields.accumulated_slip,
                                    fields.nodal_force[2], force[0], force[1], fields.pressure, traction[0],
                                    traction[1], std::string(word_of(fields.status))));

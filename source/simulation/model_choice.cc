@@ -42,10 +42,34 @@ SymmetryPlanes smallest_model(const Parameters &parameters)
   return {obstacle(parameters, 0).empty(), obstacle(parameters, 1).empty()};
 }
 
-std::string possible_models(const SymmetryPlanes &planes)
+/// Why a revolved section is not the whole scene; empty if it is.
+std::string obstacle_to_revolution(const Parameters &parameters)
 {
-  const unsigned int n_copies = planes.n_copies();
-  return n_copies == 1 ? "full" : n_copies == 2 ? "full, half" : "full, half, quarter";
+  const FrictionOptions &friction = parameters.friction;
+  if (friction.mu[0] != friction.mu[1])
+    return "Friction/Coefficients = " + to_text(friction.mu[0]) + ", " + to_text(friction.mu[1]) +
+           " differ, which makes friction orthotropic";
+  if (friction.p[0] != friction.p[1])
+    return "Friction/Slip potential = " + to_text(friction.p[0]) + ", " + to_text(friction.p[1]) +
+           " differ, which makes slip orthotropic";
+  for (const unsigned int direction : {0, 1})
+    if (largest_motion(parameters.load, direction) > 0)
+      return std::string("the load program moves the top along ") + (direction == 0 ? 'x' : 'y');
+  return {};
+}
+
+bool can_be_revolved(const Parameters &parameters)
+{
+  return obstacle_to_revolution(parameters).empty();
+}
+
+std::string possible_models(const Parameters &parameters)
+{
+  const unsigned int n_copies = smallest_model(parameters).n_copies();
+  return std::string(n_copies == 1   ? "full"
+                     : n_copies == 2 ? "full, half"
+                                     : "full, half, quarter") +
+         (can_be_revolved(parameters) ? ", axisymmetric" : "");
 }
 
 std::string all_obstacles(const Parameters &parameters)
@@ -55,51 +79,79 @@ std::string all_obstacles(const Parameters &parameters)
   return x.empty() || x == y ? y : y.empty() ? x : x + " and " + y;
 }
 
-[[noreturn]] void reject(const Parameters &parameters, const std::string &request)
+[[noreturn]] void reject(const Parameters &parameters, const std::string &why)
 {
-  throw InputError(request + " is not possible: " + all_obstacles(parameters) + "; possible models are " +
-                   possible_models(smallest_model(parameters)));
+  throw InputError("Mesh/Model = " + to_word(parameters.mesh.model) + " is not possible: " + why +
+                   "; possible models are " + possible_models(parameters));
 }
 
-/// A body that is free sideways at its top is held by nothing but two planes of symmetry.
-void check_guided_top(const Parameters &parameters, const SymmetryPlanes &planes)
+/// A body that is free sideways at its top is held by nothing but two planes of symmetry, or its axis.
+void check_guided_top(const Parameters &parameters, const ModelSymmetry &symmetry)
 {
-  if (parameters.geometry.top_face != TopFace::guided || planes.n_copies() == 4)
+  if (parameters.geometry.top_face != TopFace::guided || symmetry.is_axisymmetric() ||
+      symmetry.n_copies() == 4)
     return;
-  if (smallest_model(parameters).n_copies() == 4)
-    throw InputError(
-        "Geometry/Top face = guided with Mesh/Model = " + to_word(parameters.mesh.model) +
-        " is not possible: the model could drift sideways; possible models are quarter and auto");
+  const bool has_quarter = smallest_model(parameters).n_copies() == 4;
+  if (has_quarter || can_be_revolved(parameters))
+    throw InputError("Geometry/Top face = guided with Mesh/Model = " + to_word(parameters.mesh.model) +
+                     " is not possible: the model could drift sideways; possible models are " +
+                     (has_quarter ? "quarter" : "") +
+                     (has_quarter && can_be_revolved(parameters) ? ", " : "") +
+                     (can_be_revolved(parameters) ? "axisymmetric" : "") + " and auto");
   throw InputError("Geometry/Top face = guided needs the quarter model, which is not possible: " +
                    all_obstacles(parameters));
+}
+
+void check_degree(const Parameters &parameters, const ModelSymmetry &symmetry)
+{
+  constexpr unsigned int most_of_solids = 3;
+  if (parameters.mesh.degree > most_of_solids && !symmetry.is_axisymmetric())
+    throw InputError("Mesh/Degree = " + std::to_string(parameters.mesh.degree) + " with the " +
+                     symmetry.name() + " model: allowed is a whole number from 1 to 3" +
+                     (can_be_revolved(parameters) ? ", or Mesh/Model = axisymmetric" : ""));
+}
+
+ModelChoice smallest_choice(const Parameters &parameters)
+{
+  if (can_be_revolved(parameters))
+    return {ModelSymmetry::of_revolution(), "friction is isotropic and the top moves along the axis"};
+  const SymmetryPlanes planes = smallest_model(parameters);
+  return {planes, planes.n_copies() == 4 ? "friction, load and mesh are symmetric about x = 0 and y = 0"
+                                         : all_obstacles(parameters)};
+}
+
+ModelSymmetry requested_symmetry(const Parameters &parameters)
+{
+  const SymmetryPlanes smallest = smallest_model(parameters);
+  switch (parameters.mesh.model)
+  {
+  case ModelKind::automatic:
+  case ModelKind::full:
+    break;
+  case ModelKind::half:
+    if (smallest.n_copies() == 1)
+      reject(parameters, all_obstacles(parameters));
+    return SymmetryPlanes{!smallest.normal_to_y, smallest.normal_to_y};
+  case ModelKind::quarter:
+    if (smallest.n_copies() < 4)
+      reject(parameters, all_obstacles(parameters));
+    return SymmetryPlanes{true, true};
+  case ModelKind::axisymmetric:
+    if (!can_be_revolved(parameters))
+      reject(parameters, obstacle_to_revolution(parameters));
+    return ModelSymmetry::of_revolution();
+  }
+  return {};
 }
 } // namespace
 
 ModelChoice choose_model(const Parameters &parameters)
 {
-  const SymmetryPlanes smallest = smallest_model(parameters);
-  ModelChoice choice{{}, "as Mesh/Model says"};
-  switch (parameters.mesh.model)
-  {
-  case ModelKind::automatic:
-    choice = {smallest, smallest.n_copies() == 4
-                            ? "friction, load and mesh are symmetric about x = 0 and y = 0"
-                            : all_obstacles(parameters)};
-    break;
-  case ModelKind::full:
-    break;
-  case ModelKind::half:
-    if (smallest.n_copies() == 1)
-      reject(parameters, "Mesh/Model = half");
-    choice.planes = {!smallest.normal_to_y, smallest.normal_to_y};
-    break;
-  case ModelKind::quarter:
-    if (smallest.n_copies() < 4)
-      reject(parameters, "Mesh/Model = quarter");
-    choice.planes = {true, true};
-    break;
-  }
-  check_guided_top(parameters, choice.planes);
+  const ModelChoice choice = parameters.mesh.model == ModelKind::automatic
+                                 ? smallest_choice(parameters)
+                                 : ModelChoice{requested_symmetry(parameters), "as Mesh/Model says"};
+  check_guided_top(parameters, choice.symmetry);
+  check_degree(parameters, choice.symmetry);
   return choice;
 }
 } // namespace orthocone

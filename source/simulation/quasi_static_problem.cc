@@ -13,71 +13,29 @@
 
 namespace orthocone
 {
-namespace
-{
-/// Returns what `work` returns and adds its wall time to `seconds`.
-template<typename Work>
-auto timed(double &seconds, const Work &work)
-{
-  struct Adder
-  {
-    ~Adder() { total += watch.seconds(); }
-    double &total;
-    Stopwatch watch;
-  } adder{seconds, {}};
-  return work();
-}
-
-OrthotropicFriction friction_of(const FrictionOptions &options)
-{
-  return {options.mu[0], options.mu[1], options.p[0], options.p[1]};
-}
-} // namespace
-
-Body::Body(const Parameters &parameters, const SymmetryPlanes &planes, PhaseSeconds &seconds)
-    : mesh(timed(seconds.mesh, [&] { return BodyMesh(parameters.geometry, parameters.mesh, planes); })),
-      discretization(timed(
-          seconds.mesh, [&]
-          { return Discretization(mesh.triangulation(), parameters.mesh, parameters.geometry.top_face); }))
-{
-}
-
-QuasiStaticProblem::QuasiStaticProblem(const Parameters &parameters, const ModelChoice &model,
+QuasiStaticProblem::QuasiStaticProblem(const Parameters &parameters, const ModelChoice &choice,
                                        const RunFolder &folder, Log &log)
     : parameters_(parameters),
-      model_(model),
       folder_(folder),
       log_(log),
       steps_(load_steps(parameters.load)),
-      body_(parameters_, model_.planes, record_.seconds),
-      stiffness_(timed(record_.seconds.assembly,
-                       [&] { return Stiffness(body_.discretization, parameters_.material); })),
-      factor_(factorize()),
-      axes_(parameters_.friction.angle),
-      condensed_(timed(record_.seconds.condensation,
-                       [&] { return CondensedBody(body_.discretization, factor_, axes_); })),
-      problem_(condensed_.compliance(),
-               std::vector<OrthotropicFriction>(body_.discretization.contact_surface().nodes.size(),
-                                                friction_of(parameters_.friction))),
-      solver_(condensed_, problem_, parameters_.contact_solver),
-      state_(problem_.n_nodes()),
-      evaluator_(body_.discretization.contact_surface(), model_.planes, axes_,
-                 friction_of(parameters_.friction)),
-      checker_(parameters_, model_.planes, condensed_, stiffness_),
-      cycles_(parameters_.load, problem_.n_nodes()),
-      output_(folder_, parameters_, body_.discretization, condensed_, evaluator_)
+      model_(parameters_, choice, [&](const Body &body) { announce(choice, body); }),
+      state_(model_.initial_state()),
+      checker_(parameters_, choice.symmetry, model_.condensed(), model_.stiffness()),
+      cycles_(parameters_.load, state_.n_nodes()),
+      output_(folder_, parameters_, model_)
 {
+  record_.seconds = model_.seconds();
 }
 
-StiffnessFactor QuasiStaticProblem::factorize()
+/// Tells what is going to be computed, and with what, before the long work begins.
+void QuasiStaticProblem::announce(const ModelChoice &choice, const Body &body) const
 {
-  log_.line(describe_model(parameters_, model_, body_.discretization, steps_.size()));
+  log_.line(describe_model(parameters_, choice, body.unknowns(), steps_.size()));
   for (const auto &[name, version] : versions())
     log_.line(name + " " + version);
   for (const std::string &warning : parameter_warnings(parameters_))
     log_.line("warning: " + warning);
-  return timed(record_.seconds.factorization,
-               [&] { return StiffnessFactor(stiffness_.matrix(), body_.discretization.n_interior()); });
 }
 
 QuasiStaticProblem::Outcome QuasiStaticProblem::run(const std::optional<Checkpoint> &checkpoint)
@@ -110,9 +68,9 @@ void QuasiStaticProblem::begin(const std::optional<Checkpoint> &checkpoint)
     output_.start();
     return;
   }
-  if (checkpoint->state.n_nodes() != problem_.n_nodes())
+  if (checkpoint->state.n_nodes() != state_.n_nodes())
     throw FileError(folder_.path() + ": the checkpoint is of " + std::to_string(checkpoint->state.n_nodes()) +
-                    " contact nodes, the model has " + std::to_string(problem_.n_nodes()) +
+                    " contact nodes, the model has " + std::to_string(state_.n_nodes()) +
                     "; was it written by another version of the program (" + checkpoint->program + ")?");
   cycles_.restore(checkpoint->cycles);
   output_.return_to(checkpoint->state.step, cycles_.is_to_stop(), checkpoint->cycles.jumped,
@@ -123,11 +81,10 @@ void QuasiStaticProblem::begin(const std::optional<Checkpoint> &checkpoint)
     log_.line("warning: the steps before were computed by version " + checkpoint->program +
               ", these are by " + program_version() + "; last digits may differ");
   state_ = checkpoint->state;
-  solver_.restore(checkpoint->starts);
-  totals_ = compute_totals(evaluator_, state_, condensed_.compliance());
-  const PhaseSeconds set_up = record_.seconds;
+  model_.solver().restore(checkpoint->starts);
+  totals_ = model_.totals(state_);
   record_ = checkpoint->record;
-  record_.seconds.add(set_up);
+  record_.seconds.add(model_.seconds());
   seconds_before_ = record_.total_seconds;
 }
 
@@ -163,11 +120,11 @@ QuasiStaticProblem::Outcome QuasiStaticProblem::advance_to(const LoadStep &step)
 {
   ContactState next = state_;
   double seconds = 0;
-  const SolverReport report = timed(seconds, [&] { return solver_.solve(next, step); });
+  const SolverReport report = timed(seconds, [&] { return model_.solver().solve(next, step); });
   record_.seconds.contact += seconds;
   if (!report.converged)
     return failure(step, report);
-  const Totals totals = compute_totals(evaluator_, next, condensed_.compliance());
+  const Totals totals = model_.totals(next);
   const StepChecks checks =
       timed(record_.seconds.checks,
             [&] {
@@ -183,7 +140,7 @@ QuasiStaticProblem::Outcome QuasiStaticProblem::advance_to(const LoadStep &step)
           log_.progress(step, steps_.size(), totals, report);
         });
   const auto cycle = cycles_.add_step(step, state_, solved);
-  solver_.accept(state_, next, step);
+  model_.solver().accept(state_, next, step);
   state_ = std::move(next);
   totals_ = totals;
   record_.add_step(step.number, totals, report, checks);
@@ -205,7 +162,7 @@ void QuasiStaticProblem::end_cycle(const CycleRow &row)
   if (const unsigned int n = cycles_.n_to_jump(); n > 0)
   {
     CycleRow jumped = cycles_.jump_cycles(state_, n);
-    totals_ = compute_totals(evaluator_, state_, condensed_.compliance());
+    totals_ = model_.totals(state_);
     jumped.dissipation = totals_.total_dissipation - row.total_dissipation;
     jumped.total_dissipation = totals_.total_dissipation;
     jumped.max_accumulated_slip = totals_.max_accumulated_slip;
@@ -234,7 +191,7 @@ void QuasiStaticProblem::save_checkpoint()
   record_.total_seconds = seconds_before_ + total_.seconds();
   output_.flush();
   write_checkpoint(folder_, {entry_values(parameters_), program_version(), folder_.table_sizes(), state_,
-                             solver_.memory(), cycles_.memory(), record_});
+                             model_.solver().memory(), cycles_.memory(), record_});
   since_checkpoint_ = Stopwatch();
   record_.seconds.output += watch.seconds();
 }
@@ -243,7 +200,7 @@ void QuasiStaticProblem::finish(const Outcome &outcome)
 {
   record_.total_seconds = seconds_before_ + total_.seconds();
   const std::string status = outcome.code == ExitCode::done ? "complete" : outcome.message;
-  folder_.write("summary.json", summary_json({status, parameters_, model_, body_.discretization,
+  folder_.write("summary.json", summary_json({status, parameters_, model_.choice(), model_.body().unknowns(),
                                               static_cast<unsigned int>(steps_.size()),
                                               state_.step - cycles_.memory().n_jumped_steps(),
                                               totals_.total_dissipation, record_, cycles_.memory()}));
@@ -258,7 +215,7 @@ void QuasiStaticProblem::finish(const Outcome &outcome)
 QuasiStaticProblem::Outcome QuasiStaticProblem::failure(const LoadStep &step,
                                                         const SolverReport &report) const
 {
-  const auto &place = body_.discretization.contact_surface().nodes[report.worst_node].position;
+  const auto &place = model_.surface().nodes[report.worst_node].position;
   const ContactSolverOptions &options = parameters_.contact_solver;
   std::ostringstream text;
   text << "load step " << step.number << " of " << steps_.size() << " (u_z = " << to_text(step.top[2])

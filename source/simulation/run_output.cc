@@ -9,18 +9,14 @@
 
 namespace orthocone
 {
-RunOutput::RunOutput(const RunFolder &folder, const Parameters &parameters,
-                     const Discretization &discretization, const CondensedBody &condensed,
-                     const ContactFieldEvaluator &evaluator)
+RunOutput::RunOutput(const RunFolder &folder, const Parameters &parameters, const ContactModel &model)
     : folder_(folder),
       options_(parameters.output),
       material_(parameters.material),
       last_step_(load_steps(parameters.load).size()),
-      discretization_(discretization),
-      condensed_(condensed),
-      evaluator_(evaluator),
+      model_(model),
       history_(folder, parameters.contact_solver.method),
-      probes_(folder, parameters.output.probes, evaluator),
+      probes_(folder, parameters.output.probes, model.evaluator()),
       cycles_(folder),
       contact_(folder, "contact"),
       volume_(folder, "volume")
@@ -87,14 +83,14 @@ void RunOutput::write_fields(const ContactState &state)
 {
   if (is_due(options_.contact_interval, state.step) && !contact_.has(state.step))
   {
-    folder_.write(contact_.field_file(state.step), contact_vtu(evaluator_, state));
+    folder_.write(contact_.field_file(state.step), contact_vtu(model_.evaluator(), state));
     contact_.add(state.step);
   }
   if (is_due(options_.volume_interval, state.step) && !volume_.has(state.step))
   {
     folder_.write(
         volume_.field_file(state.step),
-        volume_vtu(discretization_, material_, condensed_.volume_displacement(state.top, state.force)));
+        model_.body().vtu(material_, model_.condensed().volume_displacement(state.top, state.force)));
     volume_.add(state.step);
   }
 }

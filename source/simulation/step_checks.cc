@@ -56,12 +56,12 @@ double impossible_dissipation(const ContactState &before, const ContactState &af
 
 } // namespace
 
-StepChecker::StepChecker(const Parameters &parameters, const SymmetryPlanes &planes,
+StepChecker::StepChecker(const Parameters &parameters, const ModelSymmetry &symmetry,
                          const CondensedBody &body, const Stiffness &stiffness)
     : options_(parameters.checks),
       tolerance_(parameters.contact_solver.tolerance),
       slip_amplification_(slip_amplification(parameters.friction)),
-      n_copies_(planes.n_copies()),
+      n_copies_(symmetry.n_copies()),
       length_(std::max({largest_motion(parameters.load, 0), largest_motion(parameters.load, 1),
                         largest_motion(parameters.load, 2)})),
       body_(body),

@@ -26,14 +26,14 @@ Json peak_json(const std::pair<double, unsigned int> &peak)
 
 Json model_json(const Summary &summary)
 {
-  const Discretization &discretization = summary.discretization;
-  return {{"kind", summary.model.planes.name()},
+  const BodyUnknowns &unknowns = summary.unknowns;
+  return {{"kind", summary.model.symmetry.name()},
           {"reason", summary.model.reason},
-          {"cells", discretization.dof_handler().get_triangulation().n_active_cells()},
-          {"degree", discretization.fe().degree},
-          {"dofs", discretization.n_dofs()},
-          {"free_dofs", discretization.n_free()},
-          {"contact_nodes", discretization.contact_surface().nodes.size()}};
+          {"cells", unknowns.n_cells()},
+          {"degree", summary.parameters.mesh.degree},
+          {"dofs", unknowns.n_dofs()},
+          {"free_dofs", unknowns.n_free()},
+          {"contact_nodes", unknowns.contact_surface().nodes.size()}};
 }
 
 Json seconds_json(const RunRecord &record)
@@ -130,17 +130,18 @@ std::string summary_json(const Summary &summary)
 }
 
 std::string describe_model(const Parameters &parameters, const ModelChoice &model,
-                           const Discretization &discretization, const unsigned int n_steps)
+                           const BodyUnknowns &unknowns, const unsigned int n_steps)
 {
   const ContactSolverOptions &solver = parameters.contact_solver;
   std::ostringstream text;
-  text << "model          " << model.planes.name() << " (" << model.reason << ")\n"
-       << "mesh           " << discretization.dof_handler().get_triangulation().n_active_cells()
-       << " hexahedra of degree " << discretization.fe().degree << ", "
-       << discretization.n_quadrature_points() << " Gauss points per direction\n"
-       << "unknowns       " << discretization.n_free() << " of " << discretization.n_dofs()
-       << " degrees of freedom\n"
-       << "contact nodes  " << discretization.contact_surface().nodes.size() << "\n"
+  text << "model          " << model.symmetry.name() << " (" << model.reason << ")\n"
+       << "mesh           " << unknowns.n_cells()
+       << (model.symmetry.is_axisymmetric() ? " quadrilaterals" : " hexahedra") << " of degree "
+       << parameters.mesh.degree << ", " << parameters.mesh.n_quadrature_points()
+       << " Gauss points per direction\n"
+       << "unknowns       " << unknowns.n_free() << " of " << unknowns.n_dofs() << " degrees of freedom\n"
+       << "contact nodes  " << unknowns.contact_surface().nodes.size()
+       << (model.symmetry.is_axisymmetric() ? " (rings)" : "") << "\n"
        << "load steps     " << n_steps << "\n"
        << "contact solver " << to_word(solver.method) << ", tolerance " << to_text(solver.tolerance);
   return text.str();

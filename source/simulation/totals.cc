@@ -30,27 +30,27 @@ void count_status(const NodeStatus status, const unsigned int n, const double ar
 Totals compute_totals(const ContactFieldEvaluator &evaluator, const ContactState &state,
                       const Compliance &compliance)
 {
-  const SymmetryPlanes &planes = evaluator.planes();
-  const unsigned int n_copies = planes.n_copies();
+  const ModelSymmetry &symmetry = evaluator.symmetry();
+  const ContactSurface &surface = evaluator.surface();
+  const unsigned int n_copies = symmetry.n_copies();
   Totals totals;
   totals.min_pressure = std::numeric_limits<double>::max();
-  for (unsigned int node = 0; node < evaluator.surface().nodes.size(); ++node)
+  for (unsigned int node = 0; node < surface.nodes.size(); ++node)
   {
-    const ContactNode &place = evaluator.surface().nodes[node];
+    const ContactNode &place = surface.nodes[node];
     const ContactFields fields = evaluator.fields(state, node);
-    const unsigned int n = n_images(place, planes);
-    totals.force += n * fields.nodal_force;
+    totals.force += symmetry.n_images(surface, place) * fields.nodal_force;
     totals.max_slip = std::max(totals.max_slip, fields.slip.norm());
     totals.max_accumulated_slip = std::max(totals.max_accumulated_slip, fields.accumulated_slip);
     totals.min_pressure = std::min(totals.min_pressure, fields.pressure);
     totals.max_pressure = std::max(totals.max_pressure, fields.pressure);
-    count_status(fields.status, n, n_copies * place.area, totals);
+    count_status(fields.status, symmetry.n_counted(surface, place), n_copies * place.area, totals);
     totals.total_dissipation += n_copies * state.dissipated_energy[node];
   }
-  // Forces across a plane of symmetry cancel between the copies.
-  if (planes.normal_to_x)
+  // Forces across a plane of symmetry cancel between the copies, radial ones around a ring.
+  if (symmetry.is_axisymmetric() || symmetry.planes().normal_to_x)
     totals.force[0] = 0;
-  if (planes.normal_to_y)
+  if (symmetry.is_axisymmetric() || symmetry.planes().normal_to_y)
     totals.force[1] = 0;
   NodeVector moved;
   compliance.vmult(moved, state.force);

@@ -34,9 +34,11 @@ RUNS = {
     "bare": [*CYCLE, "Output/Volume fields=0"],
     "blind": [*CYCLE, "Output/Contact fields=0"],
     "pushed": [*CYCLE, "Mesh/Degree=1", "Load program/Legs=0 0 -0.1 : 1 ; 0.02 0.01 -0.1 : 1"],
+    "revolved": [*CYCLE, "Friction/Coefficients=0.2, 0.2", "Friction/Slip potential=0.2, 0.2"],
     "cubic": [*CYCLE, "Mesh/Core cells=2", "Mesh/Degree=3", "Mesh/Model=half", "Load program/Legs=0 0 -0.1 : 1"],
 }
-STEPS = {"quarter": "all", "full": "2", "bare": "1", "pushed": "2", "cubic": "1"}
+STEPS = {"quarter": "all", "full": "2", "bare": "1", "pushed": "2", "cubic": "1",
+         "revolved": "2"}
 
 
 def setUpModule():
@@ -109,7 +111,7 @@ class PictureTest(unittest.TestCase):
     def test_names_and_sizes(self):
         views = {"overview", "body", "slip", "pressure", "friction"}
         expected = {"quarter": (views, (1, 2, 3)), "full": (views, (2,)), "pushed": (views, (2,)),
-                    "cubic": (views, (1,)), "bare": (views - {"body"}, (1,))}
+                    "cubic": (views, (1,)), "revolved": (views, (2,)), "bare": (views - {"body"}, (1,))}
         for run, (kinds, steps) in expected.items():
             with self.subTest(run):
                 names = {f"{kind}-{step:04d}.png" for kind in kinds for step in steps}
@@ -118,16 +120,18 @@ class PictureTest(unittest.TestCase):
                     self.assertEqual(picture(run, name[:-4]).shape, (HEIGHT, WIDTH, 3), name)
 
     def test_something_is_drawn(self):
-        for run, step in (("quarter", 2), ("full", 2), ("pushed", 2), ("cubic", 1), ("bare", 1)):
+        for run, step in (("quarter", 2), ("full", 2), ("pushed", 2), ("cubic", 1), ("bare", 1), ("revolved", 2)):
             for kind, least in (("slip", 200), ("pressure", 15), ("friction", 30)):
                 with self.subTest(run=run, kind=kind):
                     self.assertGreater(n_colours(surface(run, f"{kind}-{step:04d}")), least)
         self.assertGreater(n_colours(picture("quarter", "body-0002")), 200)
         self.assertGreater(n_colours(picture("quarter", "overview-0002")), 1000)
+        self.assertGreater(n_colours(picture("revolved", "body-0002")), 200)
 
     def test_disc_is_round_and_whole(self):
         angles = np.linspace(0, 2 * np.pi, 73)
-        for run, step, tolerance in (("quarter", 2, 0.005), ("cubic", 1, 0.04), ("pushed", 2, 0.03)):
+        for run, step, tolerance in (("quarter", 2, 0.005), ("cubic", 1, 0.04), ("pushed", 2, 0.03),
+                                    ("revolved", 2, 0.005)):
             pixels = picture(run, f"pressure-{step:04d}")
             for factor, is_inside in ((1 - tolerance, True), (1 + tolerance, False)):
                 rows = np.round(CENTRE_Y + factor * RADIUS * np.sin(angles)).astype(int)

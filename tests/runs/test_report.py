@@ -212,6 +212,7 @@ class PageTest(Page):
                       "Friction/Orthotropy angle=30", "Load program/Cycles=2", "Output/Probes="]
         for name, maps, settings in (("no_fields", False, ["Output/Contact fields=0"]), ("tangential", True, tangential),
                                      ("cubic", True, ["Mesh/Degree=3", "Mesh/Model=half", "Output/Contact fields=4"]),
+                                     ("revolved", True, ["Friction/Coefficients=0.2, 0.2", "Friction/Slip potential=1, 1"]),
                                      ("one_step", True, ["Load program/Legs=0 0 -0.1 : 1", "Load program/Cycles=1"])):
             with self.subTest(name):
                 self.open(run(name, *COARSE, *settings))

@@ -66,6 +66,8 @@ class Grid:
             raise RunError(f"{path}: cannot be read")
         self.points = vtk_to_numpy(self.data.GetPoints().GetData()).astype(float)
         self.radius = np.hypot(self.points[:, 0], self.points[:, 1]).max()
+        # Across the contact surface, or across the section of an axisymmetric body; None in a solid.
+        self.flat_axis = next((axis for axis in (2, 1) if not self.points[:, axis].any()), None)
         self.cells = vtk_to_numpy(self.data.GetCells().GetConnectivityArray()).reshape(self.data.GetNumberOfCells(), -1)
 
     def __getitem__(self, name):
@@ -77,11 +79,13 @@ class Grid:
     def bound(self, name, part):
         """The value below which the field stays in a part of the area or volume. Points count with the sizes of their
         cells: graded meshes have most of them where the fields are singular."""
-        is_flat = not self.points[:, 2].any()
-        n_corners = 4 if is_flat else 8
-        edges = CORNERS[:, :n_corners] @ self.points[self.cells[:, :n_corners]]
-        if is_flat:
-            edges[:, 2] = 0, 0, 1
+        n_corners = 8 if self.flat_axis is None else 4
+        corners = self.points[self.cells[:, :n_corners]]
+        edges = CORNERS[:, :n_corners] @ corners
+        if self.flat_axis is not None:
+            edges[:, 2] = np.eye(3)[self.flat_axis]
+        if self.flat_axis == 1:  # a section: each cell is a ring
+            edges[:, 2] *= corners[:, :, :1].mean(axis=1)
         weights = np.zeros(len(self.points))
         np.add.at(weights, self.cells, np.abs(np.linalg.det(edges))[:, None])
         values = self[name]
@@ -235,7 +239,8 @@ def magnification(moved, height):
 
 
 def body_view(run, reader):
-    """Displacements enlarged, of the whole cylinder whatever part of it is modelled."""
+    """Displacements enlarged, of the whole cylinder whatever part of it is modelled; of an axisymmetric one the section
+    through its axis."""
     if not run.volume:
         text = "Deformed body: no volume.pvd (Output/Volume fields = 0)"
         print(text)
@@ -250,7 +255,7 @@ def body_view(run, reader):
     surface = surface_of(simple.PVDReader(FileName=str(run.folder / "volume.pvd")), grid)
     body = simple.WarpByVector(Input=surface, Vectors=["POINTS", "displacement"], ScaleFactor=factor)
     for axis, name in enumerate("XY"):
-        if grid.points[:, axis].min() > -NOTHING:  # what is beyond the symmetry plane is not modelled
+        if axis != grid.flat_axis and grid.points[:, axis].min() > -NOTHING:  # what is beyond the symmetry plane is not modelled
             body = simple.Reflect(Input=body, Plane=name, Center=0, FlipAllInputArrays=1)
     show_field(body, view, "von_mises_stress", "MPa", "Plasma (matplotlib)", upper, Ambient=0.55, Diffuse=0.5,
                InterpolateScalarsBeforeMapping=1)

@@ -7,18 +7,18 @@ import numpy as np
 from disc_map import Surface
 from paper_paths import friction_on_half
 from paper_printed import CASES, CYCLE, FORCE_AXIS_END, PEAK, PRINTED
-from paper_runs import MESHES, command
+from paper_runs import MESHES, SOLID, command
 
 LIKEWISE = ", B and C likewise"
 ONE_STEP = "Load program/Legs=0 0 -0.1 : 1"
 POSITIVE_LOAD = "Load program/Legs=0 0 -0.1 : 5 ; 0 0 -0.02 : 10"
 PLATE_FORCE = 210000 * 0.1 / 10 * np.pi * 10**2  # E u/H times the area: no friction, no clamping
 # Question 6: title and settings; the quarter model has the same answers as the whole cylinder and costs less.
-REFINEMENT = [("bricks, 4 layers: the paper's mesh", ("Mesh/Degree=1",)),
-              ("bricks, twice as fine", ("Mesh/Degree=1", "Mesh/Core cells=16", "Mesh/Layers=8")),
-              ("bricks, four times as fine", ("Mesh/Degree=1", "Mesh/Core cells=32", "Mesh/Layers=16")),
-              ("quadratic, 4 layers", ("Mesh/Degree=2",)),
-              ("quadratic, twice as fine", ("Mesh/Degree=2", "Mesh/Core cells=16", "Mesh/Layers=8")),
+REFINEMENT = [("bricks, 4 layers: the paper's mesh", (*SOLID, "Mesh/Degree=1")),
+              ("bricks, twice as fine", (*SOLID, "Mesh/Degree=1", "Mesh/Core cells=16", "Mesh/Layers=8")),
+              ("bricks, four times as fine", (*SOLID, "Mesh/Degree=1", "Mesh/Core cells=32", "Mesh/Layers=16")),
+              ("quadratic, 4 layers", (*SOLID, "Mesh/Degree=2")),
+              ("quadratic, twice as fine", (*SOLID, "Mesh/Degree=2", "Mesh/Core cells=16", "Mesh/Layers=8")),
               ("cubic, graded, 6 layers: refined", MESHES["refined"].settings)]
 
 

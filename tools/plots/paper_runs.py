@@ -22,12 +22,14 @@ class Mesh:
 # The paper prints neither the size of the core block nor the thickness of the rings. The two numbers of `fitted` are
 # fitted to the smallest and the largest nodal force of its case A; the four forces of cases B and C are then a check.
 # `third` puts the core's corners where its fig. 6 has the four minima.
+# All three cases on the same solid meshes: auto would take the axisymmetric model for case A.
+SOLID = ("Mesh/Model=quarter",)
 MESHES = {
     "bricks": Mesh("the paper's bricks", "_q1"),
     "fitted": Mesh("bricks, fitted", "_q1", ("Mesh/Core ratio=0.286", "Mesh/Rim grading=0.9118")),
     "third": Mesh("bricks, core to R/3", "_q1", ("Mesh/Core ratio=0.3333",)),
-    "q2": Mesh("Q2", ""),
-    "refined": Mesh("refined", "", ("Mesh/Degree=3", "Mesh/Core cells=8", "Mesh/Rings=8", "Mesh/Layers=6",
+    "q2": Mesh("Q2", "", SOLID),
+    "refined": Mesh("refined", "", (*SOLID, "Mesh/Degree=3", "Mesh/Core cells=8", "Mesh/Rings=8", "Mesh/Layers=6",
                                     "Mesh/Rim grading=0.5", "Mesh/Layer grading=0.5")),
 }
 # P is on the 45-degree line, where the paper says. R, its neighbour on the rim at 33.75 degrees, fits the printed

@@ -62,8 +62,11 @@ def mesh_edges(mesh, node_of_point):
 
 
 def modelled_part(data, frame):
-    """Shade over the half or quarter that was computed; a half keeps the plane along which the top does not move."""
+    """Shade over the half or quarter that was computed, a line where it is a section; a half keeps the plane along
+    which the top does not move."""
     kind = data.summary.get("model", {}).get("kind")
+    if kind == "axisymmetric":
+        return svg.line(frame(0, 0), frame(data.radius, 0), "section")
     if kind not in ("half", "quarter"):
         return ""
     moves_along_y = any(target[1] for target, _ in data.program.preload + data.program.legs)

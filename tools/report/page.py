@@ -114,7 +114,9 @@ def model(data):
     figures = "".join(element("figure", picture + element("figcaption", escape(caption)))
                       for caption, picture in model_picture.figures(data))
     kind = data.summary.get("model", {}).get("kind")
-    shade = {"half": "Shaded: the half that was computed.", "quarter": "Shaded: the quarter that was computed."}
+    shade = {"half": "Shaded: the half that was computed.", "quarter": "Shaded: the quarter that was computed.",
+             "axisymmetric": "Heavy line: the section (r, z) that was computed; the disc is its revolution, and nodes "
+                             "are counted as rings."}
     words = shade.get(kind, "The whole body was computed." if kind else "") + " Totals are those of the whole body."
     return element("div", figures, "figures") + element("p", escape(words), "hint")
 

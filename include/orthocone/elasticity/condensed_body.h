@@ -3,7 +3,7 @@
 #pragma once
 
 #include <orthocone/compliance/compliance.h>
-#include <orthocone/elasticity/discretization.h>
+#include <orthocone/elasticity/body_unknowns.h>
 #include <orthocone/elasticity/stiffness.h>
 #include <orthocone/elasticity/stiffness_factor.h>
 
@@ -32,7 +32,7 @@ private:
 class CondensedBody
 {
 public:
-  CondensedBody(const Discretization &discretization, const StiffnessFactor &factor, const SurfaceAxes &axes);
+  CondensedBody(const BodyUnknowns &unknowns, const StiffnessFactor &factor, const SurfaceAxes &axes);
 
   const DenseCompliance &compliance() const { return compliance_; }
 
@@ -56,7 +56,7 @@ private:
   Eigen::VectorXd on_free_unknowns(const NodeVector &force) const;
   Eigen::MatrixXd local_compliance(const Eigen::MatrixXd &inverse) const;
 
-  const Discretization &discretization_;
+  const BodyUnknowns &unknowns_;
   const StiffnessFactor &factor_;
   SurfaceAxes axes_;
   DenseCompliance compliance_;

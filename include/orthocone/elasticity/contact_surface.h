@@ -11,9 +11,9 @@ namespace orthocone
 struct ContactNode
 {
   std::array<double, 2> position;   ///< x, y in mm; the surface is z = 0
-  double area;                      ///< lumped face weight of the model's faces (mm^2)
+  double area;                      ///< lumped face weight of the model's faces, or of their rings (mm^2)
   std::array<unsigned int, 3> dofs; ///< of u_x, u_y, u_z
-  std::array<bool, 3> is_free;      ///< false where a symmetry plane holds the direction
+  std::array<bool, 3> is_free;      ///< false where symmetry holds the direction
 };
 
 /// Contact nodes and the faces between them, free of mesh types.
@@ -21,6 +21,7 @@ struct ContactSurface
 {
   unsigned int degree = 1;
   std::vector<ContactNode> nodes;
-  std::vector<std::vector<unsigned int>> faces; ///< (degree + 1)^2 nodes a face, lexicographic
+  /// (degree + 1)^2 nodes a face, lexicographic; degree + 1 from the axis outwards where a section has faces
+  std::vector<std::vector<unsigned int>> faces;
 };
 } // namespace orthocone

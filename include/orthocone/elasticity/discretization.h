@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
-#include <orthocone/elasticity/contact_surface.h>
+#include <orthocone/elasticity/body_unknowns.h>
 #include <orthocone/elasticity/mesh.h>
 
 #include <deal.II/dofs/dof_handler.h>
@@ -12,9 +12,8 @@
 
 namespace orthocone
 {
-/// Displacement space on a body mesh: isoparametric FE_Q, degrees of freedom numbered in three ranges:
-/// interior (free, not on the contact surface), contact (free, on the contact surface), held (zero).
-class Discretization
+/// Displacement space on a body mesh: isoparametric FE_Q.
+class Discretization : public BodyUnknowns
 {
 public:
   Discretization(const dealii::Triangulation<3> &triangulation, const MeshOptions &options, TopFace top_face);
@@ -25,15 +24,8 @@ public:
   const dealii::MappingQ<3> &mapping() const { return mapping_; }
   unsigned int n_quadrature_points() const { return n_quadrature_points_; }
 
-  unsigned int n_dofs() const { return dof_handler_.n_dofs(); }
-  unsigned int n_interior() const { return n_interior_; }
-  unsigned int n_free() const { return n_free_; }
-
-  const ContactSurface &contact_surface() const { return contact_surface_; }
-
 private:
   std::vector<bool> held_dofs(TopFace top_face) const;
-  void number_dofs(const std::vector<bool> &is_held);
   void find_contact_surface();
   void add_contact_face(const dealii::DoFHandler<3>::active_cell_iterator &cell, unsigned int face,
                         std::vector<unsigned int> &node_of_dof);
@@ -44,8 +36,5 @@ private:
   dealii::MappingQ<3> mapping_;
   dealii::DoFHandler<3> dof_handler_;
   unsigned int n_quadrature_points_;
-  unsigned int n_interior_ = 0;
-  unsigned int n_free_ = 0;
-  ContactSurface contact_surface_;
 };
 } // namespace orthocone

@@ -31,6 +31,7 @@ enum Boundary : dealii::types::boundary_id
   lateral_surface = 3,
   plane_normal_to_x = 4,
   plane_normal_to_y = 5,
+  axis = 6, ///< of a section
 };
 
 /// Cylinder of hexahedra: an o-grid disc (a square core block and four outer blocks) extruded into layers.

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
+#include <orthocone/elasticity/axisymmetric_body.h>
 #include <orthocone/elasticity/discretization.h>
 #include <orthocone/parameters/options.h>
 
@@ -22,6 +23,7 @@ struct LameParameters
 
 /// Fills `pattern` with the entries of a stiffness on and below the diagonal.
 void make_stiffness_pattern(const Discretization &discretization, dealii::SparsityPattern &pattern);
+void make_stiffness_pattern(const SectionDiscretization &discretization, dealii::SparsityPattern &pattern);
 
 /// Stiffness of the free degrees of freedom, n_free() x n_free() (N/mm), of isotropic linear elasticity at
 /// small strain. Only the entries on and below the diagonal are stored.
@@ -29,6 +31,9 @@ class Stiffness
 {
 public:
   Stiffness(const Discretization &discretization, const MaterialOptions &material);
+
+  /// Of whole rings.
+  Stiffness(const SectionDiscretization &discretization, const MaterialOptions &material);
 
   const dealii::SparseMatrix<double> &matrix() const { return matrix_; }
 

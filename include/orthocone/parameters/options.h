@@ -18,13 +18,14 @@ enum class TopFace
   guided,
 };
 
-/// Part of the cylinder that is modelled.
+/// Part of the cylinder that is modelled; axisymmetric is its section (r, z).
 enum class ModelKind
 {
   automatic,
   full,
   half,
   quarter,
+  axisymmetric,
 };
 
 /// Contact solvers.

@@ -30,11 +30,12 @@ struct Words<TopFace>
 template<>
 struct Words<ModelKind>
 {
-  static constexpr std::array<std::pair<ModelKind, std::string_view>, 4> table{
+  static constexpr std::array<std::pair<ModelKind, std::string_view>, 5> table{
       {{ModelKind::automatic, "auto"},
        {ModelKind::full, "full"},
        {ModelKind::half, "half"},
-       {ModelKind::quarter, "quarter"}}};
+       {ModelKind::quarter, "quarter"},
+       {ModelKind::axisymmetric, "axisymmetric"}}};
 };
 
 template<>

@@ -4,6 +4,7 @@
 
 #include <orthocone/elasticity/condensed_body.h>
 #include <orthocone/simulation/contact_state.h>
+#include <orthocone/simulation/model_symmetry.h>
 
 namespace orthocone
 {
@@ -18,29 +19,26 @@ struct ContactFields
   Eigen::Vector3d friction_traction = Eigen::Vector3d::Zero(); ///< MPa, of the plane on the body
   double friction_criterion = -1;                              ///< ||r_t||_m / r_n - 1; -1 without pressure
   NodeStatus status = NodeStatus::open;
-  Eigen::Vector3d nodal_force = Eigen::Vector3d::Zero(); ///< N, as in the full model
+  Eigen::Vector3d nodal_force = Eigen::Vector3d::Zero(); ///< N, of one node of the whole surface
   double dissipated_energy = 0;                          ///< N/mm, accumulated, per area
 };
-
-/// Number of nodes of the whole body that a node of the model stands for.
-unsigned int n_images(const ContactNode &node, const SymmetryPlanes &planes);
 
 /// Computes the fields of the nodes of a state. Only reads.
 class ContactFieldEvaluator
 {
 public:
-  ContactFieldEvaluator(const ContactSurface &surface, const SymmetryPlanes &planes, const SurfaceAxes &axes,
+  ContactFieldEvaluator(const ContactSurface &surface, const ModelSymmetry &symmetry, const SurfaceAxes &axes,
                         const OrthotropicFriction &law);
 
   ContactFields fields(const ContactState &state, unsigned int node) const;
   std::vector<ContactFields> all_fields(const ContactState &state) const;
 
   const ContactSurface &surface() const { return surface_; }
-  const SymmetryPlanes &planes() const { return planes_; }
+  const ModelSymmetry &symmetry() const { return symmetry_; }
 
 private:
   const ContactSurface &surface_;
-  SymmetryPlanes planes_;
+  ModelSymmetry symmetry_;
   SurfaceAxes axes_;
   OrthotropicFriction law_;
 };

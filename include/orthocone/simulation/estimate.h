@@ -2,8 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
-#include <orthocone/elasticity/discretization.h>
-#include <orthocone/parameters/options.h>
+#include <orthocone/simulation/body.h>
 
 #include <string>
 
@@ -17,7 +16,7 @@ struct ModelSize
   double dofs;
 };
 
-ModelSize model_size(const MeshOptions &mesh, unsigned int n_copies);
+ModelSize model_size(const MeshOptions &mesh, const ModelSymmetry &symmetry);
 
 /// What a run will need, to about a factor of 3.
 struct Estimate
@@ -28,7 +27,7 @@ struct Estimate
 };
 
 /// From a symbolic factorization and the speed of a small matrix product on this machine.
-Estimate estimate(const Parameters &parameters, const Discretization &discretization, unsigned int n_copies);
+Estimate estimate(const Parameters &parameters, const Body &body, const ModelSymmetry &symmetry);
 
 /// The estimate in two lines, with the memory of this machine.
 std::string describe(const Estimate &estimate, unsigned int n_steps);

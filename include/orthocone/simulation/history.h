@@ -54,7 +54,7 @@ private:
   {
     std::string file;
     unsigned int node;
-    Eigen::Vector2d signs; ///< of the image
+    Eigen::Matrix2d map; ///< from the model to the image
   };
 
   const RunFolder &folder_;

@@ -5,23 +5,11 @@
 #include <orthocone/contact/contact_solver.h>
 #include <orthocone/simulation/load_program.h>
 #include <orthocone/simulation/run_folder.h>
+#include <orthocone/simulation/stopwatch.h>
 #include <orthocone/simulation/totals.h>
-
-#include <chrono>
 
 namespace orthocone
 {
-/// Seconds since its construction.
-class Stopwatch
-{
-public:
-  double seconds() const { return std::chrono::duration<double>(Clock::now() - start_).count(); }
-
-private:
-  using Clock = std::chrono::steady_clock;
-  Clock::time_point start_ = Clock::now();
-};
-
 /// log.txt and what the screen shows: one line a step, in place on a terminal.
 class Log
 {

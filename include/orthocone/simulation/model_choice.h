@@ -2,15 +2,15 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
-#include <orthocone/elasticity/mesh.h>
 #include <orthocone/parameters/options.h>
+#include <orthocone/simulation/model_symmetry.h>
 
 namespace orthocone
 {
 /// The part of the body that is modelled, and why.
 struct ModelChoice
 {
-  SymmetryPlanes planes;
+  ModelSymmetry symmetry;
   std::string reason;
 };
 

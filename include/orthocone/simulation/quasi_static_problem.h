@@ -4,21 +4,12 @@
 
 #include <orthocone/parameters/errors.h>
 #include <orthocone/simulation/checkpoint.h>
+#include <orthocone/simulation/contact_model.h>
 #include <orthocone/simulation/log.h>
 #include <orthocone/simulation/run_output.h>
 
 namespace orthocone
 {
-/// Mesh and unknowns of the body: all that --check needs.
-struct Body
-{
-  /// Adds the wall time to `seconds.mesh`.
-  Body(const Parameters &parameters, const SymmetryPlanes &planes, PhaseSeconds &seconds);
-
-  BodyMesh mesh;
-  Discretization discretization;
-};
-
 /// A body on the rigid plane through a load program, step after step. Owns every module by value; the member
 /// list is the wiring diagram of the program.
 class QuasiStaticProblem
@@ -33,7 +24,7 @@ public:
 
   /// Builds, factorizes and condenses the body; nothing is written but the log. Throws InputError or
   /// FileError. `folder` must outlive the problem.
-  QuasiStaticProblem(const Parameters &parameters, const ModelChoice &model, const RunFolder &folder,
+  QuasiStaticProblem(const Parameters &parameters, const ModelChoice &choice, const RunFolder &folder,
                      Log &log);
 
   /// Solves all steps and writes the run folder, from the start or from a checkpoint on. The files of solved
@@ -41,7 +32,7 @@ public:
   Outcome run(const std::optional<Checkpoint> &checkpoint);
 
 private:
-  StiffnessFactor factorize();
+  void announce(const ModelChoice &choice, const Body &body) const;
   void begin(const std::optional<Checkpoint> &checkpoint);
   Outcome march();
   Outcome advance_to(const LoadStep &step);
@@ -53,21 +44,13 @@ private:
   Outcome violation(const LoadStep &step, const std::string &which) const;
 
   const Parameters parameters_;
-  const ModelChoice model_;
   const RunFolder &folder_;
   Log &log_;
   const std::vector<LoadStep> steps_;
   Stopwatch total_;
-  RunRecord record_;
-  Body body_;
-  Stiffness stiffness_;
-  StiffnessFactor factor_;
-  SurfaceAxes axes_;
-  CondensedBody condensed_;
-  ContactProblem problem_;
-  StepSolver solver_;
+  ContactModel model_;
   ContactState state_;
-  ContactFieldEvaluator evaluator_;
+  RunRecord record_;
   Totals totals_; ///< of state_
   StepChecker checker_;
   CycleWatch cycles_;

@@ -2,9 +2,10 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
-#include <orthocone/elasticity/condensed_body.h>
+#include <orthocone/simulation/contact_model.h>
 #include <orthocone/simulation/cycles.h>
 #include <orthocone/simulation/field_list.h>
+#include <orthocone/simulation/history.h>
 #include <orthocone/simulation/load_program.h>
 
 namespace orthocone
@@ -15,8 +16,7 @@ class RunOutput
 {
 public:
   /// All but `parameters` must outlive the output.
-  RunOutput(const RunFolder &folder, const Parameters &parameters, const Discretization &discretization,
-            const CondensedBody &condensed, const ContactFieldEvaluator &evaluator);
+  RunOutput(const RunFolder &folder, const Parameters &parameters, const ContactModel &model);
 
   /// Starts the tables.
   void start() const;
@@ -46,9 +46,7 @@ private:
   const OutputOptions options_;
   const MaterialOptions material_;
   unsigned int last_step_; ///< of the program, or of the run if that ended before
-  const Discretization &discretization_;
-  const CondensedBody &condensed_;
-  const ContactFieldEvaluator &evaluator_;
+  const ContactModel &model_;
   const History history_;
   const ProbeHistories probes_;
   const CycleTable cycles_;

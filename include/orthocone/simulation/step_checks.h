@@ -36,7 +36,7 @@ class StepChecker
 {
 public:
   /// `body` and `stiffness` must outlive the checker.
-  StepChecker(const Parameters &parameters, const SymmetryPlanes &planes, const CondensedBody &body,
+  StepChecker(const Parameters &parameters, const ModelSymmetry &symmetry, const CondensedBody &body,
               const Stiffness &stiffness);
 
   /// `largest_energy`: StepChecks::energy of the steps before.

@@ -70,7 +70,7 @@ struct Summary
   std::string status; ///< "complete", or why not
   const Parameters &parameters;
   const ModelChoice &model;
-  const Discretization &discretization;
+  const BodyUnknowns &unknowns;
   unsigned int n_steps;
   unsigned int n_solved;
   double total_dissipation; ///< N mm
@@ -89,5 +89,5 @@ std::string describe_seconds(const RunRecord &record);
 
 /// The resolved model in a few lines: kind, cells, unknowns, contact nodes, steps.
 std::string describe_model(const Parameters &parameters, const ModelChoice &model,
-                           const Discretization &discretization, unsigned int n_steps);
+                           const BodyUnknowns &unknowns, unsigned int n_steps);
 } // namespace orthocone

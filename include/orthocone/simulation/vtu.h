@@ -9,11 +9,15 @@
 
 namespace orthocone
 {
-/// VTU text of the contact surface of the whole body: the modelled part and its mirror images, so that
-/// pictures do not depend on the model. Lagrange cells for degree > 1.
+/// VTU text of the contact surface of the whole body: the modelled part and its images, so that pictures
+/// do not depend on the model. Lagrange cells for degree > 1.
 std::string contact_vtu(const ContactFieldEvaluator &evaluator, const ContactState &state);
 
 /// VTU text of the modelled part of the body: displacement (mm), stress and von Mises stress (MPa).
 std::string volume_vtu(const Discretization &discretization, const MaterialOptions &material,
+                       const Eigen::VectorXd &displacement);
+
+/// VTU text of a section, in the plane y = 0.
+std::string volume_vtu(const SectionDiscretization &discretization, const MaterialOptions &material,
                        const Eigen::VectorXd &displacement);
 } // namespace orthocone

@@ -96,7 +96,7 @@ TEST(Readers, CutAndEscapeWhatTheyQuote)
 {
   const Folder folder;
   const std::string file = folder.write("good.prm", "subsection Mesh\n  set Degree = 1\nend\n");
-  const std::string allowed = ": allowed is auto | full | half | quarter";
+  const std::string allowed = ": allowed is auto | full | half | quarter | axisymmetric";
   const std::string remark = " (with characters beyond ASCII)";
   EXPECT_EQ(rejection(file, {"Mesh/Model=a\n\t\x1b\x7f"}), "--set: Mesh/Model = a\\n\\t\\x1b\\x7f" + allowed);
   std::string letters; // of two bytes each, but for the first
@@ -112,7 +112,8 @@ TEST(Readers, AreNotFooledByAValueThatQuotesTheLibrary)
 {
   const Folder folder;
   const std::string value = "<x> does not match the given pattern <y>.";
-  const std::string message = "Mesh/Model = " + value + ": allowed is auto | full | half | quarter";
+  const std::string message =
+      "Mesh/Model = " + value + ": allowed is auto | full | half | quarter | axisymmetric";
   const std::string json = folder.write("x.json", "{\"Mesh\": {\"Model\": \"" + value + "\"}}");
   EXPECT_EQ(rejection(json), json + ": " + message);
   const std::string prm = folder.write("x.prm", "subsection Mesh\n  set Model = " + value + "\nend\n");

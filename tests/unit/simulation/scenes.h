@@ -4,10 +4,7 @@
 // Small scenes, marched without a run folder.
 #pragma once
 
-#include <orthocone/elasticity/stiffness.h>
-#include <orthocone/simulation/model_choice.h>
-#include <orthocone/simulation/step_solver.h>
-#include <orthocone/simulation/totals.h>
+#include <orthocone/simulation/contact_model.h>
 
 #include <gtest/gtest.h>
 
@@ -38,18 +35,13 @@ class Scene
 public:
   explicit Scene(const Parameters &parameters_)
       : parameters(parameters_),
-        planes(choose_model(parameters).planes),
-        law{parameters.friction.mu[0], parameters.friction.mu[1], parameters.friction.p[0],
-            parameters.friction.p[1]},
-        mesh(parameters.geometry, parameters.mesh, planes),
-        discretization(mesh.triangulation(), parameters.mesh, parameters.geometry.top_face),
-        factor(Stiffness(discretization, parameters.material).matrix(), discretization.n_interior()),
-        axes(parameters.friction.angle),
-        condensed(discretization, factor, axes),
-        problem(condensed.compliance(),
-                std::vector<OrthotropicFriction>(condensed.compliance().n_nodes(), law)),
-        evaluator(discretization.contact_surface(), planes, axes, law),
-        state(condensed.compliance().n_nodes())
+        model(parameters, choose_model(parameters)),
+        symmetry(model.choice().symmetry),
+        discretization(model.body().unknowns()),
+        condensed(model.condensed()),
+        evaluator(model.evaluator()),
+        problem(condensed.compliance(), laws()),
+        state(model.initial_state())
   {
   }
 
@@ -70,19 +62,24 @@ public:
     }
   }
 
-  Totals totals() const { return compute_totals(evaluator, state, condensed.compliance()); }
+  Totals totals() const { return model.totals(state); }
 
   const Parameters parameters;
-  const SymmetryPlanes planes;
-  const OrthotropicFriction law;
-  const BodyMesh mesh;
-  const Discretization discretization;
-  const StiffnessFactor factor;
-  const SurfaceAxes axes;
-  const CondensedBody condensed;
-  ContactProblem problem;
-  const ContactFieldEvaluator evaluator;
+  const ContactModel model;
+  const ModelSymmetry &symmetry;
+  const BodyUnknowns &discretization;
+  const CondensedBody &condensed;
+  const ContactFieldEvaluator &evaluator;
+  ContactProblem problem; ///< not the model's, so that several solvers can work on it
   ContactState state;
+
+private:
+  std::vector<OrthotropicFriction> laws() const
+  {
+    const FrictionOptions &friction = parameters.friction;
+    return std::vector<OrthotropicFriction>(condensed.compliance().n_nodes(),
+                                            {friction.mu[0], friction.mu[1], friction.p[0], friction.p[1]});
+  }
 };
 
 /// Node of the scene at a position, or -1.

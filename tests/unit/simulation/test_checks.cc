@@ -15,8 +15,7 @@ struct CheckedScene : Scene
 {
   explicit CheckedScene(const Parameters &parameters_)
       : Scene(parameters_),
-        stiffness(discretization, parameters.material),
-        checker(parameters, planes, condensed, stiffness)
+        checker(parameters, symmetry, condensed, model.stiffness())
   {
   }
 
@@ -27,7 +26,6 @@ struct CheckedScene : Scene
     return checker.check({before, totals_before}, {after, totals_after}, {}, totals_before.elastic_energy);
   }
 
-  const Stiffness stiffness;
   const StepChecker checker;
 };
 

@@ -62,7 +62,7 @@ TEST(Physics, StickingEverywhereIsClampedAtTheBase)
   Scene scene(parameters);
   scene.march();
   EXPECT_EQ(scene.totals().n_stick, scene.state.n_nodes());
-  const Stiffness stiffness(scene.discretization, parameters.material);
+  const Stiffness &stiffness = scene.model.stiffness();
   const auto n_interior = static_cast<Index>(scene.discretization.n_interior());
   const auto n_free = static_cast<Index>(scene.discretization.n_free());
   std::vector<Eigen::Triplet<double>> entries;
@@ -144,7 +144,7 @@ TEST(Physics, GrossSlidingHasTheResultantOfTheSlipRule)
     Scene scene(parameters);
     scene.march();
     const Eigen::Vector3d force = scene.totals().force;
-    const Vector2d expected = sliding_traction(scene.law, std::sqrt(0.5), std::sqrt(0.5));
+    const Vector2d expected = sliding_traction(scene.problem.given_law(0), std::sqrt(0.5), std::sqrt(0.5));
     EXPECT_EQ(scene.totals().n_stick, 0u);
     EXPECT_LE((force.head<2>() / force[2] - expected).norm(), 1e-9);
   }

@@ -6,6 +6,8 @@
 
 #include <gtest/gtest.h>
 
+#include <functional>
+
 namespace orthocone::test
 {
 namespace
@@ -19,7 +21,7 @@ Parameters scene()
 
 std::string chosen(const Parameters &parameters)
 {
-  return choose_model(parameters).planes.name();
+  return choose_model(parameters).symmetry.name();
 }
 } // namespace
 
@@ -61,11 +63,16 @@ TEST(ModelChoice, TakesTheSmallestExactModel)
   EXPECT_EQ(chosen(parameters), "quarter");
   parameters.friction.angle = 30;
   EXPECT_EQ(chosen(parameters), "full");
-  parameters.friction.mu = parameters.friction.p = {{0.2, 0.2}};
-  EXPECT_EQ(chosen(parameters), "quarter");
+  parameters.friction.mu = {{0.2, 0.2}};
+  EXPECT_EQ(chosen(parameters), "full"); // the slip ellipse is still turned
+  parameters.friction.p = {{0.7, 0.7}};
+  parameters.mesh.core_cells = 3;
+  EXPECT_EQ(chosen(parameters), "axisymmetric");
+  parameters.mesh.core_cells = 4;
+  EXPECT_EQ(chosen(parameters), "axisymmetric");
   parameters.load.preload = {Leg{{{0.1, 0, 0}}, 1}};
   EXPECT_EQ(chosen(parameters), "half");
-  EXPECT_TRUE(choose_model(parameters).planes.normal_to_y);
+  EXPECT_TRUE(choose_model(parameters).symmetry.planes().normal_to_y);
   parameters.load.legs.push_back(Leg{{{0, 0.1, 0}}, 1});
   EXPECT_EQ(chosen(parameters), "full");
   parameters = scene();
@@ -95,5 +102,45 @@ TEST(ModelChoice, RejectsWhatIsNotExactAndSaysWhatIs)
   EXPECT_EQ(chosen(parameters), "quarter");
   parameters.mesh.model = ModelKind::full;
   EXPECT_THROW(choose_model(parameters), InputError);
+  parameters.friction.mu = parameters.friction.p = {{0.2, 0.2}};
+  EXPECT_THROW(choose_model(parameters), InputError);
+  parameters.mesh.model = ModelKind::automatic;
+  EXPECT_EQ(chosen(parameters), "axisymmetric");
+}
+
+TEST(ModelChoice, RevolvesOnlyWhatIsTheSameAllAround)
+{
+  const auto complaint = [](const std::function<void(Parameters &)> &spoil)
+  {
+    Parameters parameters = scene();
+    parameters.friction.mu = parameters.friction.p = {{0.2, 0.2}};
+    parameters.mesh.model = ModelKind::axisymmetric;
+    parameters.mesh.degree = 4;
+    spoil(parameters);
+    try
+    {
+      return choose_model(parameters).symmetry.name();
+    }
+    catch (const InputError &error)
+    {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_EQ(complaint([](Parameters &) {}), "axisymmetric");
+  EXPECT_EQ(
+      complaint([](Parameters &p) { p.friction.mu[1] = 0.21; }),
+      "Mesh/Model = axisymmetric is not possible: Friction/Coefficients = 0.2, 0.21 differ, which makes "
+      "friction orthotropic; possible models are full, half, quarter");
+  EXPECT_EQ(
+      complaint([](Parameters &p) { p.friction.p[1] = 0.21; }),
+      "Mesh/Model = axisymmetric is not possible: Friction/Slip potential = 0.2, 0.21 differ, which makes "
+      "slip orthotropic; possible models are full, half, quarter");
+  EXPECT_EQ(
+      complaint([](Parameters &p) { p.load.legs[0].target[1] = 0.1; }),
+      "Mesh/Model = axisymmetric is not possible: the load program moves the top along y; possible models "
+      "are full, half");
+  EXPECT_EQ(complaint([](Parameters &p) { p.mesh.model = ModelKind::quarter; }),
+            "Mesh/Degree = 4 with the quarter model: allowed is a whole number from 1 to 3, or Mesh/Model = "
+            "axisymmetric");
 }
 } // namespace orthocone::test

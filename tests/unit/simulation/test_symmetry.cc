@@ -60,7 +60,7 @@ TEST(Symmetry, HalfFollowsATangentialLeg)
     parameters.load.legs = {Leg{{{0, 0, -0.05}}, 1}, Leg{{{x, y, -0.05}}, 2}};
     Scene whole(with_model(parameters, ModelKind::full));
     Scene half(with_model(parameters, ModelKind::automatic));
-    EXPECT_EQ(half.planes.n_copies(), 2u);
+    EXPECT_EQ(half.symmetry.n_copies(), 2u);
     whole.march();
     half.march();
     expect_same_fields(half, whole, tolerance);
@@ -124,6 +124,6 @@ TEST(Symmetry, TurnedAxesTurnByRightAngles)
   Scene second(parameters);
   second.march();
   expect_same_totals(first.totals(), second.totals());
-  EXPECT_EQ(first.planes.n_copies(), 1u);
+  EXPECT_EQ(first.symmetry.n_copies(), 1u);
 }
 } // namespace orthocone::test

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/lac/sparse_matrix.h>
+
+#include <Eigen/Dense>
+
+#include <vector>
+
+namespace orthocone
+{
+/// Degrees of freedom of a cell, numbered node by node.
+template<int dim>
+std::vector<dealii::types::global_dof_index>
+dofs_by_node(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell)
+{
+  const auto &fe = cell->get_fe();
+  std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
+  std::vector<dealii::types::global_dof_index> sorted(dofs.size());
+  cell->get_dof_indices(dofs);
+  for (unsigned int i = 0; i < dofs.size(); ++i)
+  {
+    const auto [component, node] = fe.system_to_component_index(i);
+    sorted[dim * node + component] = dofs[i];
+  }
+  return sorted;
+}
+
+/// Adds a cell's matrix on and below the diagonal, to the rows of free degrees of freedom.
+inline void add_cell_matrix(const Eigen::MatrixXd &cell_matrix,
+                            const std::vector<dealii::types::global_dof_index> &dofs,
+                            dealii::SparseMatrix<double> &matrix)
+{
+  for (unsigned int i = 0; i < dofs.size(); ++i)
+    for (unsigned int j = 0; j < dofs.size(); ++j)
+      if (dofs[i] < matrix.m() && dofs[j] <= dofs[i])
+        matrix.add(dofs[i], dofs[j], cell_matrix(i, j));
+}
+} // namespace orthocone
