@@ -20,6 +20,7 @@ from program import PROGRAM, ROOT, main
 sys.path.insert(0, str(ROOT / "tools/plots"))
 
 import benchmark_ratios  # noqa: E402
+import docs_page  # noqa: E402
 
 KERNELS = {"projection/mixed", "projection/slip", "projection_with_derivative/slip", "one_node/slip_guessed",
            "one_node/slip_unguessed", "residual", "sweep", "newton_iteration", "contact_step", "assembly",
@@ -77,6 +78,14 @@ class QuickTest(unittest.TestCase):
         for name in ("cost", "shares"):
             picture = imread(self.folder / f"{name}.png")[::5, ::5, :3]
             self.assertTrue(0.2 < (picture == 1).all(axis=2).mean() < 0.98, name)
+
+    def test_page_has_a_place_for_every_table(self):
+        page = self.folder / "performance.md"
+        page.write_text((ROOT / "docs/performance.md").read_text(encoding="utf-8"), encoding="utf-8")
+        tables = {name: make(self.result) for name, make in benchmark_ratios.TABLES.items()}
+        docs_page.write_tables(tables, page, "benchmark")
+        for table in tables.values():
+            self.assertIn(table, page.read_text(encoding="utf-8"))
 
     def test_nothing_tells_where_it_ran(self):
         self.assertNotIn(str(ROOT), (self.folder / "benchmark.json").read_text())

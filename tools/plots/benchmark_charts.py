@@ -37,22 +37,23 @@ def cost_chart(result):
 
 
 def share_chart(result):
-    """Parts of the whole process on every mesh, in per cent."""
+    """Parts of the whole process on every mesh, in per cent: means over the runs."""
     figure, panel = plt.subplots(figsize=(9, 0.8 + 0.55 * len(result["programs"])), constrained_layout=True)
     names = ("start_up", *PHASES)
+    longest = 100
     for row, program in enumerate(result["programs"]):
-        times = program["median"]
-        parts = np.array([times[name] for name in names])
+        parts = np.mean([[100 * run[name] / run["process"] for name in names] for run in program["samples"]], axis=0)
         left = 0
-        for part, colour, name in zip(100 * parts / max(times["process"], parts.sum()), COLOURS, names):
+        for part, colour, name in zip(parts, COLOURS, names):
             panel.barh(row, part, left=left, color=colour, label=name.replace("_", "-") if row == 0 else None)
             if part > 4:
                 panel.text(left + part / 2, row, f"{part:.0f}", ha="center", va="center", color="white", size=9)
             left += part
+        longest = max(longest, left)
     panel.set_yticks(range(len(result["programs"])),
                      [f"{p['contact_nodes']} contact nodes, {p['median']['process']:.2g} s" for p in result["programs"]])
     panel.invert_yaxis()
-    panel.set_xlim(0, 100)
+    panel.set_xlim(0, longest)  # the start-up is that of another process
     panel.set_xlabel("per cent of the wall time of the whole process")
     panel.spines[["top", "right"]].set_visible(False)
     panel.legend(ncols=8, loc="lower center", bbox_to_anchor=(0.5, 1), fontsize=8, frameon=False, columnspacing=1,

@@ -57,7 +57,7 @@ def sample(program, cells, folder):
 
 
 def program_runs(program, sizes, n_runs):
-    """Runs of case B on every mesh. The meshes take turns, so that a busy minute of the machine hits all alike."""
+    """Runs of case B on every mesh. The meshes take turns, so that a busy minute hits all alike."""
     records = {}
     with tempfile.TemporaryDirectory() as folder:
         for run in range(n_runs):
@@ -88,7 +88,8 @@ def kernel_filter(sizes):
 def kernel_times(kernels, sizes, n_runs, least_seconds):
     """Median seconds of every kernel."""
     command = [kernels, f"--benchmark_filter={kernel_filter(sizes)}", "--benchmark_format=json",
-               f"--benchmark_min_time={least_seconds}", f"--benchmark_repetitions={n_runs}"]
+               f"--benchmark_min_time={least_seconds}", f"--benchmark_repetitions={n_runs}",
+               "--benchmark_enable_random_interleaving=true"]  # a busy minute of the machine hits all alike
     process = started(command, stdout=subprocess.PIPE)
     output, errors = process.communicate()
     if process.returncode:
@@ -99,7 +100,13 @@ def kernel_times(kernels, sizes, n_runs, least_seconds):
             raise BenchmarkError(f"kernel {entry['name']}: {entry['error_message']}")
         if entry["run_type"] == "iteration":
             samples.setdefault(entry["name"], []).append(entry)
-    return [kernel_record(name, entries) for name, entries in samples.items()]
+    in_order = sorted(samples.items(), key=lambda item: place(item[1][0]))
+    return [kernel_record(name, entries) for name, entries in in_order]
+
+
+def place(entry):
+    """Order of the kernels: those of one node first, then as they stand in the sources, by size."""
+    return ("contact_nodes" in entry, entry["family_index"], entry["per_family_instance_index"])
 
 
 def kernel_record(name, entries):
@@ -121,9 +128,11 @@ def processor():
 
 def measure(options):
     """Everything that one call of tools/benchmark measures."""
+    load = os.getloadavg()[0]
     programs = program_runs(options.program, options.sizes, options.runs)
     print("benchmark: kernels", flush=True)
     kernels = kernel_times(options.kernels, options.sizes, options.runs, options.least_seconds)
     versions = subprocess.run([str(options.program), "--version"], capture_output=True, text=True, check=True).stdout
     return {"versions": dict(line.split(" ", 1) for line in versions.splitlines()), "processor": processor(),
-            "cores": len(os.sched_getaffinity(0)), "runs": options.runs, "programs": programs, "kernels": kernels}
+            "cores": len(os.sched_getaffinity(0)), "load_average_before": load,
+            "blas_threads": os.environ.get("OPENBLAS_NUM_THREADS", "as many as cores"), "runs": options.runs, "programs": programs, "kernels": kernels}

@@ -146,4 +146,12 @@ def ordering_table(result):
     return markdown(["ordering", "unknowns", "Gflop", "factor", "order, analysis and factorization"], rows)
 
 
-TABLES = {"ratios": ratio_table, "phases": phase_table, "kernels": kernel_table, "orderings": ordering_table}
+def conditions(result):
+    """With what it was measured, as a paragraph."""
+    blas = result["versions"]["BLAS"].split()
+    return (f"Medians of {result['runs']} runs on {result['cores']} cores ({result['processor']}), "
+            f"{' '.join(blas[:2])} with threads: {result['blas_threads']}; load average of the machine before the start "
+            f"{result['load_average_before']:.1f}; orthocone {result['versions']['orthocone']}.\n")
+
+
+TABLES = {"conditions": conditions, "ratios": ratio_table, "phases": phase_table, "kernels": kernel_table, "orderings": ordering_table}
