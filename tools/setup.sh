@@ -2,10 +2,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 #
-#   tools/setup.sh PRESET [figures] [tests]
+#   tools/setup.sh PRESET [figures] [benchmark] [tests]
 #
 # Installs what is missing, configures and builds with a CMake preset (release, debug, fuzz); `figures` adds the packages
-# of the tools that draw, `tests` those of the tests and the tests themselves. Called by ./run, ./test and the tools.
+# of the tools that draw, `benchmark` those and the kernels that tools/benchmark times, `tests` all of that and the
+# tests. Called by ./run, ./test and the tools.
 # Nothing is done twice: installed packages, a configured build folder and compiled files are left alone.
 set -eu
 
@@ -13,8 +14,9 @@ packages="g++ cmake ninja-build git
   libdeal.ii-dev libsuitesparse-dev libeigen3-dev libopenblas-pthread-dev liblapacke-dev
   libboost-program-options-dev nlohmann-json3-dev libgtest-dev"
 figures_packages="python3 python3-numpy python3-matplotlib python3-meshio"
+benchmark_packages="$figures_packages libbenchmark-dev"
 # ParaView's Python brings the vtk modules, and takes the place of the package python3-vtk9 where that is installed.
-tests_packages="$figures_packages paraview python3-paraview xvfb xauth chromium chromium-driver python3-selenium"
+tests_packages="$benchmark_packages paraview python3-paraview xvfb xauth chromium chromium-driver python3-selenium"
 fuzz_packages="clang libclang-rt-14-dev"
 
 say() { echo "setup: $*" >&2; }
@@ -41,12 +43,14 @@ install_packages() {
 
 preset=$1
 shift
-target=orthocone
+targets=orthocone
+kernels=OFF
 for group in "$preset" "$@"; do
   case $group in
     figures) packages="$packages $figures_packages" ;;
-    tests) packages="$packages $tests_packages" target=all ;;
-    fuzz) packages="$packages $fuzz_packages" target=all ;;
+    benchmark) packages="$packages $benchmark_packages" targets="$targets kernels" kernels=ON ;;
+    tests) packages="$packages $tests_packages" targets=all kernels=ON ;;
+    fuzz) packages="$packages $fuzz_packages" targets=all ;;
   esac
 done
 root=$(CDPATH='' cd -- "$(dirname -- "$0")/.." && pwd)
@@ -66,5 +70,10 @@ if [ ! -f "$build/build.ninja" ] || [ CMakePresets.json -nt "$build/build.ninja"
   say "configuring $build"
   cmake --preset "$preset" >&2
 fi
+# Once asked for, the kernels stay part of the build folder.
+if [ $kernels = ON ] && ! grep -q '^ORTHOCONE_BENCHMARKS:BOOL=ON' "$build/CMakeCache.txt"; then
+  cmake -DORTHOCONE_BENCHMARKS=ON "$build" >&2
+fi
 say "building $build (the first time takes some minutes)"
-cmake --build "$build" --target "$target" >&2
+# shellcheck disable=SC2086
+cmake --build "$build" --target $targets >&2

@@ -2,9 +2,7 @@
 # Copyright (C) 2026 the orthocone authors
 """Figures 5 to 12 of the paper from our own runs; with --docs what docs/paper.md shows. Started by tools/figures."""
 import argparse
-import io
 import pathlib
-import re
 import sys
 
 import matplotlib
@@ -12,9 +10,8 @@ import matplotlib
 matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt  # noqa: E402
-import numpy as np  # noqa: E402
-from PIL import Image  # noqa: E402
 
+import docs_page  # noqa: E402
 import paper_maps  # noqa: E402
 import paper_paths  # noqa: E402
 import paper_tables  # noqa: E402
@@ -39,36 +36,16 @@ def draw_figures(runs, folder, images=None):
     for name, draw in FIGURES.items():
         figure = draw(runs)
         figure.savefig(folder / f"{name}.png", dpi=200)
-        figure.savefig(folder / f"{name}.svg", dpi=fitting_dpi(figure, 1.2e6), metadata={"Date": None})
+        figure.savefig(folder / f"{name}.svg", dpi=docs_page.fitting_dpi(figure, 1.2e6), metadata={"Date": None})
         if images:
-            save_small(figure, images / f"{name}.png")
+            docs_page.save_small(figure, images / f"{name}.png")
         plt.close(figure)
         print(f"figures: {folder / name}.png, .svg", flush=True)
 
 
-def fitting_dpi(figure, pixels):
-    """The resolution that makes so many pixels of the figure, but not more than 120 dots per inch."""
-    return min(120, (pixels / np.prod(figure.get_size_inches()))**0.5)
-
-
-def save_small(figure, path):
-    """A picture for the page, with a palette."""
-    buffer = io.BytesIO()
-    figure.savefig(buffer, dpi=fitting_dpi(figure, 1e6))
-    Image.open(buffer).convert("RGB").quantize(256, dither=Image.Dither.NONE).save(path, optimize=True)
-
-
 def write_tables(runs, page):
     """Puts the tables between their markers in the page."""
-    text = page.read_text(encoding="utf-8")
-    for name, make in paper_tables.TABLES.items():
-        pattern = rf"(<!-- table {name}[^>]*-->\n).*?(<!-- end {name} -->)"
-        text, found = re.subn(pattern, lambda match, rows=make(runs): match[1] + rows + match[2], text, flags=re.S)
-        if found != 1:
-            raise SystemExit(f"figures: {page.name}: the markers of the table '{name}' stand there {found} times, not "
-                             "once")
-    page.write_text(text, encoding="utf-8")
-    print(f"figures: tables of {page}")
+    docs_page.write_tables({name: make(runs) for name, make in paper_tables.TABLES.items()}, page, "figures")
 
 
 def main():

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// What the contact solvers are made of, at the first step of unloading.
+#include "newton_system.h"
+#include "sizes.h"
+#include "solvers.h"
+
+namespace
+{
+using namespace orthocone;
+using namespace orthocone::benchmarks;
+
+void residual(benchmark::State &state)
+{
+  const Scene &s = scene_of(state);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(s.problem.residual(s.force));
+}
+BENCHMARK(residual)->Apply(all_sizes);
+
+void sweep(benchmark::State &state)
+{
+  const Scene &s = scene_of(state);
+  const GaussSeidel sweeps(s.problem, s.parameters.contact_solver);
+  for (auto _ : state)
+  {
+    NodeVector force = s.force;
+    sweeps.sweep(force);
+    benchmark::DoNotOptimize(force.data());
+  }
+}
+BENCHMARK(sweep)->Apply(all_sizes);
+
+/// One linearization of the natural map and its solution, at the forces that the first sweeps leave: at those
+/// of the peak all nodes seem to be open.
+void newton_iteration(benchmark::State &state)
+{
+  const Scene &s = scene_of(state);
+  const GaussSeidel sweeps(s.problem, s.parameters.contact_solver);
+  NodeVector force = s.force;
+  for (unsigned int i = 0; i < 10; ++i)
+    sweeps.sweep(force);
+  const NodeVector displacement = s.problem.displacement(force);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(NewtonSystem(s.problem, force, displacement).solve());
+}
+BENCHMARK(newton_iteration)->Apply(all_sizes);
+
+/// The whole step by the default method, from the forces of the peak.
+void contact_step(benchmark::State &state)
+{
+  const Scene &s = scene_of(state);
+  SemismoothNewton solver(s.problem, s.parameters.contact_solver);
+  SolverReport report;
+  for (auto _ : state)
+  {
+    NodeVector force = s.force;
+    report = solver.solve(force);
+  }
+  if (!report.converged)
+    state.SkipWithError("the step did not converge");
+  state.counters["solver_iterations"] = report.iterations;
+}
+BENCHMARK(contact_step)->Apply(all_sizes);
+} // namespace

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/contact/contact_solver.h>
+#include <orthocone/elasticity/condensed_body.h>
+#include <orthocone/elasticity/stiffness.h>
+#include <orthocone/parameters/parameters.h>
+
+namespace orthocone::benchmarks
+{
+/// The paper's case B in a quarter of Q2 elements on `core_cells` (even), half as many layers; 8 is the
+/// paper's mesh. The body is factorized and condensed; the contact problem is the first step of unloading.
+class Scene
+{
+public:
+  explicit Scene(unsigned int core_cells);
+
+  Parameters parameters;
+  BodyMesh mesh;
+  Discretization discretization;
+  Stiffness stiffness;
+  StiffnessFactor factor;
+  CondensedBody condensed;
+  ContactProblem problem;
+  NodeVector force; ///< at the peak, from which the unloading step starts
+
+private:
+  void press_and_release();
+};
+
+/// The scene of that size; made when it is first asked for, and kept.
+const Scene &scene(unsigned int core_cells);
+} // namespace orthocone::benchmarks

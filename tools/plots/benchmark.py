@@ -1,0 +1,89 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""Times kernels and whole runs, prints ratios within this call, writes benchmark.json and charts. Started by
+tools/benchmark."""
+import argparse
+import json
+import pathlib
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt  # noqa: E402
+
+import benchmark_charts  # noqa: E402
+import docs_page  # noqa: E402
+from benchmark_measure import ROOT, BenchmarkError, measure  # noqa: E402
+from benchmark_ratios import TABLES, ratios  # noqa: E402
+
+PAGE = ROOT / "docs/performance.md"
+SIZES = (4, 6, 8, 12, 16, 24, 32)  # core cells
+QUICK_SIZES = (2, 4)
+
+
+def positive(text):
+    number = int(text)
+    if number < 1:
+        raise argparse.ArgumentTypeError(f"{text} is not positive")
+    return number
+
+
+def parsed_options():
+    parser = argparse.ArgumentParser(prog="tools/benchmark", description=__doc__)
+    parser.add_argument("--runs", type=positive, default=5, help="runs of everything, of which medians are taken (5)")
+    parser.add_argument("--finest", type=int, choices=SIZES[1:], default=16, metavar="CELLS",
+                        help="core cells of the finest mesh: 6, 8 (the paper's), 12, 16 (default), 24 or 32; 32 takes "
+                             "20 GB and many minutes a run")
+    parser.add_argument("--quick", action="store_true", help="tiny meshes, once: a test of this tool, not a measurement")
+    parser.add_argument("--docs", action="store_true", help="also refresh docs/performance.md, its charts and data")
+    parser.add_argument("--output", type=pathlib.Path, default=ROOT / "output/benchmark", help="folder of the results")
+    parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/orthocone")
+    parser.add_argument("--kernels", type=pathlib.Path, default=ROOT / "build/tests/benchmarks/kernels")
+    options = parser.parse_args()
+    if options.quick and options.docs:
+        parser.error("--quick measures nothing that belongs in --docs")
+    options.sizes = QUICK_SIZES if options.quick else [cells for cells in SIZES if cells <= options.finest]
+    options.least_seconds = 0.001 if options.quick else 0.1
+    if options.quick:
+        options.runs = 1
+    return options
+
+
+def save(result, folder):
+    folder.mkdir(parents=True, exist_ok=True)
+    (folder / "benchmark.json").write_text(json.dumps(result, indent=1) + "\n", encoding="utf-8")
+    print(f"benchmark: {folder / 'benchmark.json'}")
+
+
+def draw(result, folder, images):
+    for name, chart in benchmark_charts.CHARTS.items():
+        figure = chart(result)
+        figure.savefig(folder / f"{name}.png", dpi=150)
+        if images:
+            docs_page.save_small(figure, images / f"{name}.png")
+        plt.close(figure)
+        print(f"benchmark: {folder / name}.png")
+
+
+def main():
+    options = parsed_options()
+    try:
+        result = measure(options)
+    except BenchmarkError as error:
+        sys.exit(f"benchmark: {error}")
+    result["ratios"] = ratios(result)
+    tables = {name: make(result) for name, make in TABLES.items()}
+    for table in tables.values():
+        print("\n" + table, end="")
+    print()
+    save(result, options.output)
+    draw(result, options.output, ROOT / "docs/images" if options.docs else None)
+    if options.docs:
+        save(result, ROOT / "docs/data")
+        docs_page.write_tables(tables, PAGE, "benchmark")
+
+
+if __name__ == "__main__":
+    main()
