@@ -90,7 +90,12 @@ double ContactProblem::residual(const NodeVector &force) const
 
 double ContactProblem::residual(const NodeVector &force, const NodeVector &displacement) const
 {
-  const double error = natural_map(force, displacement).norm();
+  return residual_of(natural_map(force, displacement), force);
+}
+
+double ContactProblem::residual_of(const NodeVector &map, const NodeVector &force) const
+{
+  const double error = map.norm();
   const double scale = force_scale(force);
   if (!std::isfinite(error) || !std::isfinite(scale))
     return std::numeric_limits<double>::infinity();

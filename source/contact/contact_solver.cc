@@ -16,7 +16,7 @@ SolverReport make_report(const ContactProblem &problem, const NodeVector &force,
   const NodeVector map = problem.natural_map(force, d);
   SolverReport report;
   report.iterations = iterations;
-  report.residual = problem.residual(force, d);
+  report.residual = problem.residual_of(map, force);
   report.converged = report.residual <= tolerance;
   report.law = law_errors(problem, force, d);
   double worst = -1;

@@ -8,6 +8,7 @@
 #include <deal.II/base/work_stream.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/vector.h>
 
 #include <Eigen/Dense>
 
@@ -140,15 +141,13 @@ void Stiffness::assemble(const Discretization &discretization, const LameParamet
 
 Eigen::VectorXd Stiffness::vmult(const Eigen::VectorXd &displacement) const
 {
-  Eigen::VectorXd forces = Eigen::VectorXd::Zero(displacement.size());
+  // Both triangles have the diagonal.
+  const dealii::Vector<double> u(displacement.begin(), displacement.end());
+  dealii::Vector<double> forces(u.size());
+  matrix_.vmult(forces, u);
+  matrix_.Tvmult_add(forces, u);
   for (unsigned int row = 0; row < matrix_.m(); ++row)
-    for (auto entry = matrix_.begin(row); entry != matrix_.end(row); ++entry)
-    {
-      const unsigned int column = entry->column();
-      forces[row] += entry->value() * displacement[column];
-      if (column != row)
-        forces[column] += entry->value() * displacement[row];
-    }
-  return forces;
+    forces[row] -= matrix_.diag_element(row) * u[row];
+  return Eigen::Map<const Eigen::VectorXd>(forces.data(), displacement.size());
 }
 } // namespace orthocone

@@ -79,22 +79,34 @@ ContactState state_from(const Json &json)
   return state;
 }
 
+Json phases_json(const std::map<unsigned int, NodeVector> &forces)
+{
+  Json json = Json::array();
+  for (const auto &[phase, force] : forces)
+    json.push_back({phase, array_json(force)});
+  return json;
+}
+
+std::map<unsigned int, NodeVector> phases_from(const Json &json, const Index n)
+{
+  std::map<unsigned int, NodeVector> forces;
+  for (const auto &entry : json)
+    forces[entry.at(0)] = array_from(entry.at(1), n);
+  return forces;
+}
+
 Json starts_json(const StartMemory &starts)
 {
-  Json of_phase = Json::array();
-  for (const auto &[phase, force] : starts.of_phase)
-    of_phase.push_back({phase, array_json(force)});
-  return {{"change", array_json(starts.change)}, {"of_phase", std::move(of_phase)}};
+  return {{"change", array_json(starts.change)},
+          {"of_phase", phases_json(starts.of_phase)},
+          {"drift", phases_json(starts.drift)}};
 }
 
 StartMemory starts_from(const Json &json, const ContactState &state)
 {
   const Index n = 3 * state.n_nodes();
-  StartMemory starts;
-  starts.change = array_from(json.at("change"), state.step == 0 ? 0 : n);
-  for (const auto &entry : json.at("of_phase"))
-    starts.of_phase[entry.at(0)] = array_from(entry.at(1), n);
-  return starts;
+  return {array_from(json.at("change"), state.step == 0 ? 0 : n), phases_from(json.at("of_phase"), n),
+          phases_from(json.at("drift"), n)};
 }
 
 Json row_json(const CycleRow &row)

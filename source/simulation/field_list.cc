@@ -33,23 +33,39 @@ void FieldList::set(const std::vector<unsigned int> &steps)
   flush();
 }
 
-void FieldList::add(const unsigned int step)
+void FieldList::add(const unsigned int step, std::function<std::string()> make)
 {
-  files_.emplace_back(step, field_file(step));
+  write_pending();
+  pending_step_ = step;
+  pending_ = std::async(std::launch::async, std::move(make));
+}
+
+void FieldList::write_pending()
+{
+  if (!pending_.valid())
+    return;
+  const std::string file = field_file(pending_step_);
+  folder_.write(file, pending_.get());
+  files_.emplace_back(pending_step_, file);
   is_up_to_date_ = false;
   if (since_writing_.seconds() >= least_seconds_)
-    flush();
+    write_list();
 }
 
 bool FieldList::has(const unsigned int step) const
 {
-  return !files_.empty() && files_.back().first >= step;
+  return (pending_.valid() && pending_step_ >= step) || (!files_.empty() && files_.back().first >= step);
 }
 
 void FieldList::flush()
 {
-  if (is_up_to_date_)
-    return;
+  write_pending();
+  if (!is_up_to_date_)
+    write_list();
+}
+
+void FieldList::write_list()
+{
   constexpr double usual_seconds = 1;
   constexpr double least_pause = 50; // in multiples of the time that the writing takes
   const Stopwatch watch;

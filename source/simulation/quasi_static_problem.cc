@@ -4,6 +4,7 @@
 
 #include <orthocone/parameters/parameters.h>
 #include <orthocone/parameters/text.h>
+#include <orthocone/simulation/blas_threads.h>
 #include <orthocone/simulation/interrupt.h>
 #include <orthocone/simulation/version.h>
 
@@ -90,6 +91,7 @@ void QuasiStaticProblem::begin(const std::optional<Checkpoint> &checkpoint)
 
 QuasiStaticProblem::Outcome QuasiStaticProblem::march()
 {
+  const BlasThreads threads(state_.force.size());
   log_.start_steps(state_.step);
   let_steps_finish();
   for (const LoadStep &step : steps_)

@@ -82,17 +82,10 @@ void RunOutput::write(const SolvedStep &step)
 void RunOutput::write_fields(const ContactState &state)
 {
   if (is_due(options_.contact_interval, state.step) && !contact_.has(state.step))
-  {
-    folder_.write(contact_.field_file(state.step), contact_vtu(model_.evaluator(), state));
-    contact_.add(state.step);
-  }
+    contact_.add(state.step, [this, state] { return contact_vtu(model_.evaluator(), state); });
   if (is_due(options_.volume_interval, state.step) && !volume_.has(state.step))
-  {
-    folder_.write(
-        volume_.field_file(state.step),
-        model_.body().vtu(material_, model_.condensed().volume_displacement(state.top, state.force)));
-    volume_.add(state.step);
-  }
+    volume_.add(state.step, [this, u = model_.condensed().volume_displacement(state.top, state.force)]
+                { return model_.body().vtu(material_, u); });
 }
 
 void RunOutput::end_with(const ContactState &state)

@@ -12,7 +12,11 @@ NodeVector StartForces::best(const ContactProblem &problem, const ContactState &
   std::vector<NodeVector> candidates;
   if (const auto last_cycle = memory_.of_phase.find(step.phase);
       step.cycle > 1 && last_cycle != memory_.of_phase.end())
+  {
     candidates.push_back(last_cycle->second);
+    if (const auto drift = memory_.drift.find(step.phase); drift != memory_.drift.end())
+      candidates.push_back(last_cycle->second + drift->second);
+  }
   if (step.step_of_leg > 1)
     candidates.push_back(state.force + memory_.change);
   candidates.push_back(NodeVector::Zero(state.force.size())); // full unloading
@@ -31,8 +35,12 @@ NodeVector StartForces::best(const ContactProblem &problem, const ContactState &
 void StartForces::remember(const NodeVector &before, const NodeVector &after, const LoadStep &step)
 {
   memory_.change = after - before;
-  if (step.cycle > 0)
-    memory_.of_phase[step.phase] = after;
+  if (step.cycle == 0)
+    return;
+  NodeVector &of_phase = memory_.of_phase[step.phase];
+  if (of_phase.size() > 0)
+    memory_.drift[step.phase] = after - of_phase;
+  of_phase = after;
 }
 
 StepSolver::StepSolver(const CondensedBody &body, ContactProblem &problem,

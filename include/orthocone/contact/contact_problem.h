@@ -60,6 +60,9 @@ public:
   double residual(const NodeVector &force) const;
   double residual(const NodeVector &force, const NodeVector &displacement) const;
 
+  /// The same from the natural map at `force`.
+  double residual_of(const NodeVector &map, const NodeVector &force) const;
+
   /// A node is open if it carries no force, or one so small that only rounding tells it from none.
   NodeStatus status(Eigen::Index node, const NodeVector &force, const NodeVector &displacement) const;
 

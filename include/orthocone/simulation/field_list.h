@@ -5,14 +5,18 @@
 #include <orthocone/simulation/log.h>
 #include <orthocone/simulation/run_folder.h>
 
+#include <functional>
+#include <future>
 #include <string>
 #include <utility>
 #include <vector>
 
 namespace orthocone
 {
-/// A .pvd file, which names the field files of a run. It can only be replaced as a whole, which would cost
-/// more and more from step to step: additions are written when the last time was a while ago, or by flush().
+/// The field files of a run and the .pvd file that names them. The content of a file is made on a thread of
+/// its own, while the next step is solved, and written when the next one comes. The .pvd file can only be
+/// replaced as a whole, which would cost more and more from step to step: it is written when the last time
+/// was a while ago, or by flush().
 class FieldList
 {
 public:
@@ -23,20 +27,27 @@ public:
 
   /// Names the files of these steps and no others; without any there is no .pvd file.
   void set(const std::vector<unsigned int> &steps);
-  void add(unsigned int step);
+
+  /// Begins to make the field file of a step. `make` returns its content, and must not write anything else.
+  void add(unsigned int step, std::function<std::string()> make);
 
   /// Whether `step` or a later one has been added.
   bool has(unsigned int step) const;
 
-  /// Brings the .pvd file up to date.
+  /// Writes what has been added, and brings the .pvd file up to date.
   void flush();
 
 private:
+  void write_pending();
+  void write_list();
+
   const RunFolder &folder_;
   std::string name_;
   std::vector<std::pair<double, std::string>> files_;
   bool is_up_to_date_ = true;
   Stopwatch since_writing_;
   double least_seconds_ = 0; ///< from one writing to the next
+  unsigned int pending_step_ = 0;
+  std::future<std::string> pending_;
 };
 } // namespace orthocone

@@ -32,7 +32,7 @@ public:
   /// Writes what is still due after the last step of a run that ends before its program does.
   void end_with(const ContactState &state);
 
-  /// Brings the .pvd files up to date.
+  /// Writes the field files that are still being made, and brings the .pvd files up to date.
   void flush();
 
 private:

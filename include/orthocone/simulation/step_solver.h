@@ -16,11 +16,12 @@ struct StartMemory
 {
   NodeVector change;                           ///< of the forces in the last step
   std::map<unsigned int, NodeVector> of_phase; ///< forces at each phase of the last cycle
+  std::map<unsigned int, NodeVector> drift;    ///< their change from the cycle before that
 };
 
 /// Chooses the forces from which a step starts: those of the last step, their extrapolation along the leg
 /// (exact while the load is proportional), those at the same phase of the last cycle (exact once the response
-/// is periodic), and none (exact at full unloading).
+/// is periodic), these with their drift from cycle to cycle, and none (exact at full unloading).
 class StartForces
 {
 public:

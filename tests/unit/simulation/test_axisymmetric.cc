@@ -104,7 +104,7 @@ TEST(Axisymmetric, PressureIsSmoothAtTheAxis)
     Scene scene(parameters);
     scene.march();
     const auto fields = scene.evaluator.all_fields(scene.state);
-    EXPECT_EQ(fields[0].slip.norm(), 0);
+    EXPECT_LT(fields[0].slip.norm(), 1e-12); // of 0.1 mm
     EXPECT_EQ(fields[0].status, NodeStatus::stick);
     EXPECT_NEAR(fields[0].pressure / fields[1].pressure, 1, 0.02) << "degree " << degree;
   }

@@ -94,6 +94,7 @@ TEST(Checkpoint, KeepsEverythingToTheLastBit)
   EXPECT_EQ(after.state.status, before.state.status);
   EXPECT_EQ(after.starts.change, before.starts.change);
   EXPECT_EQ(after.starts.of_phase, before.starts.of_phase);
+  EXPECT_EQ(after.starts.drift, before.starts.drift);
   EXPECT_EQ(after.cycles.start.accumulated_slip, before.cycles.start.accumulated_slip);
   EXPECT_EQ(after.cycles.start_dissipation, before.cycles.start_dissipation);
   EXPECT_EQ(after.cycles.largest_nodal_force, before.cycles.largest_nodal_force);
