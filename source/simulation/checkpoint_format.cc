@@ -17,7 +17,7 @@ namespace
 using Eigen::Index;
 using Json = nlohmann::json;
 
-constexpr unsigned int format_version = 1;
+constexpr unsigned int format_version = 2;
 constexpr const char *magic = "orthocone-checkpoint";
 
 std::uint32_t checksum(const std::string &bytes)
@@ -50,6 +50,7 @@ Json state_json(const ContactState &state)
           {"displacement", array_json(state.displacement)},
           {"accumulated_slip", array_json(state.accumulated_slip)},
           {"dissipated_energy", array_json(state.dissipated_energy)},
+          {"slip_at_stick", array_json(state.slip_at_stick)},
           {"status", state.status}};
 }
 
@@ -61,6 +62,7 @@ ContactState state_from(const Json &json)
   state.top = json.at("top");
   state.accumulated_slip = array_from(json.at("accumulated_slip"), n);
   state.dissipated_energy = array_from(json.at("dissipated_energy"), n);
+  state.slip_at_stick = array_from(json.at("slip_at_stick"), 2 * n);
   state.force = array_from(json.at("force"), 3 * n);
   state.displacement = array_from(json.at("displacement"), 3 * n);
   for (const auto &status : json.at("status"))

@@ -120,9 +120,9 @@ TEST(Checkpoint, OfAnotherFormatIsRefused)
 {
   std::string bytes = encode(checkpoint_after(1));
   const std::size_t place = bytes.find(' ') + 1;
-  ASSERT_EQ(bytes[place], '1');
+  ASSERT_EQ(bytes[place], '2');
   bytes[place] = '7';
-  EXPECT_EQ(complaint(bytes), "has format version 7, and this program reads version 1");
+  EXPECT_EQ(complaint(bytes), "has format version 7, and this program reads version 2");
 }
 
 TEST(Checkpoint, IsFoundByTheSameParametersOnly)
