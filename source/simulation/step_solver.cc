@@ -21,8 +21,9 @@ NodeVector StartForces::best(const ContactProblem &problem, const ContactState &
   consider(NodeVector::Zero(start.size())); // full unloading
   if (step.step_of_leg > 1)
     consider(state.force + memory_.change);
+  // In the first cycle there are none, unless the program was marched before (Mesh/Accuracy).
   if (const auto last_cycle = memory_.of_phase.find(step.phase);
-      step.cycle > 1 && last_cycle != memory_.of_phase.end())
+      step.cycle > 0 && last_cycle != memory_.of_phase.end())
     consider(last_cycle->second);
   return start;
 }
