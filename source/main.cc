@@ -7,6 +7,7 @@
 #include <orthocone/parameters/text.h>
 #include <orthocone/simulation/estimate.h>
 #include <orthocone/simulation/interrupt.h>
+#include <orthocone/simulation/mesh_ladder.h>
 #include <orthocone/simulation/quasi_static_problem.h>
 #include <orthocone/simulation/version.h>
 
@@ -32,8 +33,30 @@ int fail(const ExitCode code, const std::string &message)
   return exit_code(code);
 }
 
-int print_model(const Parameters &parameters, const ModelChoice &model)
+void print_warnings(const Parameters &parameters)
 {
+  for (const std::string &warning : parameter_warnings(parameters))
+    std::cout << "warning: " << warning << "\n";
+  if (!std::cout.flush())
+    throw FileError("standard output: cannot be written");
+}
+
+int print_model_of_unknown_mesh(const Parameters &parameters, const ModelChoice &model)
+{
+  std::cout << "model          " << model.symmetry.name() << " (" << model.reason << ")\n"
+            << "mesh           is chosen by the run, for errors of " << to_text(parameters.mesh.accuracy)
+            << " %\n"
+            << "load steps     " << load_steps(parameters.load).size() << "\n";
+  print_warnings(parameters);
+  return exit_code(ExitCode::done);
+}
+
+int print_model(const Parameters &given, const ModelChoice &model)
+{
+  if (given.mesh.accuracy != 0)
+    return print_model_of_unknown_mesh(given, model);
+  Parameters parameters = given;
+  parameters.mesh = resolved_mesh(given.geometry, given.mesh, model.symmetry.is_axisymmetric());
   // The mesh of more unknowns takes longer than somebody who checks waits.
   constexpr double largest_meshed = 3e6;
   const unsigned int n_steps = load_steps(parameters.load).size();
@@ -47,10 +70,7 @@ int print_model(const Parameters &parameters, const ModelChoice &model)
     std::cout << describe_model(parameters, model, body.unknowns(), n_steps) << "\n"
               << describe(estimate(parameters, body, model.symmetry), n_steps) << "\n";
   }
-  for (const std::string &warning : parameter_warnings(parameters))
-    std::cout << "warning: " << warning << "\n";
-  if (!std::cout.flush())
-    throw FileError("standard output: cannot be written");
+  print_warnings(parameters);
   return exit_code(ExitCode::done);
 }
 
@@ -87,20 +107,33 @@ ModelChoice resolve(const CommandLine &line, const Parameters &parameters)
 
 int run(const CommandLine &line)
 {
-  const Parameters parameters = read_parameters(line.parameter_file, line.overrides);
-  const ModelChoice model = resolve(line, parameters);
+  const Parameters given = read_parameters(line.parameter_file, line.overrides);
+  const ModelChoice model = resolve(line, given);
   if (line.check)
-    return print_model(parameters, model);
+    return print_model(given, model);
   catch_signals();
   const RunFolder folder(run_folder_of(line));
-  const auto checkpoint =
-      line.resume ? find_checkpoint(folder, parameters, line.parameter_file) : std::nullopt;
+  const auto checkpoint = line.resume ? find_checkpoint(folder, given, line.parameter_file) : std::nullopt;
+  std::string lines; // log.txt begins when it is known that the run does
+  const auto tell = [&](const std::string &text)
+  {
+    lines += text + "\n";
+    if (!line.quiet)
+      std::cout << text << std::endl;
+  };
+  ChosenMesh chosen = checkpoint ? mesh_of(*checkpoint, given) : choose_mesh(given, model, tell);
+  Parameters parameters = given;
+  parameters.mesh = chosen.mesh;
+  if (line.resume && !checkpoint)
+    require_nothing_to_lose(folder, parameters);
   if (!checkpoint)
     keep_parameters(folder, line, parameters);
   Log log(folder, line.quiet);
   if (line.resume && !checkpoint)
     log.line("no checkpoint in " + folder.path() + ": starts with the first load step");
-  const auto outcome = QuasiStaticProblem(parameters, model, folder, log).run(checkpoint);
+  if (!lines.empty())
+    folder.append("log.txt", lines);
+  const auto outcome = QuasiStaticProblem(parameters, model, folder, log, std::move(chosen)).run(checkpoint);
   return outcome.code == ExitCode::done ? exit_code(ExitCode::done) : fail(outcome.code, outcome.message);
 }
 

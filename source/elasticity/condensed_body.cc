@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace orthocone
 {
@@ -95,28 +96,38 @@ VectorXd CondensedBody::on_free_unknowns(const NodeVector &force) const
 
 VectorXd CondensedBody::volume_displacement(const std::array<double, 3> &top, const NodeVector &force) const
 {
+  return with_motion(top, elastic_displacement(force));
+}
+
+VectorXd CondensedBody::elastic_displacement(const NodeVector &force) const
+{
+  return factor_.solve(on_free_unknowns(force));
+}
+
+VectorXd CondensedBody::with_motion(const std::array<double, 3> &top, const VectorXd &elastic) const
+{
   VectorXd displacement = VectorXd::Zero(unknowns_.n_dofs());
-  displacement.head(unknowns_.n_free()) = factor_.solve(on_free_unknowns(force));
+  displacement.head(unknowns_.n_free()) = elastic;
   for (unsigned int dof = 0; dof < unknowns_.n_dofs(); ++dof)
     displacement[dof] += top[unknowns_.direction(dof)];
   return displacement;
 }
 
 CondensedBody::Mismatch CondensedBody::mismatch(const Stiffness &stiffness, const NodeVector &force,
-                                                const NodeVector &elastic) const
+                                                const NodeVector &elastic, const double bound) const
 {
   const VectorXd forces = on_free_unknowns(force);
   VectorXd u = factor_.solve(forces);
   VectorXd rest = forces - stiffness.vmult(u);
   // Rounding grows with the condition of K (near-incompressibility, strong grading); one refinement removes
   // it.
-  constexpr double rounding = 1e-12;
-  if (rest.norm() > rounding * forces.norm())
+  constexpr double share = 0.1;
+  if (rest.norm() > share * bound * forces.norm())
   {
     u += factor_.solve(rest);
     rest = forces - stiffness.vmult(u);
   }
-  Mismatch mismatch{rest.norm(), 0};
+  Mismatch mismatch{rest.norm(), 0, {}};
   if (mismatch.unbalanced != 0)
     mismatch.unbalanced /= forces.norm();
   const auto &nodes = unknowns_.contact_surface().nodes;
@@ -128,6 +139,7 @@ CondensedBody::Mismatch CondensedBody::mismatch(const Stiffness &stiffness, cons
       mismatch.displacement = std::max(mismatch.displacement,
                                        std::abs(global[d] - (nodes[i].is_free[d] ? u[nodes[i].dofs[d]] : 0)));
   }
+  mismatch.volume = std::move(u);
   return mismatch;
 }
 } // namespace orthocone

@@ -44,6 +44,39 @@ void check_mesh(const MeshOptions &mesh)
                      " layers: allowed is what leaves every layer 1e-6 of the height");
 }
 
+/// The first mesh entry that a resolution or an accuracy would choose, but that was set beside it; or "".
+std::string changed_mesh_entry(const MeshOptions &mesh)
+{
+  Parameters given;
+  given.mesh = mesh;
+  const auto values = entry_values(given);
+  const auto defaults = entry_values(Parameters());
+  for (std::size_t i = 0; i < values.size(); ++i)
+  {
+    const auto &[entry, value] = values[i];
+    const bool is_free = entry == "Mesh/Model" || entry == "Mesh/Resolution" || entry == "Mesh/Accuracy";
+    if (!is_free && value != defaults[i].second)
+      return entry + " = " + value + " is set beside it: allowed is the default " + defaults[i].second;
+  }
+  return {};
+}
+
+/// One choice of the mesh at a time: an accuracy, a resolution, or the single entries.
+void check_mesh_choice(const MeshOptions &mesh)
+{
+  const bool is_custom = mesh.resolution == MeshResolution::custom;
+  if (mesh.accuracy != 0 && !is_custom)
+    throw InputError("Mesh/Accuracy = " + to_text(mesh.accuracy) +
+                     " % with Mesh/Resolution = " + to_word(mesh.resolution) +
+                     ": allowed is one of them; an accuracy chooses the mesh by itself");
+  if (const std::string entry = changed_mesh_entry(mesh);
+      !entry.empty() && (mesh.accuracy != 0 || !is_custom))
+    throw InputError((is_custom ? "Mesh/Accuracy = " + to_text(mesh.accuracy) + " %"
+                                : "Mesh/Resolution = " + to_word(mesh.resolution)) +
+                     " chooses the mesh, but " + entry + ", or " +
+                     (is_custom ? "Accuracy = 0" : "Resolution = custom"));
+}
+
 void check_load(const LoadOptions &load)
 {
   constexpr double most_steps = 1e6;
@@ -83,6 +116,7 @@ void check_probes(const std::vector<Probe> &probes, const double radius)
 
 void check_parameters(const Parameters &parameters)
 {
+  check_mesh_choice(parameters.mesh);
   check_mesh(parameters.mesh);
   check_load(parameters.load);
   check_probes(parameters.output.probes, parameters.geometry.radius);

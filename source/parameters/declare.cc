@@ -31,6 +31,16 @@ void declare_mesh(MeshOptions &mesh, ParameterHandler &handler)
              "Part of the cylinder that is modelled; auto takes the smallest that is exact for the scene. "
              "axisymmetric: "
              "its section (r, z), with the cells that lie along the x axis.");
+  add_choice(handler, "Resolution", mesh.resolution,
+             "paper: the mesh of the paper's figures; coarse, medium, fine: degree 3 (4 if axisymmetric) and "
+             "cells that shrink "
+             "towards the rim, the base and the upper face (docs/accuracy.md: what each reaches and costs); "
+             "custom: the entries below. With another word than custom these stay at their defaults.");
+  add_percentage(
+      handler, "Accuracy", mesh.accuracy, Range{0.01, 50, true, true},
+      "Largest wanted error of the largest slip, the total force, the dissipated energy and the stick area: "
+      "the program refines the mesh until it estimates to have reached it; Resolution and the entries below "
+      "then stay at their defaults. 0 = the mesh is given.");
   add_count(handler, "Core cells", mesh.core_cells, 1, 200, "Cells along a side of the core block.");
   add_count(handler, "Rings", mesh.rings, 0, 200, "Cells from core to rim; 0 = as many as core cells.");
   add_count(handler, "Layers", mesh.layers, 1, 200, "Cells over the height.");

@@ -65,6 +65,19 @@ void add_number(dealii::ParameterHandler &handler, const std::string &name, doub
             [&value](const std::string &text) { value = *parse_number(text); });
 }
 
+void add_percentage(dealii::ParameterHandler &handler, const std::string &name, double &value,
+                    const Range &range, const std::string &help)
+{
+  const auto test = [range](const std::string &text)
+  {
+    const auto number = parse_percentage(text);
+    return number && (*number == 0 || range.contains(*number));
+  };
+  add_entry(handler, name, value == 0 ? "0" : to_text(value) + " %",
+            Allowed("0, or a percentage" + range.describe() + " such as 1 %", test), help,
+            [&value](const std::string &text) { value = *parse_percentage(text); });
+}
+
 void add_pair(dealii::ParameterHandler &handler, const std::string &name, std::array<double, 2> &value,
               const Range &range, const std::string &help)
 {

@@ -52,6 +52,10 @@ private:
 void add_number(dealii::ParameterHandler &handler, const std::string &name, double &value, const Range &range,
                 const std::string &help);
 
+/// A percentage written with its sign, or 0.
+void add_percentage(dealii::ParameterHandler &handler, const std::string &name, double &value,
+                    const Range &range, const std::string &help);
+
 void add_pair(dealii::ParameterHandler &handler, const std::string &name, std::array<double, 2> &value,
               const Range &range, const std::string &help);
 

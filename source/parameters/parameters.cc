@@ -72,6 +72,18 @@ std::vector<std::pair<std::string, std::string>> entry_values(const Parameters &
   return values;
 }
 
+Parameters with_section(const Parameters &parameters, const std::string &section,
+                        const std::vector<std::pair<std::string, std::string>> &values)
+{
+  Parameters changed = parameters;
+  ParameterHandler handler;
+  declare_parameters(changed, handler);
+  for (const auto &[entry, value] : values)
+    if (entry.compare(0, section.size() + 1, section + "/") == 0)
+      set_entry("", entry, value, handler);
+  return changed;
+}
+
 void write_parameters(const Parameters &parameters, std::ostream &out)
 {
   Parameters copy = parameters;

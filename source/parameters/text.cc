@@ -97,6 +97,14 @@ std::optional<unsigned int> parse_count(const std::string &text)
   return value;
 }
 
+std::optional<double> parse_percentage(const std::string &text)
+{
+  if (text == "0")
+    return 0;
+  return !text.empty() && text.back() == '%' ? parse_number(trimmed(text.substr(0, text.size() - 1)))
+                                             : std::nullopt;
+}
+
 std::optional<std::vector<double>> parse_numbers(const std::string &text, const unsigned int n,
                                                  const char separator)
 {

@@ -128,6 +128,8 @@ void warn_of_coarse_rim(const GeometryOptions &geometry, const MeshOptions &mesh
 {
   constexpr double most = 0.1;
   constexpr double percent = 100;
+  if (mesh.accuracy != 0)
+    return; // the mesh is yet to be chosen
   if (const double size = rim_size(geometry, mesh); size > most)
     warnings.push_back(
         "Mesh: elements of degree " + std::to_string(mesh.degree) + " and " +

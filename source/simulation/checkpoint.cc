@@ -34,8 +34,8 @@ void require_same_parameters(const Checkpoint &checkpoint, const Parameters &par
                        " was started with " + earlier[entry] +
                        "; allowed for --resume is the same value (or start anew, with another --output DIR)");
 }
+} // namespace
 
-/// Without a checkpoint the folder must be that of the same run, which then loses nothing by starting anew.
 void require_nothing_to_lose(const RunFolder &folder, const Parameters &parameters)
 {
   std::ostringstream text;
@@ -47,7 +47,6 @@ void require_nothing_to_lose(const RunFolder &folder, const Parameters &paramete
         ": is missing, and the folder holds results of other parameters; without --resume the run "
         "starts anew");
 }
-} // namespace
 
 void write_checkpoint(const RunFolder &folder, const Checkpoint &checkpoint)
 {
@@ -58,10 +57,7 @@ std::optional<Checkpoint> find_checkpoint(const RunFolder &folder, const Paramet
                                           const std::string &file)
 {
   if (!folder.has(file_name))
-  {
-    require_nothing_to_lose(folder, parameters);
     return std::nullopt;
-  }
   const std::string bytes = folder.read(file_name);
   try
   {

@@ -50,6 +50,7 @@ Json state_json(const ContactState &state)
           {"displacement", array_json(state.displacement)},
           {"accumulated_slip", array_json(state.accumulated_slip)},
           {"dissipated_energy", array_json(state.dissipated_energy)},
+          {"slip_at_stick", array_json(state.slip_at_stick)},
           {"status", state.status}};
 }
 
@@ -61,6 +62,7 @@ ContactState state_from(const Json &json)
   state.top = json.at("top");
   state.accumulated_slip = array_from(json.at("accumulated_slip"), n);
   state.dissipated_energy = array_from(json.at("dissipated_energy"), n);
+  state.slip_at_stick = array_from(json.at("slip_at_stick"), 2 * n);
   state.force = array_from(json.at("force"), 3 * n);
   state.displacement = array_from(json.at("displacement"), 3 * n);
   for (const auto &status : json.at("status"))
@@ -163,6 +165,18 @@ CycleMemory cycles_from(const Json &json, const ContactState &state)
   return cycles;
 }
 
+Json accuracy_json(const std::optional<AccuracyEstimate> &accuracy)
+{
+  return accuracy ? Json{accuracy->wanted, accuracy->values, accuracy->errors} : Json();
+}
+
+std::optional<AccuracyEstimate> accuracy_from(const Json &json)
+{
+  if (json.is_null())
+    return std::nullopt;
+  return AccuracyEstimate{json.at(0), json.at(1), json.at(2)};
+}
+
 Json record_json(const RunRecord &record)
 {
   Json seconds{{"total", record.total_seconds}};
@@ -173,6 +187,7 @@ Json record_json(const RunRecord &record)
           {"largest_energy", record.largest_energy},
           {"energy_defect", record.energy_defect},
           {"peaks", {record.peaks.slip, record.peaks.pressure, record.peaks.force_z}},
+          {"accuracy", accuracy_json(record.accuracy)},
           {"seconds", std::move(seconds)}};
 }
 
@@ -185,6 +200,7 @@ RunRecord record_from(const Json &json)
   record.energy_defect = json.at("energy_defect");
   const Json &peaks = json.at("peaks");
   record.peaks = {peaks.at(0), peaks.at(1), peaks.at(2)};
+  record.accuracy = accuracy_from(json.at("accuracy"));
   const Json &seconds = json.at("seconds");
   for (const auto &[name, phase] : phases)
     record.seconds.*phase = seconds.at(name);
@@ -196,6 +212,7 @@ Checkpoint from_json(const Json &json)
 {
   Checkpoint checkpoint;
   json.at("parameters").get_to(checkpoint.parameters);
+  json.at("mesh").get_to(checkpoint.mesh);
   json.at("program").get_to(checkpoint.program);
   json.at("table_sizes").get_to(checkpoint.table_sizes);
   checkpoint.state = state_from(json.at("state"));
@@ -208,9 +225,13 @@ Checkpoint from_json(const Json &json)
 
 std::string encode(const Checkpoint &checkpoint)
 {
-  const Json json{{"parameters", checkpoint.parameters},      {"program", checkpoint.program},
-                  {"table_sizes", checkpoint.table_sizes},    {"state", state_json(checkpoint.state)},
-                  {"starts", starts_json(checkpoint.starts)}, {"cycles", cycles_json(checkpoint.cycles)},
+  const Json json{{"parameters", checkpoint.parameters},
+                  {"mesh", checkpoint.mesh},
+                  {"program", checkpoint.program},
+                  {"table_sizes", checkpoint.table_sizes},
+                  {"state", state_json(checkpoint.state)},
+                  {"starts", starts_json(checkpoint.starts)},
+                  {"cycles", cycles_json(checkpoint.cycles)},
                   {"record", record_json(checkpoint.record)}};
   std::string content;
   Json::to_cbor(json, content);

@@ -2,17 +2,22 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/simulation/contact_fields.h>
 
+#include <algorithm>
+#include <cmath>
+
 namespace orthocone
 {
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 ContactFieldEvaluator::ContactFieldEvaluator(const ContactSurface &surface, const ModelSymmetry &symmetry,
-                                             const SurfaceAxes &axes, const OrthotropicFriction &law)
+                                             const SurfaceAxes &axes, const OrthotropicFriction &law,
+                                             const MaterialOptions &material)
     : surface_(surface),
       symmetry_(symmetry),
       axes_(axes),
-      law_(law)
+      law_(law),
+      stick_area_(surface, material)
 {
 }
 
@@ -48,5 +53,24 @@ std::vector<ContactFields> ContactFieldEvaluator::all_fields(const ContactState 
   for (unsigned int node = 0; node < surface_.nodes.size(); ++node)
     all.push_back(fields(state, node));
   return all;
+}
+
+double ContactFieldEvaluator::stick_area(const ContactState &state) const
+{
+  std::vector<StickSample> samples(surface_.nodes.size());
+  for (unsigned int node = 0; node < samples.size(); ++node)
+  {
+    StickSample &sample = samples[node];
+    const Vector3d r = state.force.segment<3>(3 * static_cast<Eigen::Index>(node));
+    // The friction coefficient is that along the force, but has to stay defined where there is no such
+    // direction.
+    const double load = r[0] > 0 ? friction_norm(law_, r[1], r[2]) / r[0] : 1;
+    const double friction =
+        r[0] > 0 ? r.tail<2>().norm() / r[0] + (1 - load) * std::sqrt(law_.mu_x * law_.mu_y) : 0;
+    sample.status = state.status[node];
+    sample.reserve = friction * std::max(0., (1 - load) * r[0]) / surface_.nodes[node].area;
+    sample.slip = slip_since_stick(state, node);
+  }
+  return symmetry_.n_copies() * stick_area_(samples);
 }
 } // namespace orthocone

@@ -35,7 +35,7 @@ ContactModel::ContactModel(const Parameters &parameters, const ModelChoice &choi
       problem_(condensed_.compliance(),
                std::vector<OrthotropicFriction>(surface().nodes.size(), friction_of(parameters.friction))),
       solver_(condensed_, problem_, parameters.contact_solver),
-      evaluator_(surface(), choice.symmetry, axes_, friction_of(parameters.friction))
+      evaluator_(surface(), choice.symmetry, axes_, friction_of(parameters.friction), parameters.material)
 {
 }
 

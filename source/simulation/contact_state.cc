@@ -13,6 +13,7 @@ ContactState::ContactState(const Index n_nodes)
       displacement(NodeVector::Zero(3 * n_nodes)),
       accumulated_slip(VectorXd::Zero(n_nodes)),
       dissipated_energy(VectorXd::Zero(n_nodes)),
+      slip_at_stick(VectorXd::Zero(2 * n_nodes)),
       status(n_nodes, NodeStatus::open)
 {
 }
@@ -27,7 +28,23 @@ double dissipation(const Vector2d &before, const Vector2d &after, const Vector2d
   const bool has_reversed = before.dot(change) > 0;
   return has_reversed || gap > 0 ? -after.dot(change) : -0.5 * (before + after).dot(change);
 }
+
+/// To be called with the status at the end of a step, and the slip at its beginning still in the state.
+void remember_stick(ContactState &state, const Index node, const Vector2d &change)
+{
+  const Vector2d before = state.displacement.segment<2>(3 * node + 1);
+  auto mark = state.slip_at_stick.segment<2>(2 * node);
+  if (state.status[node] != NodeStatus::slip)
+    mark = before + change;
+  else if (change.dot(before - mark) < 0)
+    mark = before;
+}
 } // namespace
+
+double slip_since_stick(const ContactState &state, const Index node)
+{
+  return (state.displacement.segment<2>(3 * node + 1) - state.slip_at_stick.segment<2>(2 * node)).norm();
+}
 
 void advance(ContactState &state, const ContactProblem &problem, const NodeVector &force,
              const std::array<double, 3> &top)
@@ -45,6 +62,7 @@ void advance(ContactState &state, const ContactProblem &problem, const NodeVecto
     state.dissipated_energy[node] +=
         dissipation(state.force.segment<2>(3 * node + 1), force.segment<2>(3 * node + 1), change,
                     is_open ? d[3 * node] : 0);
+    remember_stick(state, node, change);
     state.displacement[3 * node] = d[3 * node];
     state.displacement.segment<2>(3 * node + 1) += change;
   }

@@ -15,18 +15,34 @@
 namespace orthocone
 {
 QuasiStaticProblem::QuasiStaticProblem(const Parameters &parameters, const ModelChoice &choice,
-                                       const RunFolder &folder, Log &log)
+                                       const RunFolder &folder, Log &log, ChosenMesh chosen)
     : parameters_(parameters),
       folder_(folder),
       log_(log),
       steps_(load_steps(parameters.load)),
-      model_(parameters_, choice, [&](const Body &body) { announce(choice, body); }),
+      chosen_(with_model(std::move(chosen), choice)),
+      model_(*chosen_.model),
       state_(model_.initial_state()),
       checker_(parameters_, choice.symmetry, model_.condensed(), model_.stiffness()),
       cycles_(parameters_.load, state_.n_nodes()),
       output_(folder_, parameters_, model_)
 {
+  record_.accuracy = chosen_.accuracy;
   record_.seconds = model_.seconds();
+  // The search built the model, too.
+  if (chosen_.accuracy)
+    record_.seconds.mesh_search = chosen_.search_seconds - model_.seconds().sum();
+  seconds_before_ = chosen_.search_seconds;
+}
+
+ChosenMesh QuasiStaticProblem::with_model(ChosenMesh chosen, const ModelChoice &choice) const
+{
+  if (chosen.model)
+    announce(choice, chosen.model->body());
+  else
+    chosen.model = std::make_unique<ContactModel>(parameters_, choice,
+                                                  [&](const Body &body) { announce(choice, body); });
+  return chosen;
 }
 
 /// Tells what is going to be computed, and with what, before the long work begins.
@@ -192,8 +208,11 @@ void QuasiStaticProblem::save_checkpoint()
   const Stopwatch watch;
   record_.total_seconds = seconds_before_ + total_.seconds();
   output_.flush();
-  write_checkpoint(folder_, {entry_values(parameters_), program_version(), folder_.table_sizes(), state_,
-                             model_.solver().memory(), cycles_.memory(), record_});
+  Parameters given = parameters_;
+  given.mesh = chosen_.requested;
+  write_checkpoint(folder_,
+                   {entry_values(given), entry_values(parameters_), program_version(), folder_.table_sizes(),
+                    state_, model_.solver().memory(), cycles_.memory(), record_});
   since_checkpoint_ = Stopwatch();
   record_.seconds.output += watch.seconds();
 }

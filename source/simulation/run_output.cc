@@ -76,22 +76,22 @@ void RunOutput::write(const SolvedStep &step)
 {
   history_.write(step);
   probes_.write(step.state);
-  write_fields(step.state);
+  write_fields(step.state, step.checks.volume);
 }
 
-void RunOutput::write_fields(const ContactState &state)
+void RunOutput::write_fields(const ContactState &state, const Eigen::VectorXd &volume)
 {
   if (is_due(options_.contact_interval, state.step) && !contact_.has(state.step))
     contact_.add(state.step, [this, state] { return contact_vtu(model_.evaluator(), state); });
   if (is_due(options_.volume_interval, state.step) && !volume_.has(state.step))
-    volume_.add(state.step, [this, u = model_.condensed().volume_displacement(state.top, state.force)]
+    volume_.add(state.step, [this, u = model_.condensed().with_motion(state.top, volume)]
                 { return model_.body().vtu(material_, u); });
 }
 
 void RunOutput::end_with(const ContactState &state)
 {
   last_step_ = state.step;
-  write_fields(state);
+  write_fields(state, model_.condensed().elastic_displacement(state.force));
 }
 
 void RunOutput::flush()

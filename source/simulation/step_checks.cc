@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace orthocone
 {
@@ -69,11 +70,12 @@ StepChecker::StepChecker(const Parameters &parameters, const ModelSymmetry &symm
 {
 }
 
-double StepChecker::equilibrium(const ContactState &state) const
+void StepChecker::check_equilibrium(const ContactState &state, StepChecks &checks) const
 {
   const NodeVector elastic = state.displacement - body_.free_displacement(state.top);
-  const auto mismatch = body_.mismatch(stiffness_, state.force, elastic);
-  return std::max(mismatch.unbalanced, relative(mismatch.displacement, length_));
+  auto mismatch = body_.mismatch(stiffness_, state.force, elastic, options_.equilibrium);
+  checks.equilibrium = std::max(mismatch.unbalanced, relative(mismatch.displacement, length_));
+  checks.volume = std::move(mismatch.volume);
 }
 
 /// Work of the top - change of elastic energy = -(work of the mean contact forces), whatever the forces: an
@@ -92,7 +94,7 @@ StepChecks StepChecker::check(const Situation &before, const Situation &after, c
   StepChecks checks;
   checks.is_finite = is_finite(after.state, after.totals);
   checks.law = report.law;
-  checks.equilibrium = equilibrium(after.state);
+  check_equilibrium(after.state, checks);
   const double work_first = work_of(before.totals.force, before.state.top, after.state.top);
   const double work_last = work_of(after.totals.force, before.state.top, after.state.top);
   checks.work = 0.5 * (work_first + work_last);

@@ -11,7 +11,7 @@ NodeVector StartForces::best(const ContactProblem &problem, const ContactState &
 {
   std::vector<NodeVector> candidates;
   if (const auto last_cycle = memory_.of_phase.find(step.phase);
-      step.cycle > 1 && last_cycle != memory_.of_phase.end())
+      step.cycle > 0 && last_cycle != memory_.of_phase.end()) // in the first cycle: of the search for a mesh
   {
     candidates.push_back(last_cycle->second);
     if (const auto drift = memory_.drift.find(step.phase); drift != memory_.drift.end())

@@ -53,6 +53,15 @@ Json cycles_json(const CycleMemory &cycles)
   return json;
 }
 
+Json accuracy_json(const AccuracyEstimate &accuracy)
+{
+  Json json{{"wanted_percent", accuracy.wanted}, {"reached", accuracy.is_reached()}};
+  for (unsigned int i = 0; i < n_quantities; ++i)
+    json[quantity_names[i]] = {{"value", accuracy.values[i]},
+                               {"estimated_error_percent", accuracy.errors[i]}};
+  return json;
+}
+
 void consider(std::pair<double, unsigned int> &peak, const double value, const unsigned int step)
 {
   if (value > peak.first)
@@ -71,6 +80,14 @@ void PhaseSeconds::add(const PhaseSeconds &other)
 {
   for (const auto &[name, phase] : phases)
     this->*phase += other.*phase;
+}
+
+double PhaseSeconds::sum() const
+{
+  double sum = 0;
+  for (const auto &[name, phase] : phases)
+    sum += this->*phase;
+  return sum;
 }
 
 void RunRecord::add_step(const unsigned int step, const Totals &totals, const SolverReport &report,
@@ -93,6 +110,9 @@ std::vector<std::string> all_warnings(const Parameters &parameters, const RunRec
                        ": the energy balance misses " +
                        to_text(std::round(percent * record.energy_defect.first)) +
                        " % of the largest energy; loops and dissipation need more steps in this leg");
+  if (record.accuracy && !record.accuracy->is_reached())
+    warnings.push_back("Mesh/Accuracy = " + to_text(record.accuracy->wanted) +
+                       " % is not reached on the finest mesh: " + describe(*record.accuracy));
   return warnings;
 }
 
@@ -120,6 +140,8 @@ std::string summary_json(const Summary &summary)
   json["peaks"] = {{"slip_mm", peak_json(summary.record.peaks.slip)},
                    {"pressure_MPa", peak_json(summary.record.peaks.pressure)},
                    {"force_z_N", peak_json(summary.record.peaks.force_z)}};
+  if (summary.record.accuracy)
+    json["accuracy"] = accuracy_json(*summary.record.accuracy);
   json["warnings"] = all_warnings(summary.parameters, summary.record);
   json["total_dissipation_Nmm"] = summary.total_dissipation;
   for (const auto &[name, version] : versions())

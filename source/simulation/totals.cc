@@ -9,7 +9,7 @@ namespace orthocone
 {
 namespace
 {
-void count_status(const NodeStatus status, const unsigned int n, const double area, Totals &totals)
+void count_status(const NodeStatus status, const unsigned int n, Totals &totals)
 {
   switch (status)
   {
@@ -18,7 +18,6 @@ void count_status(const NodeStatus status, const unsigned int n, const double ar
     break;
   case NodeStatus::stick:
     totals.n_stick += n;
-    totals.stick_area += area;
     break;
   case NodeStatus::slip:
     totals.n_slip += n;
@@ -44,7 +43,7 @@ Totals compute_totals(const ContactFieldEvaluator &evaluator, const ContactState
     totals.max_accumulated_slip = std::max(totals.max_accumulated_slip, fields.accumulated_slip);
     totals.min_pressure = std::min(totals.min_pressure, fields.pressure);
     totals.max_pressure = std::max(totals.max_pressure, fields.pressure);
-    count_status(fields.status, symmetry.n_counted(surface, place), n_copies * place.area, totals);
+    count_status(fields.status, symmetry.n_counted(surface, place), totals);
     totals.total_dissipation += n_copies * state.dissipated_energy[node];
   }
   // Forces across a plane of symmetry cancel between the copies, radial ones around a ring.
@@ -52,6 +51,7 @@ Totals compute_totals(const ContactFieldEvaluator &evaluator, const ContactState
     totals.force[0] = 0;
   if (symmetry.is_axisymmetric() || symmetry.planes().normal_to_y)
     totals.force[1] = 0;
+  totals.stick_area = evaluator.stick_area(state);
   NodeVector moved;
   compliance.vmult(moved, state.force);
   totals.elastic_energy = 0.5 * n_copies * state.force.dot(moved);

@@ -20,7 +20,7 @@ SMALL = ["Mesh/Core cells=2", "Mesh/Rings=2", "Mesh/Layers=2", "Mesh/Degree=1"]
 HISTORY = ("step,ux,uy,uz,force_x,force_y,force_z,max_slip,max_accumulated_slip,min_pressure,max_pressure,n_open,"
            "n_stick,n_slip,stick_area,dissipation,total_dissipation,elastic_energy,method,iterations,residual")
 PROBE = "step,uz,slip_x,slip_y,accumulated_slip,force_n,force_x,force_y,pressure,traction_x,traction_y,status"
-PHASES = {"mesh", "assembly", "factorization", "condensation", "contact", "checks", "output", "total"}
+PHASES = {"mesh", "assembly", "factorization", "condensation", "contact", "checks", "output", "mesh_search", "total"}
 
 
 class ContractTest(unittest.TestCase):

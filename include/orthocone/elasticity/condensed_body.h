@@ -43,14 +43,20 @@ public:
   /// Displacement of all degrees of freedom under that motion and the contact forces `force` (local axes, N).
   Eigen::VectorXd volume_displacement(const std::array<double, 3> &top, const NodeVector &force) const;
 
+  /// Its two parts: K^-1 r of the free unknowns, and the motion added to it.
+  Eigen::VectorXd elastic_displacement(const NodeVector &force) const;
+  Eigen::VectorXd with_motion(const std::array<double, 3> &top, const Eigen::VectorXd &elastic) const;
+
   /// How far body and condensed body differ under contact forces `force` that move the contact nodes by
-  /// `elastic` (without the motion of the top).
+  /// `elastic` (without the motion of the top). Rounding is kept well below `bound`.
   struct Mismatch
   {
-    double unbalanced;   ///< ||K u - r|| / ||r|| over all free unknowns, with u = K^-1 r
-    double displacement; ///< largest difference between u and `elastic` on the contact surface, mm
+    double unbalanced;      ///< ||K u - r|| / ||r|| over all free unknowns, with u = K^-1 r
+    double displacement;    ///< largest difference between u and `elastic` on the contact surface, mm
+    Eigen::VectorXd volume; ///< u
   };
-  Mismatch mismatch(const Stiffness &stiffness, const NodeVector &force, const NodeVector &elastic) const;
+  Mismatch mismatch(const Stiffness &stiffness, const NodeVector &force, const NodeVector &elastic,
+                    double bound) const;
 
 private:
   Eigen::VectorXd on_free_unknowns(const NodeVector &force) const;

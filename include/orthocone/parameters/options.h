@@ -28,6 +28,16 @@ enum class ModelKind
   axisymmetric,
 };
 
+/// Who chooses the cells of the mesh: the single entries (custom), or one word for all of them.
+enum class MeshResolution
+{
+  custom,
+  paper,
+  coarse,
+  medium,
+  fine,
+};
+
 /// Contact solvers.
 enum class ContactMethod
 {
@@ -57,6 +67,8 @@ struct MeshOptions
   double core_ratio = 0.5;            ///< core corner radius / R
   double rim_grading = 1;             ///< thickness of a ring / thickness of the next inner ring
   double layer_grading = 1; ///< thickness of a layer / thickness of its neighbour towards mid-height
+  MeshResolution resolution = MeshResolution::custom;
+  double accuracy = 0; ///< wanted of the four quantities that users look at, percent; 0: the mesh is given
 
   unsigned int n_rings() const { return rings == 0 ? core_cells : rings; }
   unsigned int n_quadrature_points() const { return quadrature_points == 0 ? degree + 1 : quadrature_points; }

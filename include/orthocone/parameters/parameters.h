@@ -25,6 +25,11 @@ void write_parameters(const Parameters &parameters, std::ostream &out);
 /// All entries and the texts of their values, as "Section/Entry", in the order of the file.
 std::vector<std::pair<std::string, std::string>> entry_values(const Parameters &parameters);
 
+/// `parameters` with the entries of one section as in `values`, which are such as entry_values() returns.
+/// Throws InputError.
+Parameters with_section(const Parameters &parameters, const std::string &section,
+                        const std::vector<std::pair<std::string, std::string>> &values);
+
 /// What is legal but suspicious, a sentence each, such as large strains or a mesh too coarse at the rim.
 std::vector<std::string> parameter_warnings(const Parameters &parameters);
 

@@ -39,6 +39,17 @@ struct Words<ModelKind>
 };
 
 template<>
+struct Words<MeshResolution>
+{
+  static constexpr std::array<std::pair<MeshResolution, std::string_view>, 5> table{
+      {{MeshResolution::custom, "custom"},
+       {MeshResolution::paper, "paper"},
+       {MeshResolution::coarse, "coarse"},
+       {MeshResolution::medium, "medium"},
+       {MeshResolution::fine, "fine"}}};
+};
+
+template<>
 struct Words<ContactMethod>
 {
   static constexpr std::array<std::pair<ContactMethod, std::string_view>, 4> table{
@@ -92,6 +103,9 @@ std::optional<double> parse_number(const std::string &text);
 
 /// The nonnegative whole number that the whole text spells, or nothing.
 std::optional<unsigned int> parse_count(const std::string &text);
+
+/// The number in front of a percent sign, or 0 where there is nothing but "0"; nothing otherwise.
+std::optional<double> parse_percentage(const std::string &text);
 
 /// Numbers separated by `separator` (a blank: any white space); nothing unless there are exactly `n`.
 std::optional<std::vector<double>> parse_numbers(const std::string &text, unsigned int n, char separator);

@@ -16,7 +16,8 @@ namespace orthocone
 /// All that a run needs to go on after a step as if it had never stopped.
 struct Checkpoint
 {
-  std::vector<std::pair<std::string, std::string>> parameters; ///< entry_values() of the run
+  std::vector<std::pair<std::string, std::string>> parameters; ///< entry_values() as given
+  std::vector<std::pair<std::string, std::string>> mesh;       ///< entry_values() of the mesh that was chosen
   std::string program;                                         ///< version and revision that wrote it
   std::map<std::string, std::uintmax_t> table_sizes;           ///< of the CSV files, bytes
   ContactState state{0};
@@ -39,6 +40,11 @@ Checkpoint decode(const std::string &bytes);
 
 /// Replaces the run folder's checkpoint. Before it, all other files of the run are brought to the disk.
 void write_checkpoint(const RunFolder &folder, const Checkpoint &checkpoint);
+
+/// Throws FileError if the folder holds results, but not those of a run with these parameters (its mesh
+/// chosen): without a checkpoint a run starts anew, and a resumed one must not lose what it does not make
+/// again.
+void require_nothing_to_lose(const RunFolder &folder, const Parameters &parameters);
 
 /// The checkpoint from which a run with these parameters goes on; nothing if it has to start from the
 /// beginning because the earlier run had not come to its first. Throws InputError (told with `file`, the

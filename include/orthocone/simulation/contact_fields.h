@@ -5,6 +5,7 @@
 #include <orthocone/elasticity/condensed_body.h>
 #include <orthocone/simulation/contact_state.h>
 #include <orthocone/simulation/model_symmetry.h>
+#include <orthocone/simulation/stick_area.h>
 
 namespace orthocone
 {
@@ -28,10 +29,13 @@ class ContactFieldEvaluator
 {
 public:
   ContactFieldEvaluator(const ContactSurface &surface, const ModelSymmetry &symmetry, const SurfaceAxes &axes,
-                        const OrthotropicFriction &law);
+                        const OrthotropicFriction &law, const MaterialOptions &material);
 
   ContactFields fields(const ContactState &state, unsigned int node) const;
   std::vector<ContactFields> all_fields(const ContactState &state) const;
+
+  /// Area that sticks in the whole body, mm^2.
+  double stick_area(const ContactState &state) const;
 
   const ContactSurface &surface() const { return surface_; }
   const ModelSymmetry &symmetry() const { return symmetry_; }
@@ -41,5 +45,6 @@ private:
   ModelSymmetry symmetry_;
   SurfaceAxes axes_;
   OrthotropicFriction law_;
+  StickArea stick_area_;
 };
 } // namespace orthocone

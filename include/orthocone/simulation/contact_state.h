@@ -20,8 +20,12 @@ struct ContactState
   NodeVector displacement;              ///< relative to the plane (gap, slip), mm
   Eigen::VectorXd accumulated_slip;     ///< path length of the slip in steps that begin or end in contact, mm
   Eigen::VectorXd dissipated_energy;    ///< N mm
+  Eigen::VectorXd slip_at_stick;        ///< slip (x, y) where the node last stuck or turned round, mm
   std::vector<NodeStatus> status;
 };
+
+/// How far a node has slipped since it last stuck or turned round, mm.
+double slip_since_stick(const ContactState &state, Eigen::Index node);
 
 /// Enters the solution of a step into the state: displacement, status, accumulated slip and dissipation,
 /// which is the work of the mean friction force, or of the final one where the slip reverses or the node

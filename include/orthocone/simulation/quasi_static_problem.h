@@ -4,8 +4,8 @@
 
 #include <orthocone/parameters/errors.h>
 #include <orthocone/simulation/checkpoint.h>
-#include <orthocone/simulation/contact_model.h>
 #include <orthocone/simulation/log.h>
+#include <orthocone/simulation/mesh_search.h>
 #include <orthocone/simulation/run_output.h>
 
 namespace orthocone
@@ -22,16 +22,17 @@ public:
     std::string message{};
   };
 
-  /// Builds, factorizes and condenses the body; nothing is written but the log. Throws InputError or
-  /// FileError. `folder` must outlive the problem.
+  /// Builds, factorizes and condenses the body, unless `chosen` brings it; nothing is written but the log.
+  /// `parameters` have the chosen mesh. Throws InputError or FileError. `folder` must outlive the problem.
   QuasiStaticProblem(const Parameters &parameters, const ModelChoice &choice, const RunFolder &folder,
-                     Log &log);
+                     Log &log, ChosenMesh chosen);
 
   /// Solves all steps and writes the run folder, from the start or from a checkpoint on. The files of solved
   /// steps stay if one fails.
   Outcome run(const std::optional<Checkpoint> &checkpoint);
 
 private:
+  ChosenMesh with_model(ChosenMesh chosen, const ModelChoice &choice) const;
   void announce(const ModelChoice &choice, const Body &body) const;
   void begin(const std::optional<Checkpoint> &checkpoint);
   Outcome march();
@@ -48,7 +49,8 @@ private:
   Log &log_;
   const std::vector<LoadStep> steps_;
   Stopwatch total_;
-  ContactModel model_;
+  const ChosenMesh chosen_;
+  ContactModel &model_; ///< owned by chosen_
   ContactState state_;
   RunRecord record_;
   Totals totals_; ///< of state_

@@ -40,7 +40,7 @@ private:
   std::vector<unsigned int> due_steps(unsigned int interval, unsigned int step,
                                       const std::vector<StepRange> &jumped) const;
   void require_fields(const FieldList &list, const std::vector<unsigned int> &steps) const;
-  void write_fields(const ContactState &state);
+  void write_fields(const ContactState &state, const Eigen::VectorXd &volume);
 
   const RunFolder &folder_;
   const OutputOptions options_;

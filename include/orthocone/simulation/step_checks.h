@@ -22,6 +22,7 @@ struct StepChecks
   double energy_identity = 0; ///< error of what holds for any forces, and dissipation that no force can do
   double energy_defect = 0;   ///< work - change of elastic energy - dissipation, relative to `energy`
   bool is_finite = true;      ///< all numbers of the state are
+  Eigen::VectorXd volume{};   ///< K^-1 r of the free unknowns, from which equilibrium is judged, mm
 };
 
 /// A state and the totals of the whole body in it.
@@ -49,7 +50,7 @@ public:
 private:
   double law_bound(double multiple) const;
   double slip_rule_bound() const;
-  double equilibrium(const ContactState &state) const;
+  void check_equilibrium(const ContactState &state, StepChecks &checks) const;
   double identity_error(const Situation &before, const Situation &after, double work) const;
 
   CheckOptions options_;

@@ -3,12 +3,14 @@
 #pragma once
 
 #include <orthocone/contact/contact_solver.h>
+#include <orthocone/simulation/accuracy.h>
 #include <orthocone/simulation/cycles.h>
 #include <orthocone/simulation/load_program.h>
 #include <orthocone/simulation/model_choice.h>
 #include <orthocone/simulation/step_checks.h>
 
 #include <array>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,20 +26,23 @@ struct PhaseSeconds
   double condensation = 0;
   double contact = 0;
   double checks = 0;
-  double output = 0; ///< with the checkpoints
+  double output = 0;      ///< with the checkpoints
+  double mesh_search = 0; ///< for Mesh/Accuracy: all that was solved to choose the mesh
 
   void add(const PhaseSeconds &other);
+  double sum() const;
 };
 
 /// The phases in their order, with the names that users see.
-constexpr std::array<std::pair<const char *, double PhaseSeconds::*>, 7> phases{
+constexpr std::array<std::pair<const char *, double PhaseSeconds::*>, 8> phases{
     {{"mesh", &PhaseSeconds::mesh},
      {"assembly", &PhaseSeconds::assembly},
      {"factorization", &PhaseSeconds::factorization},
      {"condensation", &PhaseSeconds::condensation},
      {"contact", &PhaseSeconds::contact},
      {"checks", &PhaseSeconds::checks},
-     {"output", &PhaseSeconds::output}}};
+     {"output", &PhaseSeconds::output},
+     {"mesh_search", &PhaseSeconds::mesh_search}}};
 
 /// Largest values over the run and the steps that had them.
 struct Peaks
@@ -60,6 +65,7 @@ struct RunRecord
   double largest_energy = 0; ///< StepChecks::energy, N mm
   Peaks peaks{};
   std::pair<double, unsigned int> energy_defect{0, 0}; ///< the largest, and its step
+  std::optional<AccuracyEstimate> accuracy{};          ///< where Mesh/Accuracy chose the mesh
   PhaseSeconds seconds{};
   double total_seconds = 0;
 };

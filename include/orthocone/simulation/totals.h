@@ -17,7 +17,7 @@ struct Totals
   unsigned int n_open = 0;
   unsigned int n_stick = 0;
   unsigned int n_slip = 0;
-  double stick_area = 0;        ///< mm^2
+  double stick_area = 0;        ///< mm^2; its border runs through the cells (StickArea)
   double total_dissipation = 0; ///< N mm
   double elastic_energy = 0;    ///< N mm
 };

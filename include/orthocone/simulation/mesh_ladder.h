@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/parameters/options.h>
+
+namespace orthocone
+{
+/// Meshes that get finer everywhere from level to level: more cells around, and rings and layers that shrink
+/// geometrically towards the rim, the base and the upper face, so that the cells at these edges are smaller
+/// by the same factor on every level. Layers fit the height: the lowest is as thick as the outermost ring. A
+/// section has more cells and degree 4.
+MeshOptions ladder_mesh(const GeometryOptions &geometry, const MeshOptions &given, bool is_axisymmetric,
+                        unsigned int level);
+
+/// Number of levels that are meant to be solved. The finest has some 1100 contact nodes in a quarter, 300
+/// rings in a section.
+unsigned int n_ladder_levels(bool is_axisymmetric);
+
+/// `given` with the entries that its resolution stands for, as Resolution = custom.
+MeshOptions resolved_mesh(const GeometryOptions &geometry, const MeshOptions &given, bool is_axisymmetric);
+} // namespace orthocone

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/simulation/mesh_search.h>
+
+#include <orthocone/parameters/parameters.h>
+#include <orthocone/simulation/blas_threads.h>
+#include <orthocone/simulation/mesh_ladder.h>
+#include <orthocone/simulation/stopwatch.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace orthocone
+{
+namespace
+{
+/// The steps up to the end of the first cycle.
+std::vector<LoadStep> first_cycle(const LoadOptions &load)
+{
+  LoadOptions shortened = load;
+  shortened.cycles = std::min(1U, load.cycles);
+  return load_steps(shortened);
+}
+
+/// Number of the first step in which the top stands lowest.
+unsigned int peak(const std::vector<LoadStep> &steps)
+{
+  return std::min_element(steps.begin(), steps.end(),
+                          [](const LoadStep &a, const LoadStep &b) { return a.top[2] < b.top[2]; })
+      ->number;
+}
+
+std::string line_of(const unsigned int level, const ContactModel &model, const std::string &quantities)
+{
+  return "accuracy       level " + std::to_string(level) + ", " +
+         std::to_string(model.surface().nodes.size()) + " contact nodes: " + quantities;
+}
+
+double area_of(const ContactModel &model)
+{
+  double area = 0;
+  for (const ContactNode &node : model.surface().nodes)
+    area += node.area;
+  return model.choice().symmetry.n_copies() * area;
+}
+/// Errors of a slip or a dissipation that is next to nothing are related to a thousandth of the motion of the
+/// top (mm) and of its work: where all sticks, digits of what slips at the rim are not worth any mesh.
+Quantities unless_negligible(Quantities errors, const Quantities &values, const double motion)
+{
+  constexpr double negligible = 1e-3;
+  const auto relate = [&](const unsigned int i, const double least)
+  { errors[i] *= std::min(1., std::abs(values[i]) / (negligible * least)); };
+  relate(0, motion);
+  relate(2, values[1] * motion / 2);
+  return errors;
+}
+} // namespace
+
+Quantities march_first_cycle(const Parameters &parameters, ContactModel &model)
+{
+  const std::vector<LoadStep> steps = first_cycle(parameters.load);
+  const unsigned int peak_step = peak(steps);
+  Quantities values{};
+  ContactState state = model.initial_state();
+  const BlasThreads threads(state.force.size());
+  for (const LoadStep &step : steps)
+  {
+    const ContactState before = state;
+    if (!model.solver().solve(state, step).converged)
+      throw std::runtime_error("Mesh/Accuracy: load step " + std::to_string(step.number) +
+                               " is not solved on a mesh of " + std::to_string(model.surface().nodes.size()) +
+                               " contact nodes; Mesh/Resolution takes a mesh without a search");
+    model.solver().accept(before, state, step);
+    const Totals totals = model.totals(state);
+    values[0] = std::max(values[0], totals.max_slip);
+    if (step.number == peak_step)
+    {
+      values[1] = totals.force.norm();
+      values[stick_area_index] = totals.stick_area;
+    }
+    values[2] = totals.total_dissipation;
+  }
+  return values;
+}
+
+ChosenMesh find_mesh(const Parameters &parameters, const ModelChoice &choice, const Teller &tell)
+{
+  constexpr std::size_t least_levels = 3;
+  const Stopwatch watch;
+  ChosenMesh found{parameters.mesh, parameters.mesh};
+  AccuracyEstimate accuracy{parameters.mesh.accuracy};
+  std::vector<Quantities> levels;
+  const bool is_axisymmetric = choice.symmetry.is_axisymmetric();
+  for (unsigned int level = 0; level < n_ladder_levels(is_axisymmetric); ++level)
+  {
+    Parameters finer = parameters;
+    finer.mesh = found.mesh = ladder_mesh(parameters.geometry, parameters.mesh, is_axisymmetric, level);
+    found.model = nullptr; // two models at a time would need twice the memory
+    found.model = std::make_unique<ContactModel>(finer, choice);
+    levels.push_back(march_first_cycle(finer, *found.model));
+    accuracy.values = levels.back();
+    accuracy.errors = unless_negligible(estimated_errors(levels, area_of(*found.model)), levels.back(),
+                                        largest_motion(parameters.load, 2));
+    tell(line_of(level, *found.model, describe_quantities(accuracy)));
+    if (levels.size() >= least_levels && accuracy.is_reached())
+      break;
+  }
+  found.accuracy = accuracy;
+  found.search_seconds = watch.seconds();
+  tell("accuracy       " + describe(accuracy));
+  return found;
+}
+
+ChosenMesh mesh_of(const Checkpoint &checkpoint, const Parameters &given)
+{
+  return {given.mesh, with_section(given, "Mesh", checkpoint.mesh).mesh};
+}
+
+ChosenMesh choose_mesh(const Parameters &parameters, const ModelChoice &choice, const Teller &tell)
+{
+  if (parameters.mesh.accuracy != 0)
+    return find_mesh(parameters, choice, tell);
+  return {parameters.mesh,
+          resolved_mesh(parameters.geometry, parameters.mesh, choice.symmetry.is_axisymmetric())};
+}
+} // namespace orthocone

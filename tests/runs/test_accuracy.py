@@ -1,0 +1,110 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""Mesh/Resolution and Mesh/Accuracy: what the run folder says of the mesh, and how such a run goes on.
+
+Usage: test_accuracy.py PROGRAM [unittest options]"""
+import json
+import signal
+import subprocess
+import sys
+import time
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+from program import ROOT, RunTest, main  # noqa: E402
+
+PROGRAM = "Load program/Legs=0 0 -0.1 : 1; 0 0 -0.08 : 2"
+SETTINGS = [PROGRAM, "Load program/Cycles=2", "Output/Volume fields=0", "Output/Checkpoint=0"]
+ACCURACY = [*SETTINGS, "Mesh/Accuracy=10 %"]
+QUANTITIES = ["largest_slip_mm", "peak_force_N", "dissipation_Nmm", "stick_area_mm2"]
+
+
+class AccuracyTest(RunTest):
+    def summary(self, output):
+        return json.loads((self.folder / output / "summary.json").read_text())
+
+    def quantities(self, output):
+        """Those of the first cycle, from the history."""
+        rows = self.rows(output)[:3]
+        return [max(float(row["max_slip"]) for row in rows), float(rows[0]["force_z"]),
+                float(rows[2]["total_dissipation"]), float(rows[0]["stick_area"])]
+
+    def assert_done(self, output, *arguments, **options):
+        result = self.run_program(output, *arguments, **options)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+
+    def test_estimates_stand_beside_the_values(self):
+        self.assert_done("run", settings=ACCURACY)
+        accuracy = self.summary("run")["accuracy"]
+        self.assertEqual(accuracy["wanted_percent"], 10)
+        self.assertTrue(accuracy["reached"])
+        log = (self.folder / "run/log.txt").read_text()
+        for name, value in zip(QUANTITIES, self.quantities("run")):
+            self.assertAlmostEqual(accuracy[name]["value"] / value, 1, 6)
+            self.assertTrue(0 <= accuracy[name]["estimated_error_percent"] <= 10, accuracy)
+            self.assertIn(name, log)
+        self.assertIn("10 % wanted, reached", log)
+
+    def test_parameters_of_the_run_are_those_of_the_chosen_mesh(self):
+        self.assert_done("run", settings=ACCURACY)
+        complete = self.folder / "run/parameters.prm"
+        self.assertRegex(complete.read_text(), r"(?m)set Accuracy += 0$")
+        self.assert_done("again", file=complete)
+        self.assertEqual(self.summary("again")["model"], self.summary("run")["model"])
+        self.assertNotIn("accuracy", self.summary("again"))
+        for row, other in zip(self.rows("run"), self.rows("again")):
+            for name in ("max_slip", "force_z", "total_dissipation", "stick_area"):
+                self.assertAlmostEqual(float(row[name]), float(other[name]), delta=1e-6 * abs(float(row[name])))
+
+    def test_estimates_bound_the_differences_to_a_finer_mesh(self):
+        """tools/study/error_estimates.py does this for many scenes and accuracies."""
+        for case in ("b", "c"):
+            file = ROOT / f"prm/paper/case_{case}.prm"
+            self.assert_done(case, file=file, settings=[*SETTINGS, "Mesh/Accuracy=5 %"])
+            self.assert_done("finer", file=file, settings=[*SETTINGS, "Mesh/Resolution=fine"])
+            accuracy = self.summary(case)["accuracy"]
+            for name, truth in zip(QUANTITIES, self.quantities("finer")):
+                value, estimate = accuracy[name]["value"], accuracy[name]["estimated_error_percent"]
+                self.assertGreaterEqual(estimate, 100 * abs(value / truth - 1) / 3, f"{name} of case {case}")
+
+    def test_resumes_on_the_same_mesh_without_a_search(self):
+        self.assert_done("whole", settings=ACCURACY)
+        run = subprocess.Popen(self.command("stopped", settings=ACCURACY), cwd=self.folder, stderr=subprocess.PIPE)
+        while run.poll() is None and not (self.folder / "stopped/checkpoint/state").exists():
+            time.sleep(0.01)
+        run.send_signal(signal.SIGTERM)
+        run.communicate()
+        (self.folder / "stopped/log.txt").write_text("")
+        self.assert_done("stopped", "--resume", settings=ACCURACY)
+        self.assertNotIn("level", (self.folder / "stopped/log.txt").read_text())
+        self.assert_same_files("whole", "stopped", ["history.csv", "probe-P.csv", "parameters.prm"])
+        self.assertEqual(self.summary("stopped")["accuracy"], self.summary("whole")["accuracy"])
+
+    def test_another_accuracy_is_another_run(self):
+        self.assert_done("run", settings=ACCURACY)
+        result = self.run_program("run", "--resume", settings=[*SETTINGS, "Mesh/Accuracy=9 %"])
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("Mesh/Accuracy = 9 %, but the run in ", result.stderr)
+
+    def test_check_says_who_chooses_the_mesh(self):
+        result = self.run_program("none", "--check", settings=ACCURACY)
+        self.assertEqual(result.returncode, 0)
+        self.assertIn("mesh           is chosen by the run, for errors of 10 %\n", result.stdout)
+        self.assertFalse((self.folder / "none").exists())
+
+    def test_a_resolution_stands_for_entries(self):
+        self.assert_done("run", settings=[*SETTINGS, "Mesh/Resolution=coarse"])
+        text = (self.folder / "run/parameters.prm").read_text()
+        self.assertRegex(text, r"set Resolution += custom")
+        self.assertRegex(text, r"set Core cells += 4")
+        check = self.run_program("none", "--check", settings=["Mesh/Resolution=coarse"]).stdout
+        self.assertIn(f"contact nodes  {self.summary('run')['model']['contact_nodes']}\n", check)
+
+    def test_paper_is_the_mesh_without_any_entry(self):
+        paper, custom = (self.run_program("none", "--check", settings=settings).stdout.split("\nmemory")[0]
+                         for settings in (["Mesh/Resolution=paper"], []))
+        self.assertIn("contact nodes", paper)
+        self.assertEqual(paper, custom)
+
+
+if __name__ == "__main__":
+    main()
