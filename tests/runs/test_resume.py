@@ -134,10 +134,12 @@ class SignalTest(ResumeTest):
         run = self.start("run", settings)
         while not (self.folder / "run/contact-0001.vtu").exists() and run.poll() is None:
             time.sleep(0.001)
+        run.send_signal(signal.SIGSTOP)  # or it may be done before the others begin
         for arguments in ((), ("--resume",)):
             second = self.run_program("run", *arguments, settings=settings)
             self.assertEqual(second.returncode, FILE_ERROR)
             self.assertRegex(second.stderr, r"^orthocone: .*run: .*another run is writing there; .*--output DIR.*\n$")
+        run.send_signal(signal.SIGCONT)
         self.assertEqual(run.communicate()[1], "")
         self.assertEqual(run.returncode, DONE)
         self.assert_same_files("whole", "run", self.results)

@@ -107,8 +107,13 @@ class RevolvedTest(unittest.TestCase):
         if carrying.all():
             self.assert_close(area.sum(), math.pi * RADIUS**2)
             self.assert_close((area * data["dissipated_energy"][one]).sum(), expected["total_dissipation"])
-            stuck = data["status"][one] == 1
-            self.assert_close(area[stuck].sum(), expected["stick_area"], scale=RADIUS**2)
+        radii = np.hypot(*data.points[one, :2].T)
+        stuck, slips = data["status"][one] == 1, data["status"][one] == 2
+        inner, outer = radii[stuck].max(initial=0), radii[slips].min(initial=RADIUS)
+        self.assertTrue(inner < outer or step > 2)  # unloading: slip may begin inside
+        if inner < outer:  # the stick zone is a disc, whose border runs between nodes
+            self.assertLessEqual(math.pi * inner**2, (1 + SINGLE) * expected["stick_area"])
+            self.assertLessEqual(expected["stick_area"], (1 + SINGLE) * math.pi * outer**2)
         self.assert_close(data["slip_magnitude"].max(), expected["max_slip"])
 
     @each("contact")
@@ -133,7 +138,7 @@ class RevolvedTest(unittest.TestCase):
             self.assert_close([probe[columns.format(axis)] for axis in "xy"], expected,
                               np.abs(data[name]).max())
         self.assert_close(probe["pressure"], data["pressure"][near])
-        self.assertEqual(row(degree, "probe-axis.csv", step)["slip_x"], 0)
+        self.assertLess(abs(row(degree, "probe-axis.csv", step)["slip_x"]), 1e-12)  # mm; the top moves 0.1
 
     @each("volume")
     def test_section(self, data, degree, step):
