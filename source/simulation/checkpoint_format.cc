@@ -107,7 +107,9 @@ Json starts_json(const StartMemory &starts)
 StartMemory starts_from(const Json &json, const ContactState &state)
 {
   const Index n = 3 * state.n_nodes();
-  return {array_from(json.at("change"), state.step == 0 ? 0 : n), phases_from(json.at("of_phase"), n),
+  // Before the first step there is no change, unless a search for a mesh has marched through it.
+  const bool has_change = state.step > 0 || !json.at("change").get_binary().empty();
+  return {array_from(json.at("change"), has_change ? n : 0), phases_from(json.at("of_phase"), n),
           phases_from(json.at("drift"), n)};
 }
 

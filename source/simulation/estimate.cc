@@ -98,9 +98,9 @@ Estimate estimate(const Parameters &parameters, const Body &body, const ModelSym
   // Factorizations reach half of the speed of large products; METIS takes about as long again on small
   // models.
   result.set_up_seconds = 0.2 + 4 * assembly / rate + 3 * cost.flops / rate + 2 * cube(n_contact) / rate;
-  // Mostly sweeps and dense LU factorizations, of which many steps need none.
-  const double contact =
-      0.3 * cube(n_contact) / rate + 10 * n_contact * n_contact * bytes_per_number / memory_bandwidth;
+  // Products with half of the compliance in single precision: a hundred and more where the start is far off,
+  // two in many steps.
+  const double contact = 20 * n_contact * n_contact * bytes_per_number / 4 / memory_bandwidth;
   const double checks = (2 * cost.entries + 3 * n_entries) * bytes_per_number / memory_bandwidth;
   const double n_drawn = drawn_nodes(unknowns.contact_surface(), symmetry);
   const double output =

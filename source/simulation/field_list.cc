@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <sstream>
+#include <system_error>
 
 namespace orthocone
 {
@@ -33,11 +34,18 @@ void FieldList::set(const std::vector<unsigned int> &steps)
   flush();
 }
 
-void FieldList::add(const unsigned int step, std::function<std::string()> make)
+void FieldList::add(const unsigned int step, const std::function<std::string()> &make)
 {
   write_pending();
   pending_step_ = step;
-  pending_ = std::async(std::launch::async, std::move(make));
+  try
+  {
+    pending_ = std::async(std::launch::async, make);
+  }
+  catch (const std::system_error &) // no thread to be had
+  {
+    pending_ = std::async(std::launch::deferred, make);
+  }
 }
 
 void FieldList::write_pending()

@@ -50,7 +50,10 @@ Quantities unless_negligible(Quantities errors, const Quantities &values, const 
 {
   constexpr double negligible = 1e-3;
   const auto relate = [&](const unsigned int i, const double least)
-  { errors[i] *= std::min(1., std::abs(values[i]) / (negligible * least)); };
+  {
+    const double share = std::min(1., std::abs(values[i]) / (negligible * least));
+    errors[i] = share > 0 ? share * errors[i] : 0; // the error of a value of 0 is infinite
+  };
   relate(0, motion);
   relate(2, values[1] * motion / 2);
   return errors;

@@ -57,6 +57,7 @@ void QuasiStaticProblem::announce(const ModelChoice &choice, const Body &body) c
 
 QuasiStaticProblem::Outcome QuasiStaticProblem::run(const std::optional<Checkpoint> &checkpoint)
 {
+  const BlasThreads threads(state_.force.size()); // also for what a resumed run computes again
   begin(checkpoint);
   try
   {
@@ -107,7 +108,6 @@ void QuasiStaticProblem::begin(const std::optional<Checkpoint> &checkpoint)
 
 QuasiStaticProblem::Outcome QuasiStaticProblem::march()
 {
-  const BlasThreads threads(state_.force.size());
   log_.start_steps(state_.step);
   let_steps_finish();
   for (const LoadStep &step : steps_)

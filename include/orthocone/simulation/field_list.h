@@ -29,7 +29,7 @@ public:
   void set(const std::vector<unsigned int> &steps);
 
   /// Begins to make the field file of a step. `make` returns its content, and must not write anything else.
-  void add(unsigned int step, std::function<std::string()> make);
+  void add(unsigned int step, const std::function<std::string()> &make);
 
   /// Whether `step` or a later one has been added.
   bool has(unsigned int step) const;

@@ -80,9 +80,22 @@ struct ScratchFolder
 };
 } // namespace
 
+// A search for a mesh marches through the first cycle before the run begins.
+TEST(Checkpoint, OfNoStepYetMayKnowStartForces)
+{
+  Checkpoint before = checkpoint_after(0);
+  EXPECT_EQ(decode(encode(before)).starts.change.size(), 0);
+  before.starts.change = NodeVector::LinSpaced(3 * before.state.n_nodes(), 0, 1);
+  before.starts.of_phase[2] = before.starts.change;
+  const StartMemory after = decode(encode(before)).starts;
+  EXPECT_EQ(after.change, before.starts.change);
+  EXPECT_EQ(after.of_phase, before.starts.of_phase);
+}
+
 TEST(Checkpoint, KeepsEverythingToTheLastBit)
 {
-  const Checkpoint before = checkpoint_after(7);
+  Checkpoint before = checkpoint_after(7);
+  before.starts.drift[3] = NodeVector::LinSpaced(3 * before.state.n_nodes(), -1, 1. / 3);
   const Checkpoint after = decode(encode(before));
   EXPECT_EQ(after.parameters, before.parameters);
   EXPECT_EQ(after.program, before.program);
