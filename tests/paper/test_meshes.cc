@@ -11,20 +11,25 @@
 
 namespace orthocone::test
 {
-/// Case, degree, grading.
-class GradedMesh : public testing::TestWithParam<std::tuple<const char *, unsigned int, double>>
+using Mesh = std::tuple<const char *, unsigned int, double>; ///< case, degree, grading
+
+class GradedMesh : public testing::TestWithParam<Mesh>
 {
 };
+
+namespace
+{
+std::string name_of(const testing::TestParamInfo<Mesh> &info)
+{
+  const auto [name, degree, grading] = info.param;
+  return std::string(name) + "_q" + std::to_string(degree) + (grading < 0.5 ? "_strong" : "_weak");
+}
+} // namespace
 
 INSTANTIATE_TEST_SUITE_P(Cases, GradedMesh,
                          testing::Combine(testing::Values("case_a", "case_b", "case_c"),
                                           testing::Values(2U, 3U), testing::Values(0.35, 0.6)),
-                         [](const auto &test)
-                         {
-                           const auto &[name, degree, grading] = test.param;
-                           return std::string(name) + "_q" + std::to_string(degree) +
-                                  (grading < 0.5 ? "_strong" : "_weak");
-                         });
+                         name_of);
 
 /// Small cells beside large ones, and a rim that lifts off: where Newton's method alone stalls.
 TEST_P(GradedMesh, NewtonSolvesEveryStepUndivided)
