@@ -67,7 +67,10 @@ public:
     map_ = &matrix.map();
     return *this;
   }
-  EigenPreconditioner &analyzePattern(const EigenOperator &matrix) { return compute(matrix); }
+  EigenPreconditioner &analyzePattern(const EigenOperator &matrix) // NOLINT: names are Eigen's
+  {
+    return compute(matrix);
+  }
   EigenPreconditioner &factorize(const EigenOperator &matrix) { return compute(matrix); }
   Eigen::ComputationInfo info() const { return Eigen::Success; }
 
@@ -93,8 +96,9 @@ struct generic_product_impl<orthocone::EigenOperator, Vector, SparseShape, Dense
   using Scalar = float;
 
   template<typename Destination>
-  static void scaleAndAddTo(Destination &destination, const orthocone::EigenOperator &matrix,
-                            const Vector &vector, const Scalar &factor)
+  static void scaleAndAddTo( // NOLINT: names are Eigen's
+      Destination &destination, const orthocone::EigenOperator &matrix, const Vector &vector,
+      const Scalar &factor)
   {
     destination.noalias() += factor * matrix.map().apply(vector);
   }
