@@ -122,6 +122,8 @@ class PictureTest(unittest.TestCase):
     def test_something_is_drawn(self):
         for run, step in (("quarter", 2), ("full", 2), ("pushed", 2), ("cubic", 1), ("bare", 1), ("revolved", 2)):
             for kind, least in (("slip", 200), ("pressure", 15), ("friction", 30)):
+                if (run, kind) == ("revolved", "pressure"):
+                    least = 10  # pressure varies along the radius alone, over six cells
                 with self.subTest(run=run, kind=kind):
                     self.assertGreater(n_colours(surface(run, f"{kind}-{step:04d}")), least)
         self.assertGreater(n_colours(picture("quarter", "body-0002")), 200)

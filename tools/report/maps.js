@@ -85,6 +85,7 @@ class Raster {
   /** The triangle of corners k and k + 1 and the centre, whose value is the mean of the four corners. */
   fillTriangle(quad, k, [ax, ay], [bx, by], [cx, cy]) {
     const area = (bx - ax) * (cy - ay) - (cx - ax) * (by - ay);
+    if (area === 0) return;  // cells on the axis of a revolved model are triangles
     const tolerance = -1e-6;  // pixels on a common edge belong to both
     for (let row = Math.floor(Math.min(ay, by, cy)); row <= Math.max(ay, by, cy); ++row)
       for (let column = Math.floor(Math.min(ax, bx, cx)); column <= Math.max(ax, bx, cx); ++column) {
