@@ -54,15 +54,22 @@ class KillTest(ResumeTest):
         solved = []
         for number in range(25):
             run = self.start("killed", settings)
-            time.sleep(moments.uniform(0.02, 1) * seconds)
+            step = moments.randint(-1, 44)  # in time alone, starting takes as long as all steps
+            while run.poll() is None and self.n_solved("killed") < step:
+                time.sleep(0.001)
+            time.sleep(moments.uniform(0, 2) * seconds / 45)
             run.kill()
             run.communicate()
-            history = self.folder / "killed/history.csv"
-            solved.append(history.read_text().count("\n") - 1 if history.exists() else -1)
+            solved.append(self.n_solved("killed"))
             with self.subTest(number=number, solved=solved[-1]):
                 self.assert_resumes("killed", settings)
             shutil.rmtree(self.folder / "killed")
         self.assertGreater(len(set(solved)), 8, f"the moments were too much alike: {solved}")
+
+    def n_solved(self, name):
+        """Rows of history.csv; -1 without one."""
+        history = self.folder / name / "history.csv"
+        return history.read_text().count("\n") - 1 if history.exists() else -1
 
     def test_kill_and_resume_again_and_again(self):
         settings = [*SMALL, EVERY_STEP]
