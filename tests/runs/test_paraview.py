@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""What tools/paraview/contact.py draws with pvbatch and software rendering, and how it refuses.
+"""What tools/paraview/pictures.py draws with pvbatch and software rendering, and how it refuses.
 
 Usage: test_paraview.py PROGRAM [unittest options]"""
 import csv
@@ -21,7 +21,7 @@ from vtkmodules.vtkIOImage import vtkPNGReader
 PROGRAM = ""
 SCRATCH = tempfile.TemporaryDirectory()
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-SCRIPT = ROOT / "tools/paraview/contact.py"
+SCRIPT = ROOT / "tools/paraview/pictures.py"
 XVFB = ["xvfb-run", "-a", "-s", "-noreset"]
 WIDTH, HEIGHT = 1600, 1200
 CENTRE_X, CENTRE_Y, RADIUS = 680, 600, 480  # of the contact surface in its pictures, in pixels
@@ -51,7 +51,7 @@ def tearDownModule():
     SCRATCH.cleanup()
 
 
-def contact_py(*words, launcher=tuple(XVFB), **variables):
+def pictures(*words, launcher=tuple(XVFB), **variables):
     environment = {**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1", **variables}
     return subprocess.run([*launcher, "pvbatch", SCRIPT, *words], env=environment, text=True, capture_output=True,
                           timeout=300, check=False)
@@ -70,7 +70,7 @@ def run_folder(name):
 def rendered(name):
     """Folder of the pictures of a run, and what the script printed."""
     folder = pathlib.Path(SCRATCH.name) / f"{name}-png"
-    result = contact_py(run_folder(name), "--png", folder, "--steps", STEPS[name])
+    result = pictures(run_folder(name), "--png", folder, "--steps", STEPS[name])
     if result.returncode != 0 or result.stderr:
         raise AssertionError(f"exit code {result.returncode}\n{result.stdout}{result.stderr}")
     return folder, result.stdout
@@ -190,35 +190,35 @@ class PictureTest(unittest.TestCase):
 class ErrorTest(unittest.TestCase):
     def assert_refused(self, result, code, pattern):
         self.assertEqual(result.returncode, code, result.stderr)
-        self.assertRegex(result.stderr, r"\Acontact\.py: " + pattern + r".*\n\Z")
+        self.assertRegex(result.stderr, r"\Apictures\.py: " + pattern + r".*\n\Z")
 
     def test_folders(self):
         png = ["--png", pathlib.Path(SCRATCH.name) / "none"]
-        self.assert_refused(contact_py("nowhere", *png), 4, "nowhere: no such folder")
-        self.assert_refused(contact_py(run_folder("blind"), *png), 4, r".*no contact\.pvd.*Output/Contact fields = 0")
+        self.assert_refused(pictures("nowhere", *png), 4, "nowhere: no such folder")
+        self.assert_refused(pictures(run_folder("blind"), *png), 4, r".*no contact\.pvd.*Output/Contact fields = 0")
         broken = pathlib.Path(SCRATCH.name) / "broken"
         shutil.copytree(run_folder("bare"), broken)
         (broken / "contact-0001.vtu").write_text("no xml")
-        self.assert_refused(contact_py(broken, *png, "--steps", "1"), 4, r".*contact-0001\.vtu: cannot be read")
+        self.assert_refused(pictures(broken, *png, "--steps", "1"), 4, r".*contact-0001\.vtu: cannot be read")
         (broken / "history.csv").unlink()
-        self.assert_refused(contact_py(broken, *png), 4, r".*history\.csv")
+        self.assert_refused(pictures(broken, *png), 4, r".*history\.csv")
         self.assertFalse(png[1].exists())
 
     def test_pictures_cannot_be_written(self):
         file = pathlib.Path(SCRATCH.name) / "file"
         file.write_text("mine")
-        self.assert_refused(contact_py(run_folder("bare"), "--png", file), 4, ".*file: File exists")
+        self.assert_refused(pictures(run_folder("bare"), "--png", file), 4, ".*file: File exists")
         self.assertEqual(file.read_text(), "mine")
 
     def test_usage(self):
         run = run_folder("bare")
-        self.assert_refused(contact_py(run), 2, ".*--png")
+        self.assert_refused(pictures(run), 2, ".*--png")
         for steps in ("4", "1,x", "1,"):
-            self.assert_refused(contact_py(run, "--png", "none", "--steps", steps), 2, rf"--steps {steps}: .*3, 1 to 3")
-        self.assertIn("xvfb-run", contact_py("--help").stdout)
+            self.assert_refused(pictures(run, "--png", "none", "--steps", steps), 2, rf"--steps {steps}: .*3, 1 to 3")
+        self.assertIn("xvfb-run", pictures("--help").stdout)
 
     def test_no_display(self):
-        result = contact_py(run_folder("bare"), "--png", pathlib.Path(SCRATCH.name) / "dark", launcher=(), DISPLAY="")
+        result = pictures(run_folder("bare"), "--png", pathlib.Path(SCRATCH.name) / "dark", launcher=(), DISPLAY="")
         if result.returncode == 0:
             self.skipTest("this ParaView needs no X server")
         self.assert_refused(result, 2, ".*xvfb-run")

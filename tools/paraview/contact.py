@@ -1,19 +1,12 @@
-#!/usr/bin/env pvbatch
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""A run folder in ParaView: deformed body, slip, pressure and friction criterion, on one scale for all load steps.
+"""A run folder in ParaView's window: deformed body, slip, pressure and friction criterion, on one scale for all steps.
 
-Pictures:  xvfb-run -a -s -noreset pvbatch contact.py RUN_FOLDER --png DIR [--steps 5,8,12 | --steps all]
-           writes {overview,body,slip,pressure,friction}-NNNN.png, by default for the step of largest elastic energy.
-           Most ParaViews, Debian's among them, draw through an X server even in pvbatch; xvfb-run brings one that needs
-           no screen (without -noreset it sometimes refuses). Not needed at a screen, or if built for EGL or OSMesa.
-Window:    ORTHOCONE_RUN=RUN_FOLDER paraview --script=contact.py
-           or, in the Python Shell of an open one: Run Script... contact.py, then open_run("RUN_FOLDER")
+ORTHOCONE_RUN=RUN_FOLDER paraview --script=contact.py
+or, in the Python Shell of an open one: Run Script... contact.py, then open_run("RUN_FOLDER")
 
-One file on purpose: ParaView's window does not tell a script where it lies, so that it could not find others.
-
-Exit codes of pvbatch: 0 done; 2 wrong command line; 4 a file could not be read or written."""
-import argparse
+One file: ParaView's window does not tell a script where it lies, so that it could not find others. pictures.py, for
+pvbatch, imports it."""
 import csv
 import math
 import os
@@ -25,9 +18,7 @@ import numpy as np
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
-from vtkmodules.vtkRenderingCore import vtkRenderWindow
 
-SIZE = [1600, 1200]  # of a picture
 # Pressure and stress are singular at edges: their colours cover these parts of the area and of the volume.
 PRESSURE_WITHIN, STRESS_WITHIN = 0.95, 0.99
 NOTHING = 1e-9  # mm, MPa: less is the round-off of an unloaded body
@@ -292,78 +283,16 @@ def open_run(folder):
     return run, views, layout
 
 
-def save(what, path):
-    """Writes a picture, under its name when it is complete."""
-    part = path.with_name(f".{path.stem}.part.png")
-    try:
-        simple.SaveScreenshot(str(part), what, ImageResolution=SIZE, SeparatorWidth=2, SeparatorColor=PLANE)
-        if not part.exists():  # what SaveScreenshot returns does not tell
-            raise RunError(f"{path}: cannot be written")
-        part.replace(path)
-    finally:
-        part.unlink(missing_ok=True)
-
-
-def write_pictures(run, views, layout, steps, folder):
-    for step in steps:
-        simple.GetAnimationScene().AnimationTime = step
-        layout.SetSize(SIZE)
-        save(layout, folder / f"overview-{step:04d}.png")
-        for name, view in views.items():
-            if name != "body" or run.volume:
-                view.ViewSize = [size // 2 for size in SIZE]  # the layout's are a pixel off, and fonts then scale badly
-                save(view, folder / f"{name}-{step:04d}.png")
-
-
-def refuse(message):
-    raise RunError(f"{message}; see --help", 2)
-
-
-def chosen_steps(run, words):
-    """The steps of --steps, with files that are there and whole: ParaView would draw another step, or nothing."""
-    steps = [str(step) for step in run.contact]
-    chosen = steps if words == "all" else words.split(",") if words else [str(run.peak(run.contact, "elastic_energy"))]
-    if not set(chosen) <= set(steps):
-        refuse(f"--steps {words}: contact.pvd does not have all of them, but {len(steps)}, {steps[0]} to {steps[-1]}")
-    for step in map(int, chosen):
-        for files in (run.contact, run.volume):
-            if step in files:
-                Grid(files[step])
-    return [int(step) for step in chosen]
-
-
-def main(words):
-    parser = argparse.ArgumentParser("contact.py", description=__doc__,
-                                     formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("run_folder", metavar="RUN_FOLDER")
-    parser.add_argument("--png", metavar="DIR", type=pathlib.Path, required=True, help="folder of the pictures")
-    parser.add_argument("--steps", metavar="LIST", help="steps, as 5,8,12, or all")
-    parser.error = refuse  # one line
-    options = parser.parse_args(words)
-    run = Run(options.run_folder)
-    steps = chosen_steps(run, options.steps)
-    # ParaView itself would abort with pages of addresses.
-    if vtkRenderWindow().GetClassName() == "vtkXOpenGLRenderWindow" and not os.environ.get("DISPLAY"):
-        refuse("no X server to draw with; start with xvfb-run")
-    options.png.mkdir(parents=True, exist_ok=True)
-    write_pictures(*open_run(options.run_folder), steps, options.png)
-
-
-def guarded(action, *arguments):
-    """Reports what went wrong; the exit code."""
+def guarded(script, action, *arguments):
+    """Reports what went wrong, in one line that begins with the name of the script; the exit code."""
     try:
         action(*arguments)
         return 0
     except (RunError, OSError) as error:
         text = error if isinstance(error, RunError) else f"{error.filename}: {error.strerror}"
-        print(f"contact.py: {text}", file=sys.stderr)
+        print(f"{script}: {text}", file=sys.stderr)
         return getattr(error, "code", 4)
 
 
-if __name__ == "__main__":
-    if not sys.argv[0]:  # ParaView's window; in pvbatch it is the script's name
-        if "ORTHOCONE_RUN" in os.environ:
-            guarded(open_run, os.environ["ORTHOCONE_RUN"])
-    elif CODE := guarded(main, sys.argv[1:]):
-        sys.stdout.flush()
-        os._exit(CODE)  # at a proper exit after a failure X may complain, with an exit code of its own
+if __name__ == "__main__" and "ORTHOCONE_RUN" in os.environ:
+    guarded("contact.py", open_run, os.environ["ORTHOCONE_RUN"])
