@@ -121,6 +121,10 @@ int run(const CommandLine &line)
     if (!line.quiet)
       std::cout << text << std::endl;
   };
+  // A search for a mesh may take minutes: what is wrong with the folder is told before, and an older run in
+  // it is no longer there to be resumed.
+  if (given.mesh.accuracy != 0 && !line.resume)
+    keep_parameters(folder, line, given);
   ChosenMesh chosen = checkpoint ? mesh_of(*checkpoint, given) : choose_mesh(given, model, tell);
   Parameters parameters = given;
   parameters.mesh = chosen.mesh;

@@ -38,13 +38,6 @@ double measured_flop_rate()
   return best;
 }
 
-/// Memory of this machine.
-double machine_gigabytes()
-{
-  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE)) /
-         gigabyte;
-}
-
 double cube(const double value)
 {
   return value * value * value;
@@ -63,6 +56,12 @@ double drawn_nodes(const ContactSurface &surface, const ModelSymmetry &symmetry)
   return n;
 }
 } // namespace
+
+double machine_gigabytes()
+{
+  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE)) /
+         gigabyte;
+}
 
 ModelSize model_size(const MeshOptions &mesh, const ModelSymmetry &symmetry)
 {

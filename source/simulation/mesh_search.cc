@@ -4,6 +4,7 @@
 
 #include <orthocone/parameters/parameters.h>
 #include <orthocone/simulation/blas_threads.h>
+#include <orthocone/simulation/estimate.h>
 #include <orthocone/simulation/mesh_ladder.h>
 #include <orthocone/simulation/stopwatch.h>
 
@@ -44,6 +45,7 @@ double area_of(const ContactModel &model)
     area += node.area;
   return model.choice().symmetry.n_copies() * area;
 }
+
 /// Errors of a slip or a dissipation that is next to nothing are related to a thousandth of the motion of the
 /// top (mm) and of its work: where all sticks, digits of what slips at the rim are not worth any mesh.
 Quantities unless_negligible(Quantities errors, const Quantities &values, const double motion)
@@ -57,6 +59,16 @@ Quantities unless_negligible(Quantities errors, const Quantities &values, const 
   relate(0, motion);
   relate(2, values[1] * motion / 2);
   return errors;
+}
+
+/// Whether the model is likely to need more than so much memory.
+bool is_too_large(const Parameters &parameters, const ModelChoice &choice, const double gigabytes)
+{
+  // Far more than any model needs; the estimate itself needs a mesh and an ordering.
+  constexpr double most_per_unknown = 1e-4;
+  if (model_size(parameters.mesh, choice.symmetry).dofs * most_per_unknown < gigabytes)
+    return false;
+  return estimate(parameters, Body(parameters, choice.symmetry), choice.symmetry).gigabytes > gigabytes;
 }
 } // namespace
 
@@ -87,7 +99,8 @@ Quantities march_first_cycle(const Parameters &parameters, ContactModel &model)
   return values;
 }
 
-ChosenMesh find_mesh(const Parameters &parameters, const ModelChoice &choice, const Teller &tell)
+ChosenMesh find_mesh(const Parameters &parameters, const ModelChoice &choice, const Teller &tell,
+                     const double gigabytes)
 {
   constexpr std::size_t least_levels = 3;
   const Stopwatch watch;
@@ -98,7 +111,13 @@ ChosenMesh find_mesh(const Parameters &parameters, const ModelChoice &choice, co
   for (unsigned int level = 0; level < n_ladder_levels(is_axisymmetric); ++level)
   {
     Parameters finer = parameters;
-    finer.mesh = found.mesh = ladder_mesh(parameters.geometry, parameters.mesh, is_axisymmetric, level);
+    finer.mesh = ladder_mesh(parameters.geometry, parameters.mesh, is_axisymmetric, level);
+    if (level > 0 && is_too_large(finer, choice, gigabytes))
+    {
+      tell("accuracy       level " + std::to_string(level) + " would need more memory than this machine has");
+      break;
+    }
+    found.mesh = finer.mesh;
     found.model = nullptr; // two models at a time would need twice the memory
     found.model = std::make_unique<ContactModel>(finer, choice);
     levels.push_back(march_first_cycle(finer, *found.model));
@@ -123,7 +142,7 @@ ChosenMesh mesh_of(const Checkpoint &checkpoint, const Parameters &given)
 ChosenMesh choose_mesh(const Parameters &parameters, const ModelChoice &choice, const Teller &tell)
 {
   if (parameters.mesh.accuracy != 0)
-    return find_mesh(parameters, choice, tell);
+    return find_mesh(parameters, choice, tell, machine_gigabytes());
   return {parameters.mesh,
           resolved_mesh(parameters.geometry, parameters.mesh, choice.symmetry.is_axisymmetric())};
 }

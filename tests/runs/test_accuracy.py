@@ -79,6 +79,15 @@ class AccuracyTest(RunTest):
         self.assert_same_files("whole", "stopped", ["history.csv", "probe-P.csv", "parameters.prm"])
         self.assertEqual(self.summary("stopped")["accuracy"], self.summary("whole")["accuracy"])
 
+    def test_a_folder_that_cannot_be_used_is_told_before_the_search(self):
+        (self.folder / "run").mkdir()
+        (self.folder / "run/history.csv").write_text("of somebody else\n")
+        result = subprocess.run([word for word in self.command("run", settings=ACCURACY) if word != "--quiet"],
+                                capture_output=True, text=True, timeout=60, check=False, cwd=self.folder)
+        self.assertEqual((result.returncode, result.stdout), (4, ""))
+        self.assertRegex(result.stderr, r"^orthocone: .*run: cannot be the run folder.*history\.csv.*\n$")
+        self.assertEqual((self.folder / "run/history.csv").read_text(), "of somebody else\n")
+
     def test_another_accuracy_is_another_run(self):
         self.assert_done("run", settings=ACCURACY)
         result = self.run_program("run", "--resume", settings=[*SETTINGS, "Mesh/Accuracy=9 %"])

@@ -29,6 +29,9 @@ struct Estimate
 /// From a symbolic factorization and the speed of a small matrix product on this machine.
 Estimate estimate(const Parameters &parameters, const Body &body, const ModelSymmetry &symmetry);
 
+/// Memory of this machine.
+double machine_gigabytes();
+
 /// The estimate in two lines, with the memory of this machine.
 std::string describe(const Estimate &estimate, unsigned int n_steps);
 

@@ -32,8 +32,10 @@ struct ChosenMesh
 using Teller = std::function<void(const std::string &)>;
 
 /// Finds the mesh for Mesh/Accuracy: solves level after level of the mesh ladder, at least three, until the
-/// estimated errors of all quantities are as wanted, or there is no finer one. Throws std::runtime_error.
-ChosenMesh find_mesh(const Parameters &parameters, const ModelChoice &choice, const Teller &tell);
+/// estimated errors of all quantities are as wanted, or there is no finer one, or the next one is likely to
+/// need more memory than `gigabytes`. Throws std::runtime_error.
+ChosenMesh find_mesh(const Parameters &parameters, const ModelChoice &choice, const Teller &tell,
+                     double gigabytes);
 
 /// The mesh that the run of a checkpoint has, whose parameters were `given`.
 ChosenMesh mesh_of(const Checkpoint &checkpoint, const Parameters &given);

@@ -145,4 +145,21 @@ TEST(MeshSearch, StopsWhereTheEstimatesAreAsWantedAndItsModelRemembersTheCycle)
   EXPECT_NEAR(chosen.model->totals(state).total_dissipation, chosen.accuracy->values[2],
               1e-9 * chosen.accuracy->values[2]);
 }
+
+TEST(MeshSearch, DoesNotTryAMeshThatDoesNotFitIntoTheMemory)
+{
+  Parameters parameters;
+  parameters.load.legs = {Leg{{{0, 0, -0.1}}, 1}};
+  parameters.mesh.accuracy = 10;
+  std::string told;
+  constexpr double gigabytes = 1e-3; // less than any model needs
+  const ChosenMesh chosen = find_mesh(
+      parameters, choose_model(parameters), [&](const std::string &line) { told += line + "\n"; }, gigabytes);
+  ASSERT_TRUE(chosen.accuracy);
+  EXPECT_FALSE(chosen.accuracy->is_reached());
+  ASSERT_TRUE(chosen.model);
+  EXPECT_EQ(chosen.mesh.core_cells, ladder_mesh({}, parameters.mesh, false, 0).core_cells);
+  EXPECT_NE(told.find("level 1 would need more memory"), std::string::npos) << told;
+  EXPECT_NE(told.find("NOT reached"), std::string::npos) << told;
+}
 } // namespace orthocone::test
