@@ -63,7 +63,7 @@ TEST(Gmres, NeedsOneIterationWithThePerfectPreconditioner)
   EXPECT_LE(n_products, 3U);
 }
 
-TEST(Gmres, HasNothingToDoWithoutUnknowns)
+TEST(Gmres, TakesASystemWithoutUnknowns)
 {
   EXPECT_EQ(solve_gmres({0, itself, itself}, VectorXf(), 1e-3F, 10).size(), 0);
 }

@@ -73,13 +73,43 @@ Eigen::Vector4d stress_of(const Eigen::Vector4d &strain, const LameParameters &l
           pressure + 2 * lame.mu * strain[2], lame.mu * strain[3]};
 }
 
+/// Work of the manufactured stress, weighted with ring and quadrature, on the shape functions of a cell.
+Eigen::VectorXd loads_at(const dealii::FEValues<2> &values, const unsigned int q,
+                         const Eigen::Vector4d &stress)
+{
+  const double r = values.quadrature_point(q)[0];
+  Eigen::VectorXd loads(2 * values.dofs_per_cell);
+  for (unsigned int a = 0; a < values.dofs_per_cell; ++a)
+  {
+    const auto gradient = values.shape_grad(a, q);
+    loads[2 * a] =
+        stress[0] * gradient[0] + stress[2] * values.shape_value(a, q) / r + stress[3] * gradient[1];
+    loads[2 * a + 1] = stress[1] * gradient[1] + stress[3] * gradient[0];
+  }
+  return loads;
+}
+
+/// Adds the loads of a cell, numbered node by node, to the forces on the free unknowns.
+void add_to_free(const SectionDiscretization &discretization,
+                 const dealii::DoFHandler<2>::active_cell_iterator &cell, const Eigen::VectorXd &loads,
+                 Eigen::VectorXd &forces)
+{
+  std::vector<dealii::types::global_dof_index> dofs(discretization.fe().n_dofs_per_cell());
+  cell->get_dof_indices(dofs);
+  for (unsigned int i = 0; i < dofs.size(); ++i)
+  {
+    const auto [component, node] = discretization.fe().system_to_component_index(i);
+    if (dofs[i] < discretization.n_free())
+      forces[dofs[i]] += loads[2 * node + component];
+  }
+}
+
 /// Error in the energy norm, relative, of the Galerkin solution for the loads of the manufactured one: the
 /// energies differ by its square.
 double energy_error(const unsigned int degree, const unsigned int n_refinements)
 {
-  MeshOptions options = section_options(degree, n_refinements);
   const MaterialOptions material;
-  const SectionBody body(options);
+  const SectionBody body(section_options(degree, n_refinements));
   const LameParameters lame(material);
   const Manufactured exact(body.geometry);
   const SectionDiscretization &discretization = body.discretization;
@@ -89,34 +119,21 @@ double energy_error(const unsigned int degree, const unsigned int n_refinements)
                                  dealii::update_quadrature_points);
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(discretization.n_free());
   double energy = 0;
-  std::vector<dealii::types::global_dof_index> dofs(discretization.fe().n_dofs_per_cell());
   for (const auto &cell : discretization.dof_handler().active_cell_iterators())
   {
     values.reinit(dealii::Triangulation<2>::active_cell_iterator(cell));
-    cell->get_dof_indices(dofs);
-    Eigen::VectorXd loads = Eigen::VectorXd::Zero(dofs.size());
+    Eigen::VectorXd loads = Eigen::VectorXd::Zero(2 * values.dofs_per_cell);
     for (const unsigned int q : values.quadrature_point_indices())
     {
       const auto place = values.quadrature_point(q);
       const Eigen::Vector4d strain = exact.strain(place[0], place[1]);
       const Eigen::Vector4d stress = 2 * M_PI * place[0] * values.JxW(q) * stress_of(strain, lame);
       energy += stress.dot(strain);
-      for (unsigned int a = 0; a < values.dofs_per_cell; ++a)
-      {
-        const auto gradient = values.shape_grad(a, q);
-        loads[2 * a] += stress[0] * gradient[0] + stress[2] * values.shape_value(a, q) / place[0] +
-                        stress[3] * gradient[1];
-        loads[2 * a + 1] += stress[1] * gradient[1] + stress[3] * gradient[0];
-      }
+      loads += loads_at(values, q, stress);
     }
     if (discretization.has_axis_face(cell))
       loads = discretization.axis_face_basis().transpose() * loads;
-    for (unsigned int i = 0; i < dofs.size(); ++i)
-    {
-      const auto [component, node] = discretization.fe().system_to_component_index(i);
-      if (dofs[i] < discretization.n_free())
-        forces[dofs[i]] += loads[2 * node + component];
-    }
+    add_to_free(discretization, cell, loads, forces);
   }
   const Stiffness stiffness(discretization, material);
   const StiffnessFactor factor(stiffness.matrix(), discretization.n_interior());
