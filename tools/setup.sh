@@ -2,11 +2,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 #
-#   tools/setup.sh PRESET [figures] [benchmark] [tests]
+#   tools/setup.sh PRESET [figures] [benchmark] [study] [tests]
 #
 # Installs what is missing, configures and builds with a CMake preset (release, debug, fuzz); `figures` adds the packages
-# of the tools that draw, `benchmark` those and the kernels that tools/benchmark times, `tests` all of that and the
-# tests. Called by ./run, ./test and the tools.
+# of the tools that draw, `benchmark` those and the kernels that tools/benchmark times, `study` those of figures and the
+# small experiments of tools/study, `tests` all of that and the tests. Called by ./run, ./test and the tools.
 # Nothing is done twice: installed packages, a configured build folder and compiled files are left alone.
 set -eu
 
@@ -49,6 +49,7 @@ for group in "$preset" "$@"; do
   case $group in
     figures) packages="$packages $figures_packages" ;;
     benchmark) packages="$packages $benchmark_packages" targets="$targets kernels" kernels=ON ;;
+    study) packages="$packages $figures_packages" targets="$targets studies" ;;
     tests) packages="$packages $tests_packages" targets=all kernels=ON ;;
     fuzz) packages="$packages $fuzz_packages" targets=all ;;
   esac

@@ -56,7 +56,7 @@ class AccuracyTest(RunTest):
                 self.assertAlmostEqual(float(row[name]), float(other[name]), delta=1e-6 * abs(float(row[name])))
 
     def test_estimates_bound_the_differences_to_a_finer_mesh(self):
-        """tools/study/error_estimates.py does this for many scenes and accuracies."""
+        """tools/studies/error_estimates.py does this for many scenes and accuracies."""
         for case in ("b", "c"):
             file = ROOT / f"prm/paper/case_{case}.prm"
             self.assert_done(case, file=file, settings=[*SETTINGS, "Mesh/Accuracy=5 %"])

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""What each Mesh/Resolution and Mesh/Accuracy reaches and costs: tools/study/resolutions.py [--program FILE] [CASE...]
+"""What each Mesh/Resolution and Mesh/Accuracy reaches and costs: tools/studies/resolutions.py [--program FILE] [CASE...]
 
 One cycle of the paper's cases (a, b, c) on each mesh, and the differences of the four quantities to those on a mesh that
 is finer than all of them, as a table in Markdown. Seconds are those of the whole process, without field files."""

@@ -1,7 +1,7 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""How good the error estimates of Mesh/Accuracy are: tools/study/error_estimates.py [--levels N] [--solid] [SCENE...]
+"""How good the error estimates of Mesh/Accuracy are: tools/studies/error_estimates.py [--levels N] [--solid] [SCENE...]
 
 Solves a family of scenes on the levels of the mesh ladder (for an accuracy that none reaches) and compares the estimates of
 each level with the difference to the finest one, which counts as the truth. Prints a line for each scene and level and

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "scene.h"
+
+#include <orthocone/simulation/mesh_ladder.h>
+
+#include <stdexcept>
+
+namespace orthocone::studies
+{
+SceneWords::SceneWords(const Words &words)
+{
+  if (words.empty())
+    throw std::runtime_error("the first word is a parameter file");
+  std::vector<std::string> overrides;
+  for (std::size_t i = 1; i + 1 < words.size(); i += 2)
+    if (words[i] == "--set")
+      overrides.push_back(words[i + 1]);
+    else if (words[i].rfind("--", 0) == 0)
+      options[words[i].substr(2)] = words[i + 1];
+    else
+      throw std::runtime_error("'" + words[i] + "' is not an option");
+  if (words.size() % 2 == 0)
+    throw std::runtime_error("'" + words.back() + "' lacks its value");
+  parameters = read_parameters(words.front(), overrides);
+  check_parameters(parameters);
+  parameters.mesh = resolved_mesh(parameters.geometry, parameters.mesh,
+                                  choose_model(parameters).symmetry.is_axisymmetric());
+}
+
+double SceneWords::number(const std::string &option, const double otherwise) const
+{
+  const auto found = options.find(option);
+  return found == options.end() ? otherwise : std::stod(found->second);
+}
+
+March::March(ContactModel &model, const Parameters &parameters, const unsigned int number)
+    : state(model.initial_state())
+{
+  for (const LoadStep &step : load_steps(parameters.load))
+  {
+    next = step;
+    if (step.number == number)
+      return;
+    const ContactState before = state;
+    if (!model.solver().solve(state, step).converged)
+      throw std::runtime_error("step " + std::to_string(step.number) + " is not solved");
+    model.solver().accept(before, state, step);
+  }
+  throw std::runtime_error("there is no step " + std::to_string(number));
+}
+} // namespace orthocone::studies

@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""Charts of accuracy against time and maps of where methods fail. Started by tools/study."""
+import argparse
+import importlib
+import pathlib
+import shutil
+import subprocess
+import sys
+
+from points import ROOT, StudyError, Table, measure  # finds tools/plots for all that follow
+
+import docs_page  # noqa: E402
+import style  # noqa: E402
+
+# Module of each study, in the order of docs/accuracy.md and docs/stability.md. A module has PAGE, the page of docs/
+# that shows it; measured(context), the rows of its points; figures(rows), {name: figure}; and, if the page has tables
+# of it, tables(rows), {name: text}.
+STUDIES = ()
+
+
+class Context:
+    """What a study needs to know to measure its points."""
+
+    def __init__(self, name, options):
+        self.name = name
+        self.is_quick = options.quick
+        self.jobs = options.jobs
+        self._programs = {"build/orthocone": options.program, "build/tests/studies/studies": options.studies}
+        self._table = Table(options.output / f"{name}.csv", options.anew)
+
+    def measure(self, points, extract, jobs=1, threads=None):
+        """Rows of the points. Points whose time matters run alone (jobs=1); others with self.jobs and one BLAS thread."""
+        return measure(self._table, points, extract, self._programs, jobs, threads,
+                       lambda text: print(f"study: {self.name}: {text}", flush=True))
+
+
+def parsed_options():
+    parser = argparse.ArgumentParser(prog="tools/study", description=__doc__)
+    parser.add_argument("names", nargs="*", metavar="NAME", help="studies to make (all): " + ", ".join(STUDIES))
+    parser.add_argument("--list", action="store_true", help="tell what there is, and stop")
+    parser.add_argument("--docs", action="store_true", help="also refresh the pages, pictures and tables in docs/")
+    parser.add_argument("--anew", action="store_true", help="compute also the points that are there already")
+    parser.add_argument("--quick", action="store_true", help="few points: a test of this tool, not a study")
+    parser.add_argument("--jobs", type=int, default=2, help="runs at a time where no time is measured (2)")
+    parser.add_argument("--output", type=pathlib.Path, default=ROOT / "output/study", help="folder of the results")
+    parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/orthocone")
+    parser.add_argument("--studies", type=pathlib.Path, default=ROOT / "build/tests/studies/studies")
+    options = parser.parse_args()
+    unknown = [name for name in options.names if name not in STUDIES]
+    if unknown:
+        parser.error(f"there is no study '{unknown[0]}': allowed are {', '.join(STUDIES)}")
+    if options.quick and options.docs:
+        parser.error("--quick measures nothing that belongs in --docs")
+    return options
+
+
+def forget_other_versions(options):
+    """Points of another version of the program, or of a quick try, do not stand beside those of this one."""
+    version = subprocess.run([options.program, "--version"], capture_output=True, text=True, check=True).stdout
+    version += "quick\n" if options.quick else ""
+    mark = options.output / "version.txt"
+    if mark.exists() and mark.read_text(encoding="utf-8") != version and any(options.output.glob("*.csv")):
+        print(f"study: {options.output} has points of another version; they are computed anew", flush=True)
+        for table in options.output.glob("*.csv"):
+            table.unlink()
+    options.output.mkdir(parents=True, exist_ok=True)
+    mark.write_text(version, encoding="utf-8")
+
+
+def make(name, options):
+    module = importlib.import_module(name)
+    rows = module.measured(Context(name, options))
+    folders = [options.output] + ([ROOT / "docs/images"] if options.docs else [])
+    for picture, figure in module.figures(rows).items():
+        style.save(figure, picture, folders)
+        print(f"study: {options.output / picture}.png", flush=True)
+    tables = module.tables(rows) if hasattr(module, "tables") else {}
+    for table in tables.values():
+        print("\n" + table, flush=True)
+    if options.docs:
+        docs_page.write_tables(tables, ROOT / "docs" / module.PAGE, "study")
+        shutil.copy(options.output / f"{name}.csv", ROOT / "docs/data" / f"{name}.csv")
+
+
+def main():
+    options = parsed_options()
+    if options.list:
+        for name in STUDIES:
+            print(f"{name:24}{importlib.import_module(name).__doc__.splitlines()[0]}")
+        return
+    forget_other_versions(options)
+    try:
+        for name in options.names or STUDIES:
+            make(name, options)
+    except StudyError as error:
+        sys.exit(f"study: {error}")
+    except KeyboardInterrupt:
+        sys.exit("study: interrupted; the same command goes on")
+
+
+if __name__ == "__main__":
+    main()
