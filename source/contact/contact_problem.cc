@@ -44,6 +44,12 @@ double ContactProblem::estimate_largest_compliance() const
   return eigenvalue;
 }
 
+double ContactProblem::rounding() const
+{
+  return std::numeric_limits<double>::epsilon() * largest_compliance_ *
+         *std::max_element(rho_.begin(), rho_.end());
+}
+
 void ContactProblem::set_step(const NodeVector &free, const NodeVector &previous)
 {
   eigen_assert(free.size() == 3 * n_nodes() && previous.size() == free.size());

@@ -6,11 +6,12 @@
 #include <cmath>
 #include <stdexcept>
 #include <string>
+#include <utility>
 
 namespace orthocone
 {
 SolverReport make_report(const ContactProblem &problem, const NodeVector &force,
-                         const unsigned int iterations, const double tolerance)
+                         const unsigned int iterations, const double tolerance, Trace trace)
 {
   const NodeVector d = problem.displacement(force);
   const NodeVector map = problem.natural_map(force, d);
@@ -19,6 +20,9 @@ SolverReport make_report(const ContactProblem &problem, const NodeVector &force,
   report.residual = problem.residual_of(map, force);
   report.converged = report.residual <= tolerance;
   report.law = law_errors(problem, force, d);
+  trace.add(iterations, report.residual, problem.force_scale(force));
+  report.verdict = judge(trace.points(), tolerance, problem.rounding());
+  report.trace = std::move(trace);
   double worst = -1;
   for (Eigen::Index node = 0; node < problem.n_nodes(); ++node)
   {
@@ -55,6 +59,10 @@ std::unique_ptr<ContactSolver> make_contact_solver(const ContactProblem &problem
     return std::make_unique<Uzawa>(problem, options);
   case ContactMethod::feng2006:
     return std::make_unique<Feng2006>(problem, options);
+  case ContactMethod::box3:
+    return std::make_unique<Box3>(problem, options);
+  case ContactMethod::plain_newton:
+    return std::make_unique<PlainNewton>(problem, options);
   }
   throw std::invalid_argument("unknown contact method");
 }

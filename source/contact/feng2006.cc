@@ -15,7 +15,7 @@ Feng2006::Feng2006(const ContactProblem &problem, const ContactSolverOptions &op
 {
   dense_compliance(problem, "feng2006");
   for (Index node = 0; node < problem.n_nodes(); ++node)
-    rho_.push_back(1 / problem.compliance().diagonal_block(node).diagonal().minCoeff());
+    rho_.push_back(rho_of_box3(problem, node, options.rho_factor));
 }
 
 void Feng2006::sweep(NodeVector &force) const

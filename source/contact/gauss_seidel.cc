@@ -19,7 +19,7 @@ GaussSeidel::GaussSeidel(const ContactProblem &problem, const ContactSolverOptio
   }
 }
 
-void GaussSeidel::sweep(NodeVector &force) const
+void GaussSeidel::sweep(NodeVector &force, const double relaxation) const
 {
   const Eigen::MatrixXd &w = *problem_.compliance().dense();
   const NodeVector &q = problem_.free_displacement();
@@ -31,10 +31,10 @@ void GaussSeidel::sweep(NodeVector &force) const
     const Vector3d others =
         q.segment<3>(3 * node) + w.middleCols<3>(3 * node).transpose() * force - one.compliance * old;
     const Vector3d exact = solve_one_node(one, others, old);
-    if (options_.relaxation == 1)
+    if (relaxation == 1)
       force.segment<3>(3 * node) = exact;
     else
-      force.segment<3>(3 * node) = project(one.law, old + options_.relaxation * (exact - old));
+      force.segment<3>(3 * node) = project(one.law, old + relaxation * (exact - old));
   }
 }
 
@@ -42,6 +42,6 @@ SolverReport GaussSeidel::solve(NodeVector &force)
 {
   constexpr unsigned int iterations_between_checks = 5;
   return iterate_until_converged(problem_, options_, iterations_between_checks, force,
-                                 [this](NodeVector &r) { sweep(r); });
+                                 [this](NodeVector &r) { sweep(r, options_.relaxation); });
 }
 } // namespace orthocone

@@ -15,24 +15,24 @@ using Eigen::VectorXd;
 using Eigen::VectorXf;
 
 NewtonSystem::NewtonSystem(const ContactProblem &problem, const NodeVector &force,
-                           const NodeVector &displacement)
+                           const NodeVector &displacement, const double rho_factor)
     : problem_(&problem)
 {
   nodes_.reserve(problem.n_nodes());
   for (Index node = 0; node < problem.n_nodes(); ++node)
   {
-    nodes_.push_back(linearize(node, force.segment<3>(3 * node), displacement.segment<3>(3 * node)));
+    nodes_.push_back(linearize(node, rho_factor * problem.rho(node), force.segment<3>(3 * node),
+                               displacement.segment<3>(3 * node)));
     nodes_.back().first = n_unknowns_;
     n_unknowns_ += nodes_.back().n_unknowns();
   }
   error_ = std::sqrt(error_);
 }
 
-NewtonSystem::Node NewtonSystem::linearize(const Index node, const Vector3d &force,
+NewtonSystem::Node NewtonSystem::linearize(const Index node, const double rho, const Vector3d &force,
                                            const Vector3d &displacement)
 {
   const OrthotropicFriction &law = problem_->law(node);
-  const double rho = problem_->rho(node);
   const Projection projection =
       project_with_derivative(law, force - rho * modified_displacement(law, displacement));
   const Vector3d map = force - projection.point;

@@ -14,10 +14,11 @@ namespace orthocone
 class NewtonSystem
 {
 public:
-  /// `displacement` belongs to `force`.
-  NewtonSystem(const ContactProblem &problem, const NodeVector &force, const NodeVector &displacement);
+  /// `displacement` belongs to `force`; the map is the one with `rho_factor` times the rho of the problem.
+  NewtonSystem(const ContactProblem &problem, const NodeVector &force, const NodeVector &displacement,
+               double rho_factor = 1);
 
-  /// Norm of the natural map, N.
+  /// Norm of that natural map, N.
   double error() const { return error_; }
 
   /// Newton's change of the forces, up to a relative error `tolerance` or what can be had in single
@@ -42,7 +43,8 @@ private:
     Eigen::Index n_unknowns() const { return zone == ConeZone::polar ? 0 : zone == ConeZone::inside ? 3 : 2; }
   };
 
-  Node linearize(Eigen::Index node, const Eigen::Vector3d &force, const Eigen::Vector3d &displacement);
+  Node linearize(Eigen::Index node, double rho, const Eigen::Vector3d &force,
+                 const Eigen::Vector3d &displacement);
   Eigen::VectorXd right_side(const InnerCompliance &compliance) const;
   Eigen::VectorXf apply(const InnerCompliance &compliance, const Eigen::VectorXf &unknowns) const;
   Eigen::VectorXf precondition(const InnerCompliance &compliance, const Eigen::VectorXf &rest) const;

@@ -22,10 +22,10 @@ NodeVector admissible(const ContactProblem &problem, NodeVector force)
 /// Forces, their displacement and what the natural map says there.
 struct Iterate
 {
-  Iterate(const ContactProblem &problem, NodeVector force_, NodeVector displacement_)
+  Iterate(const ContactProblem &problem, NodeVector force_, NodeVector displacement_, const double rho_factor)
       : force(std::move(force_)),
         displacement(std::move(displacement_)),
-        system(problem, force, displacement)
+        system(problem, force, displacement, rho_factor)
   {
   }
 
@@ -37,7 +37,7 @@ struct Iterate
 /// The first of the iterates along `change`, each half as far as the one before, that makes the natural map
 /// smaller; nothing if none does. W is linear, so that they cost no product with it.
 std::optional<Iterate> line_search(const ContactProblem &problem, const Iterate &start,
-                                   const NodeVector &change)
+                                   const NodeVector &change, const double rho_factor)
 {
   constexpr double sufficient_decrease = 1e-4;
   constexpr double smallest_step = 1. / 64;
@@ -45,48 +45,55 @@ std::optional<Iterate> line_search(const ContactProblem &problem, const Iterate 
   problem.compliance().vmult(moved, change);
   for (double step = 1; step >= smallest_step; step /= 2)
   {
-    Iterate trial(problem, start.force + step * change, start.displacement + step * moved);
+    Iterate trial(problem, start.force + step * change, start.displacement + step * moved, rho_factor);
     if (trial.system.error() <= (1 - sufficient_decrease * step) * start.system.error())
       return trial;
   }
   return std::nullopt;
 }
 
-/// The relaxation factor is for the sweeps as a method of their own.
-ContactSolverOptions unrelaxed(ContactSolverOptions options)
+/// Relaxation of the sweeps of a round. Where rounds keep stalling, exact sweeps send the forces to and fro,
+/// as single nodes have no solution or several (friction above the critical one): relaxed ones find a common
+/// solution.
+double relaxation_of_round(const unsigned int round)
 {
-  options.relaxation = 1;
-  return options;
+  constexpr unsigned int first_relaxed = 4;
+  if (round < first_relaxed || round % 2 == 0)
+    return 1;
+  return round % 4 == 1 ? 0.3 : 0.05;
 }
 } // namespace
 
 SemismoothNewton::SemismoothNewton(const ContactProblem &problem, const ContactSolverOptions &options)
     : problem_(problem),
       options_(options),
-      sweeps_(problem, unrelaxed(options)),
+      sweeps_(problem, options),
       inner_(dense_compliance(problem, "newton"), problem.largest_compliance())
 {
 }
 
 /// Newton iterations while each of them pays. Leaves the best forces and returns their residual.
-double SemismoothNewton::iterate_while_it_pays(NodeVector &force, unsigned int &iterations) const
+double SemismoothNewton::iterate_while_it_pays(NodeVector &force, unsigned int &iterations,
+                                               Trace &trace) const
 {
   constexpr unsigned int most_iterations = 12;
   constexpr double paying_reduction = 0.7; // a sweep costs far less than an iteration that gains less
   constexpr float inexactness = 0.01F;     // tighter costs more products than it saves iterations
-  Iterate best(problem_, force, problem_.displacement(force));
-  const auto residual = [&] { return best.system.error() / problem_.force_scale(best.force); };
+  Iterate best(problem_, force, problem_.displacement(force), options_.rho_factor);
+  // Not the error of the system, whose rho may be another one.
+  const auto residual = [&] { return problem_.residual(best.force, best.displacement); };
   const double first_residual = residual();
   for (unsigned int i = 0; i < most_iterations && iterations < options_.maximum_iterations; ++i)
   {
-    if (residual() <= options_.tolerance)
+    trace.add(iterations, residual(), problem_.force_scale(best.force));
+    if (trace.points().back().residual <= options_.tolerance)
       break;
     const double last_error = best.system.error();
     const NodeVector change = best.system.solve(inner_, inexactness);
     ++iterations;
     if (!change.allFinite())
       break;
-    auto next = line_search(problem_, best, change);
+    auto next = line_search(problem_, best, change, options_.rho_factor);
     if (!next)
       break;
     best = std::move(*next);
@@ -107,15 +114,19 @@ SolverReport SemismoothNewton::solve(NodeVector &force)
   constexpr unsigned int most_sweeps = 160;
   constexpr double good_start = 0.1; // sweeps are for starts that are farther off, and for stalls
   unsigned int iterations = 0;
+  Trace trace;
   double residual = problem_.residual(force);
+  trace.add(iterations, residual, problem_.force_scale(force));
   unsigned int n_sweeps = residual > good_start ? first_sweeps : 0;
-  while (residual > options_.tolerance && iterations < options_.maximum_iterations && std::isfinite(residual))
+  for (unsigned int round = 0;
+       residual > options_.tolerance && iterations < options_.maximum_iterations && std::isfinite(residual);
+       ++round)
   {
     for (unsigned int i = 0; i < n_sweeps && iterations < options_.maximum_iterations; ++i, ++iterations)
-      sweeps_.sweep(force);
-    residual = iterate_while_it_pays(force, iterations);
+      sweeps_.sweep(force, relaxation_of_round(round));
+    residual = iterate_while_it_pays(force, iterations, trace);
     n_sweeps = std::clamp(2 * n_sweeps, first_sweeps, most_sweeps);
   }
-  return make_report(problem_, force, iterations, options_.tolerance);
+  return make_report(problem_, force, iterations, options_.tolerance, std::move(trace));
 }
 } // namespace orthocone

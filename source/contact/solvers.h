@@ -10,6 +10,7 @@
 #include <orthocone/contact/one_node.h>
 
 #include <cmath>
+#include <utility>
 
 namespace orthocone
 {
@@ -21,8 +22,8 @@ public:
 
   SolverReport solve(NodeVector &force) override;
 
-  /// One sweep over all nodes, in place.
-  void sweep(NodeVector &force) const;
+  /// One sweep over all nodes, in place; `relaxation` is the share of the one-node solutions that is taken.
+  void sweep(NodeVector &force, double relaxation) const;
 
 private:
   const ContactProblem &problem_;
@@ -45,6 +46,36 @@ private:
   const ContactProblem &problem_;
   ContactSolverOptions options_;
   std::vector<double> rho_;
+};
+
+/// The paper's Box 3 for all nodes at once, as its text reads: prediction and correction with the
+/// displacements that the forces of the last iteration cause. Diverges where rho times the largest eigenvalue
+/// of W exceeds 2, which is nearly everywhere: for study only.
+class Box3 : public ContactSolver
+{
+public:
+  Box3(const ContactProblem &problem, const ContactSolverOptions &options);
+
+  SolverReport solve(NodeVector &force) override;
+
+private:
+  const ContactProblem &problem_;
+  ContactSolverOptions options_;
+};
+
+/// Semismooth Newton on the natural map as textbooks have it, every step taken in full. Cycles where the
+/// pieces of the map send it to and fro: for study only.
+class PlainNewton : public ContactSolver
+{
+public:
+  PlainNewton(const ContactProblem &problem, const ContactSolverOptions &options);
+
+  SolverReport solve(NodeVector &force) override;
+
+private:
+  const ContactProblem &problem_;
+  ContactSolverOptions options_;
+  InnerCompliance inner_;
 };
 
 /// Simultaneous projections with a self-adaptive step: the projection-contraction method of He and Liao (J.
@@ -76,7 +107,7 @@ public:
   SolverReport solve(NodeVector &force) override;
 
 private:
-  double iterate_while_it_pays(NodeVector &force, unsigned int &iterations) const;
+  double iterate_while_it_pays(NodeVector &force, unsigned int &iterations, Trace &trace) const;
 
   const ContactProblem &problem_;
   ContactSolverOptions options_;
@@ -92,14 +123,22 @@ SolverReport iterate_until_converged(const ContactProblem &problem, const Contac
                                      const unsigned int interval, NodeVector &force, const Iterate &iterate)
 {
   unsigned int n_iterations = 0;
+  Trace trace;
   double residual = problem.residual(force);
   while (residual > options.tolerance && n_iterations < options.maximum_iterations && std::isfinite(residual))
   {
+    trace.add(n_iterations, residual, problem.force_scale(force));
     for (unsigned int i = 0; i < interval && n_iterations < options.maximum_iterations; ++i, ++n_iterations)
       iterate(force);
     residual = problem.residual(force);
   }
-  return make_report(problem, force, n_iterations, options.tolerance);
+  return make_report(problem, force, n_iterations, options.tolerance, std::move(trace));
+}
+
+/// Step of the paper's Box 3 at a node: factor / min(w_nn, w_xx, w_yy).
+inline double rho_of_box3(const ContactProblem &problem, const Eigen::Index node, const double factor)
+{
+  return factor / problem.compliance().diagonal_block(node).diagonal().minCoeff();
 }
 
 /// The dense compliance, or std::invalid_argument naming the method that wants it.

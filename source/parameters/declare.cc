@@ -99,13 +99,21 @@ void declare_contact_solver(ContactSolverOptions &solver, ParameterHandler &hand
   add_choice(
       handler, "Method", solver.method,
       "newton: semismooth Newton between exact sweeps; gauss-seidel: sweeps of exact one-node solves; uzawa: "
-      "simultaneous projections with adaptive step; feng2006: the paper's Box 3, node by node.");
+      "simultaneous projections with adaptive step; feng2006: the paper's Box 3, node by node. For the study "
+      "of what "
+      "fails (docs/stability.md): box3, the paper's Box 3 for all nodes at once; plain-newton, semismooth "
+      "Newton without "
+      "line search and sweeps.");
   add_number(handler, "Tolerance", solver.tolerance, Range{1e-14, 1, true, false},
              "Bound of the natural-map residual relative to the contact forces.");
   add_count(handler, "Maximum iterations", solver.maximum_iterations, 1, 10000000,
             "Sweeps or iterations for one load step, and for each part of one that has to be halved.");
   add_number(handler, "Relaxation", solver.relaxation, Range{0, 2},
              "Relaxation factor of the sweeps of gauss-seidel: 1 takes the one-node solutions as they are.");
+  add_number(handler, "Rho factor", solver.rho_factor, positive,
+             "Factor of the rho of newton, plain-newton (1 / the largest diagonal entry of a node's "
+             "compliance), feng2006 "
+             "and box3 (1 / the smallest). The residual that is reported does not depend on it.");
 }
 
 void declare_checks(CheckOptions &checks, ParameterHandler &handler)

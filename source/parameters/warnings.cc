@@ -96,6 +96,23 @@ void warn_of_ignored_relaxation(const ContactSolverOptions &solver, std::vector<
                        "; it is for gauss-seidel");
 }
 
+void warn_of_ignored_rho(const ContactSolverOptions &solver, std::vector<std::string> &warnings)
+{
+  const bool has_none = solver.method == ContactMethod::gauss_seidel || solver.method == ContactMethod::uzawa;
+  if (has_none && solver.rho_factor != ContactSolverOptions().rho_factor)
+    warnings.push_back("Contact solver/Rho factor = " + to_text(solver.rho_factor) +
+                       " is ignored with Contact solver/Method = " + to_word(solver.method) +
+                       ", which has no rho to be chosen");
+}
+
+void warn_of_weak_method(const ContactSolverOptions &solver, std::vector<std::string> &warnings)
+{
+  if (solver.method == ContactMethod::box3 || solver.method == ContactMethod::plain_newton)
+    warnings.push_back(
+        "Contact solver/Method = " + to_word(solver.method) +
+        " is there to show where it fails (docs/stability.md); newton is the method to work with");
+}
+
 /// Forces may differ by a hundred times the residual that the solver leaves: W is that ill-conditioned.
 void warn_of_unresolved_period(const std::string &entry, const double bound, const double tolerance,
                                std::vector<std::string> &warnings)
@@ -152,6 +169,8 @@ std::vector<std::string> parameter_warnings(const Parameters &parameters)
                             parameters.contact_solver.tolerance, warnings);
   warn_of_coarse_rim(parameters.geometry, parameters.mesh, warnings);
   warn_of_ignored_relaxation(parameters.contact_solver, warnings);
+  warn_of_ignored_rho(parameters.contact_solver, warnings);
+  warn_of_weak_method(parameters.contact_solver, warnings);
   return warnings;
 }
 } // namespace orthocone

@@ -5,6 +5,7 @@
 #include <orthocone/parameters/parameters.h>
 #include <orthocone/parameters/text.h>
 #include <orthocone/simulation/blas_threads.h>
+#include <orthocone/simulation/diagnosis.h>
 #include <orthocone/simulation/interrupt.h>
 #include <orthocone/simulation/version.h>
 
@@ -141,7 +142,10 @@ QuasiStaticProblem::Outcome QuasiStaticProblem::advance_to(const LoadStep &step)
   const SolverReport report = timed(seconds, [&] { return model_.solver().solve(next, step); });
   record_.seconds.contact += seconds;
   if (!report.converged)
+  {
+    record_.verdict = report.verdict;
     return failure(step, report);
+  }
   const Totals totals = model_.totals(next);
   const StepChecks checks =
       timed(record_.seconds.checks,
@@ -243,13 +247,7 @@ QuasiStaticProblem::Outcome QuasiStaticProblem::failure(const LoadStep &step,
        << " mm) is not solved by " << to_word(options.method) << ", not even in eighths: residual "
        << report.residual << " > tolerance " << options.tolerance << ", penetration " << report.penetration
        << " mm, worst node at (" << place[0] << ", " << place[1] << ") mm after " << report.iterations
-       << " iterations.\nThe files of the steps before stay. ";
-  if (!std::isfinite(report.residual))
-    text << "The forces are no longer numbers: are lengths in mm, forces in N, moduli in MPa?";
-  else if (options.method == ContactMethod::newton)
-    text << "Try more Contact solver/Maximum iterations, or a tolerance that rounding allows.";
-  else
-    text << "Try Contact solver/Method = newton, or more Maximum iterations.";
+       << " iterations.\nThe files of the steps before stay. " << diagnosis(options, report);
   return {ExitCode::unsolved_step, text.str()};
 }
 

@@ -136,7 +136,8 @@ std::string summary_json(const Summary &summary)
   json["contact_solver"] = {{"method", to_word(summary.parameters.contact_solver.method)},
                             {"tolerance", summary.parameters.contact_solver.tolerance},
                             {"iterations", summary.record.n_iterations},
-                            {"largest_residual", summary.record.largest_residual}};
+                            {"largest_residual", summary.record.largest_residual},
+                            {"verdict", to_word(summary.record.verdict)}};
   json["peaks"] = {{"slip_mm", peak_json(summary.record.peaks.slip)},
                    {"pressure_MPa", peak_json(summary.record.peaks.pressure)},
                    {"force_z_N", peak_json(summary.record.peaks.force_z)}};

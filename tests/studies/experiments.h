@@ -15,4 +15,10 @@ using Words = std::vector<std::string>;
 /// studies compliance FILE.prm [--set "Section/Entry=value"]... [--matrix OUT]: figures of the compliance of
 /// a scene.
 void compliance(const Words &words);
+
+/// studies trace FILE.prm [--set "Section/Entry=value"]... [--step N] [--method WORD] [--condensed 0]:
+/// residuals of one step, solved from the forces of the step before; the steps up to there are solved by the
+/// method of the file. With
+/// --condensed 0 each product with the compliance is a solution with the sparse factor.
+void trace(const Words &words);
 } // namespace orthocone::studies

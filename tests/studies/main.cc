@@ -12,6 +12,7 @@ int main(const int argc, const char *const *const argv)
 {
   const std::map<std::string, void (*)(const Words &)> experiments{
       {"compliance", compliance},
+      {"trace", trace},
   };
   const Words words(argv + 1, argv + argc);
   const auto experiment = words.empty() ? experiments.end() : experiments.find(words.front());

@@ -45,6 +45,10 @@ public:
   /// Largest eigenvalue of W (estimated from below by power iterations to about 1 %).
   double largest_compliance() const { return largest_compliance_; }
 
+  /// Residual below which rounding of the displacement decides: the machine's precision times the largest
+  /// product of a node's rho and the largest eigenvalue of W.
+  double rounding() const;
+
   /// d = q + W r.
   NodeVector displacement(const NodeVector &force) const;
 

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
+#include <orthocone/contact/convergence.h>
 #include <orthocone/contact/law_errors.h>
 #include <orthocone/parameters/options.h>
 
@@ -20,11 +21,13 @@ struct SolverReport
   double penetration = 0;      ///< largest -gap (mm), the paper's own measure of convergence
   unsigned int n_parts = 1;    ///< 1, unless the step had to be divided
   LawErrors law;               ///< the same solution against the contact law in its own terms
+  Trace trace{};               ///< of the step, or of the part of it that failed
+  Verdict verdict = Verdict::slow;
 };
 
 /// Report on `force` as the solution of the present step of `problem`.
 SolverReport make_report(const ContactProblem &problem, const NodeVector &force, unsigned int iterations,
-                         double tolerance);
+                         double tolerance, Trace trace = {});
 
 /// Solver of the contact problem of a load step. Failure is a value of the report, not an exception.
 class ContactSolver

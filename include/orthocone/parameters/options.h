@@ -45,6 +45,8 @@ enum class ContactMethod
   gauss_seidel,
   uzawa,
   feng2006,
+  box3,
+  plain_newton,
 };
 
 /// Section Geometry (mm).
@@ -116,6 +118,7 @@ struct ContactSolverOptions
   double tolerance = 1e-10;               ///< bound of the relative natural-map residual
   unsigned int maximum_iterations = 5000; ///< sweeps or iterations of one step
   double relaxation = 1;                  ///< of the sweeps: share of the one-node solution that is taken
+  double rho_factor = 1;                  ///< of the methods that have a rho of their own
 };
 
 /// Section Checks: bounds of the independent checks of every step.

@@ -62,7 +62,8 @@ struct RunRecord
 
   unsigned int n_iterations = 0;
   double largest_residual = 0;
-  double largest_energy = 0; ///< StepChecks::energy, N mm
+  Verdict verdict = Verdict::converged; ///< of the last step that was tried
+  double largest_energy = 0;            ///< StepChecks::energy, N mm
   Peaks peaks{};
   std::pair<double, unsigned int> energy_defect{0, 0}; ///< the largest, and its step
   std::optional<AccuracyEstimate> accuracy{};          ///< where Mesh/Accuracy chose the mesh

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/parameters/parameters.h>
+#include <orthocone/parameters/text.h>
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <functional>
 
 namespace orthocone::test
@@ -86,17 +88,43 @@ TEST(Warnings, AreGivenForALoadProgramThatNeverPresses)
   EXPECT_TRUE(warned(no_cycle, warning));
 }
 
+namespace
+{
+bool is_warned_of(const ContactSolverOptions &solver, const std::string &warning)
+{
+  Parameters parameters;
+  parameters.contact_solver = solver;
+  const auto warnings = parameter_warnings(parameters);
+  return std::any_of(warnings.begin(), warnings.end(),
+                     [&](const std::string &text) { return text.find(warning) != std::string::npos; });
+}
+} // namespace
+
 TEST(Warnings, AreGivenForARelaxationThatTheMethodIgnores)
 {
   const std::string warning = "Contact solver/Relaxation = 1.2 is ignored";
-  for (const ContactMethod method :
-       {ContactMethod::newton, ContactMethod::uzawa, ContactMethod::feng2006, ContactMethod::gauss_seidel})
+  for (const auto &[method, word] : Words<ContactMethod>::table)
     for (const double relaxation : {1., 1.2})
-      EXPECT_EQ(warned(
-                    [&](Parameters &p) {
-                      p.contact_solver = {method, 1e-10, 5000, relaxation};
-                    },
-                    warning),
-                method != ContactMethod::gauss_seidel && relaxation != 1);
+      EXPECT_EQ(is_warned_of({method, 1e-10, 5000, relaxation}, warning),
+                method != ContactMethod::gauss_seidel && relaxation != 1)
+          << word;
+}
+
+TEST(Warnings, AreGivenForARhoThatTheMethodIgnores)
+{
+  const std::string warning = "Contact solver/Rho factor = 0.5 is ignored";
+  for (const auto &[method, word] : Words<ContactMethod>::table)
+    for (const double factor : {1., 0.5})
+      EXPECT_EQ(is_warned_of({method, 1e-10, 5000, 1, factor}, warning),
+                (method == ContactMethod::gauss_seidel || method == ContactMethod::uzawa) && factor != 1)
+          << word;
+}
+
+TEST(Warnings, AreGivenForMethodsThatAreThereToFail)
+{
+  for (const auto &[method, word] : Words<ContactMethod>::table)
+    EXPECT_EQ(is_warned_of({method}, "is there to show where it fails"),
+              method == ContactMethod::box3 || method == ContactMethod::plain_newton)
+        << word;
 }
 } // namespace orthocone::test

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "scene.h"
+
+#include <orthocone/parameters/text.h>
+#include <orthocone/simulation/stopwatch.h>
+
+#include <iostream>
+#include <stdexcept>
+
+namespace orthocone::studies
+{
+namespace
+{
+/// The compliance without condensation: every product is a solution with the factorized stiffness.
+class BodyCompliance : public Compliance
+{
+public:
+  BodyCompliance(const ContactModel &model, const SurfaceAxes &axes)
+      : model_(model),
+        axes_(axes)
+  {
+  }
+
+  Eigen::Index n_nodes() const override { return model_.problem().n_nodes(); }
+
+  void vmult(NodeVector &displacement, const NodeVector &force) const override
+  {
+    const Eigen::VectorXd volume = model_.condensed().elastic_displacement(force);
+    const Eigen::Matrix3d turn = axes_.global_in_local();
+    displacement.resize(force.size());
+    for (Eigen::Index node = 0; node < n_nodes(); ++node)
+    {
+      const ContactNode &place = model_.surface().nodes[node];
+      Eigen::Vector3d global = Eigen::Vector3d::Zero();
+      for (Eigen::Index d = 0; d < 3; ++d)
+        if (place.is_free[d])
+          global[d] = volume[place.dofs[d]];
+      displacement.segment<3>(3 * node) = turn.transpose() * global;
+    }
+  }
+
+  Eigen::Matrix3d diagonal_block(const Eigen::Index node) const override
+  {
+    return model_.problem().compliance().diagonal_block(node);
+  }
+
+private:
+  const ContactModel &model_;
+  SurfaceAxes axes_;
+};
+
+std::vector<OrthotropicFriction> laws_of(const ContactProblem &problem)
+{
+  std::vector<OrthotropicFriction> laws;
+  for (Eigen::Index node = 0; node < problem.n_nodes(); ++node)
+    laws.push_back(problem.given_law(node));
+  return laws;
+}
+
+void print(const SolverReport &report, const double setup_seconds, const Eigen::Index n_nodes)
+{
+  std::cout << "contact_nodes,setup_seconds,iterations,seconds,residual,force,verdict\n";
+  for (const TracePoint &point : report.trace.points())
+    std::cout << n_nodes << "," << setup_seconds << "," << point.iterations << "," << point.seconds << ","
+              << point.residual << "," << point.force << "," << to_word(report.verdict) << "\n";
+}
+} // namespace
+
+void trace(const Words &words)
+{
+  const SceneWords scene(words);
+  ContactModel model(scene.parameters, choose_model(scene.parameters));
+  ContactSolverOptions options = scene.parameters.contact_solver;
+  const auto method = scene.options.find("method");
+  if (method != scene.options.end())
+  {
+    const auto known = from_word<ContactMethod>(method->second);
+    if (!known)
+      throw std::runtime_error("--method " + method->second + ": allowed is " + all_words<ContactMethod>());
+    options.method = *known;
+  }
+  const March march(model, scene.parameters, static_cast<unsigned int>(scene.number("step", 1)));
+  const SurfaceAxes axes(scene.parameters.friction.angle);
+  const BodyCompliance body(model, axes);
+  const bool is_condensed = scene.number("condensed", 1) != 0;
+  ContactProblem problem(is_condensed ? model.problem().compliance() : body, laws_of(model.problem()));
+  problem.set_step(model.condensed().free_displacement(march.next.top), march.state.displacement);
+  double setup_seconds = 0;
+  const auto solver = timed(setup_seconds, [&] { return make_contact_solver(problem, options); });
+  NodeVector force = march.state.force; // the same start for all methods
+  print(solver->solve(force), setup_seconds, problem.n_nodes());
+}
+} // namespace orthocone::studies

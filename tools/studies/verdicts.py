@@ -1,0 +1,58 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""What came of a run, for the maps: how it ended, and whether methods that came to an end agree."""
+import csv
+import json
+import math
+
+from points import StudyError
+
+SOLVED, UNSOLVED = 0, 3  # exit codes
+# Sums over the steps of the history; two solutions are the same if all of these agree.
+SIGNATURE = ("force_z", "max_slip", "max_pressure", "dissipation", "elastic_energy")
+SAME = 1e-6  # relative, on top of what the tolerance leaves
+
+
+def history(folder):
+    with open(folder / "history.csv", newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def outcome(result, _point):
+    """Figures of a row: verdict, iterations of the hardest step, residual, steps solved, signature."""
+    if result.code not in (SOLVED, UNSOLVED):
+        raise StudyError(f"ended with code {result.code}: {result.errors.strip()}")
+    summary_file = result.folder / "summary.json"
+    if not summary_file.exists():
+        return {"verdict": "no-model", "iterations": 0, "residual": math.nan, "steps": 0, "signature": "",
+                "seconds": round(result.seconds, 3), "message": result.errors.splitlines()[0][:200]}
+    summary = json.loads(summary_file.read_text(encoding="utf-8"))
+    verdict = summary["contact_solver"]["verdict"]
+    if result.code == UNSOLVED and verdict == "converged":
+        verdict = "check"  # solved, but an independent check stopped the run
+    steps = history(result.folder) if (result.folder / "history.csv").exists() else []
+    sums = [math.fsum(float(row[name]) for row in steps) for name in SIGNATURE]
+    return {"verdict": verdict, "iterations": max((int(row["iterations"]) for row in steps), default=0),
+            "residual": summary["contact_solver"]["largest_residual"], "steps": len(steps),
+            "signature": " ".join(f"{value:.12g}" for value in sums), "seconds": round(result.seconds, 3),
+            "message": " ".join(result.errors.split())[:300]}
+
+
+def agree(one, other, tolerance):
+    """Whether two signatures are the same solution."""
+    pairs = list(zip(map(float, one.split()), map(float, other.split())))
+    bound = SAME + 1e3 * tolerance
+    return all(abs(a - b) <= bound * max(abs(a), abs(b)) + 1e-12 for a, b in pairs)
+
+
+def with_agreement(rows):
+    """Marks the converged rows of a point that differ from what most converged methods found: `other`."""
+    converged = [row for row in rows if row["verdict"] == "converged"]
+    for row in converged:
+        tolerance = float(row["tolerance"])
+        row["n_agree"] = sum(agree(row["signature"], other["signature"], tolerance) for other in converged)
+    most = max((row["n_agree"] for row in converged), default=0)
+    for row in converged:
+        if row["n_agree"] < most:
+            row["verdict"] = "other"
+    return rows
