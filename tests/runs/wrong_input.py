@@ -34,7 +34,7 @@ WRONG_VALUES = [
     ("Mesh", "Degree", "a whole number from 1 to 4", ["9", "0"]),
     ("Mesh", "Core ratio", "a number >= 0.01 and < 1", ["1", "0"]),
     ("Mesh", "Rim grading", "a number > 0 and <= 10", ["0"]),
-    ("Contact solver", "Method", "newton | gauss-seidel | uzawa | feng2006", ["magic"]),
+    ("Contact solver", "Method", "newton | gauss-seidel | uzawa | feng2006 | box3 | plain-newton", ["magic"]),
     ("Contact solver", "Tolerance", "a number >= 1e-14 and < 1", ["0"]),
     ("Contact solver", "Maximum iterations", "a whole number from 1 to 10000000", ["0"]),
     ("Load program", "Legs", LEG, ["0 0 -0.1 : 0", "0 0 -0.1", "0 -0.1 : 5", "down : 5", "0 0 nan : 5",

@@ -89,8 +89,9 @@ def map_figure(name, rows):
     lines = list(dict.fromkeys(row["y"] for row in rows))
     n_columns = 3 if len(methods) > 4 else 2
     n_lines = math.ceil(len(methods) / n_columns)
-    figure, grid = plt.subplots(n_lines, n_columns, figsize=(3.4 * n_columns, 2.9 * n_lines), squeeze=False,
-                                sharex=True, sharey=True)
+    figure = plt.figure(figsize=(3.4 * n_columns, 2.9 * n_lines + 0.4))
+    maps, legend = figure.subfigures(2, 1, height_ratios=(2.9 * n_lines, 0.4))
+    grid = maps.subplots(n_lines, n_columns, squeeze=False, sharex=True, sharey=True)
     for axes, method in zip(grid.flat, methods):
         own = [row for row in rows if row["method"] == method]
         draw_map(axes, own, columns, lines)
@@ -103,7 +104,7 @@ def map_figure(name, rows):
         axes.set_xlabel(x_label)
     for axes in grid[:, 0]:
         axes.set_ylabel(y_label)
-    add_legend(figure, {row["verdict"] for row in rows})
+    add_legend(legend, {row["verdict"] for row in rows})
     return figure
 
 
@@ -112,7 +113,7 @@ def add_legend(figure, found):
     handles = [patch(color=shade(n), label=f"{n} iterations") for n in (5, 50, 500)]
     handles += [patch(facecolor=colour, edgecolor="grey", label=f"{letter}: {kind}")
                 for kind, (colour, letter) in KINDS.items() if kind in found]
-    figure.legend(handles=handles, loc="outside lower center", ncols=len(handles), fontsize=7)
+    figure.legend(handles=handles, loc="center", ncols=len(handles), fontsize=7)
 
 
 def figures(rows):
