@@ -3,8 +3,8 @@
 """Fields of contact files between their nodes, as the polynomials that they are, and norms of their differences.
 
 A cell of a solid model is the image of the unit square under the polynomial through its nodes, which stand at the
-Gauss-Lobatto points (VTK believes that they are equidistant). An axisymmetric model has polynomials of the radius through
-the nodes themselves, wherever they stand (those of the cell on the axis are other points)."""
+Gauss-Lobatto points (VTK believes that they are equidistant). An axisymmetric model has polynomials of the radius
+through the nodes themselves, wherever they stand (those of the cell on the axis are other points)."""
 import numpy as np
 
 RADIUS = 10.  # of the paper's cylinder, mm
@@ -17,7 +17,7 @@ def gauss_lobatto(degree):
 
 
 def lagrange(nodes, places):
-    """Values and derivatives at the places (n) of the polynomials of the nodes (k), or of nodes of each place (n, k)."""
+    """Values and derivatives at the places (n) of the polynomials of the nodes: (k), or of each place (n, k)."""
     nodes = np.broadcast_to(nodes, (len(places), np.shape(nodes)[-1]))
     k = nodes.shape[1]
     away = places[:, None] - nodes

@@ -3,7 +3,7 @@
 """Error against time of meshes: degree, uniform or graded, axisymmetric or solid, cases A, B and C.
 
 One proportional step to the peak, then three steps up to a fifth of it. Errors are relative to a run that is finer than
-all others; its own error is at most about its difference to a second, coarser one."""
+all others; the order of its own error is its difference to a second, coarser one."""
 import discretization_charts
 import numpy as np
 from contact_surface import RevolvedSurface, SolidSurface, quarter_rule, relative_l2
@@ -37,8 +37,8 @@ def entries(degree, core, rings, factor, n_layers, layer_factor):
 
 
 def graded(degree, rings):
-    """Cells shrink towards the rim, base and top. A fixed factor from ring to ring would leave the widest ring as wide as
-    it is, however many there are; so it rises towards 1. The lowest layer is as thick as the outermost ring."""
+    """Cells shrink towards the rim, base and top. A fixed factor from ring to ring would leave the widest ring as wide
+    as it is, however many there are; so it rises towards 1. The lowest layer is as thick as the outermost ring."""
     factor = round(max(0.4, 1 - 3.2 / rings), 2)
     thinnest = 0.4 * factor**(rings - 1) / sum(factor**i for i in range(rings))  # of height and radius, which are equal
     layer_factor = next((grading for grading in np.round(np.arange(1, 0.3, -0.01), 2)

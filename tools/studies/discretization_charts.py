@@ -26,7 +26,8 @@ def seconds(row):
 
 
 def chosen(rows, case, **wanted):
-    return [row for row in rows if row["case"] == case and all(row[name] == str(value) for name, value in wanted.items())]
+    wanted["case"] = case
+    return [row for row in rows if all(row[name] == str(value) for name, value in wanted.items())]
 
 
 def _draw_ladders(axes, rows, case, model, name):
@@ -84,7 +85,10 @@ def _picture(rows, names, sections):
             axes.set_xticks([tick for tick in (0.2, 0.5, 1, 2, 5, 10, 20, 50) if low <= tick <= high])
             axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
         line[0].set_ylabel(f"{title}\nerror (%)")
-        bottom = line[0].get_ylim()[0]
+        bottom, top = line[0].get_ylim()
+        line[0].yaxis.set_minor_formatter(NullFormatter())
+        if top < 30 * bottom:
+            line[0].set_yticks([tick for tick in (0.1, 0.2, 0.5, 1, 2, 5, 10, 20) if bottom <= tick <= top])
         for axes, (case, _) in zip(line, sections):
             _draw_doubt(axes, rows, case, name, bottom)
         line[0].set_ylim(bottom=bottom)
@@ -111,7 +115,8 @@ def _fastest(rows, names, bound):
 
 
 def _table_of_fastest(rows, sections):
-    text = "| case, model | three errors within | degree 1 | degree 2 | degree 3 | degree 4 |\n|---|---|---|---|---|---|\n"
+    text = "| case, model | three errors within | degree 1 | degree 2 | degree 3 | degree 4 |\n"
+    text += "|---|---|---|---|---|---|\n"
     for case, model in sections:
         for bound in BOUNDS:
             meshes = [row for family in ("uniform", "graded") for row in chosen(rows, case, model=model, family=family)]

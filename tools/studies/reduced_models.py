@@ -56,10 +56,10 @@ def medians(rows):
                   for model, runs in models.items()} for key, models in groups.items()}
 
 
-def difference(row, full):
-    """The largest of all answers in all steps, relative to the largest of its kind."""
+def difference(row, full, answers):
+    """The largest in all steps, relative to the largest of its kind."""
     worst = 0
-    for answer in ANSWERS:
+    for answer in answers:
         names = [name for name in row if name.startswith(answer + "_")]
         scale = max(abs(float(full[name])) for name in names)
         worst = max([worst, *(abs(float(row[name]) - float(full[name])) / scale for name in names)])
@@ -68,15 +68,18 @@ def difference(row, full):
 
 def figures(rows):
     groups = medians(rows)
-    figure, grid = plt.subplots(2, len(MODELS), figsize=(9, 6), sharey="row")
+    figure, grid = plt.subplots(2, len(MODELS), figsize=(9, 5.5), sharey="row")
     for column, (case, models) in zip(grid.T, MODELS.items()):
         column[0].set_title(f"case {case.upper()}")
         for axes, name, label in zip(column, ("seconds", "gigabytes"), ("seconds, one thread", "memory (GB)")):
             for colour, mesh in zip(style.COLOURS, MESHES):
                 if (case, mesh) in groups:
-                    axes.plot(models, [groups[case, mesh][model][name] for model in models], "o-", color=colour, label=mesh)
+                    values = [groups[case, mesh][model][name] for model in models]
+                    axes.plot(models, values, "o-", color=colour, label=mesh)
             axes.set_yscale("log")
-            axes.set_xlim(-0.3, 3.3)
+            axes.set(xlim=(-0.3, len(models) - 0.7))
+            low, high = axes.get_ylim()
+            axes.set_yticks([tick for tick in (0.1, 0.2, 0.5, 1, 2, 5, 10, 20) if low <= tick <= high])
             axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
             axes.yaxis.set_minor_formatter(NullFormatter())
             if case == "a":
@@ -86,12 +89,14 @@ def figures(rows):
 
 
 def tables(rows):
-    text = ("| case | mesh | model | contact nodes | unknowns | seconds | times as fast | GB | largest difference |\n"
-            "|---|---|---|---|---|---|---|---|---|\n")
+    text = ("| case | mesh | model | contact nodes | unknowns | seconds | times as fast | GB | difference | of stick area |\n"
+            "|---|---|---|---|---|---|---|---|---|---|\n")
     for (case, mesh), models in medians(rows).items():
         full = models["full"]
         for model, row in models.items():
+            differences = [format(difference(row, full, answers), ".0e") if model != "full" else ""
+                           for answers in (ANSWERS[:-1], ANSWERS[-1:])]
             text += (f"| {case.upper()} | {mesh} | {model} | {row['contact_nodes']} | {row['unknowns']} | "
                      f"{row['seconds']:.2f} | {full['seconds'] / row['seconds']:.1f} | {row['gigabytes']:.2f} | "
-                     f"{'' if model == 'full' else format(difference(row, full), '.1g')} |\n")
+                     f"{' | '.join(differences)} |\n")
     return {"reduced models": text}
