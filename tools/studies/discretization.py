@@ -56,7 +56,7 @@ def case_point(case, model, family, size, settings, file=None):
 
 
 def ladders(case, model, is_quick):
-    n = 2 if is_quick else None
+    n = 1 if is_quick else None
     for degree, sizes in UNIFORM[model].items():
         for size in sizes[:n]:
             yield case_point(case, model, "uniform", size, uniform(degree, size))
@@ -117,10 +117,17 @@ def reference_file(context, case):
     return context.folder / f"discretization-{case}.npz"
 
 
-def reference_points(context):
-    models = {"a": "axisymmetric", "b": "quarter", "c": "quarter"}
-    return [case_point(case, model, "reference", "first",
-                       entries(*(QUICK if context.is_quick else REFERENCES)[model])) for case, model in models.items()]
+def reference_points(sections, size, meshes):
+    """Case A has one reference for both of its models."""
+    return [case_point(case, model, "reference", size, entries(*meshes[model]))
+            for case, model in sections if (case, model) != ("a", "quarter")]
+
+
+def kept(file):
+    """Quantities and fields of a reference, which are no part of its row."""
+    if not file.exists():
+        raise StudyError(f"{file} is gone: the study has to be made again with --anew")
+    return dict(np.load(file))
 
 
 def measured(context):
@@ -129,28 +136,31 @@ def measured(context):
         np.savez_compressed(reference_file(context, point.columns["case"]), **values)
         return {**row, **errors(values, values)}
 
-    rows = context.measure(reference_points(context), keep, jobs=context.jobs, threads=1)
-    missing = [reference_file(context, case) for case in "abc" if not reference_file(context, case).exists()]
-    if missing:
-        raise StudyError(f"{missing[0]} is gone: the study has to be made again with --anew")
-    references = {case: dict(np.load(reference_file(context, case))) for case in "abc"}
+    sections = SECTIONS[::2] if context.is_quick else SECTIONS
+    points = reference_points(sections, "first", QUICK if context.is_quick else REFERENCES)
+    rows = context.measure(points, keep, jobs=context.jobs, threads=1)
+    references = {row["case"]: kept(reference_file(context, row["case"])) for row in rows}
 
     def compare(result, point):
         row, values = figures_of_run(result, point)
         return {**row, **errors(values, references[point.columns["case"]])}
 
     if not context.is_quick:
-        second = [case_point(case, model, "reference", "second", entries(*SECOND[model]))
-                  for case, model in SECTIONS if (case, model) != ("a", "quarter")]
-        rows += context.measure(second, compare, jobs=context.jobs, threads=1)
-    points = [point for case, model in SECTIONS for make in (ladders, marked)
+        points = reference_points(sections, "second", SECOND)
+        rows += context.measure(points, compare, jobs=context.jobs, threads=1)
+    points = [point for case, model in sections for make in (ladders, marked)
               for point in make(case, model, context.is_quick)]
     return rows + context.measure(points, compare, threads=1)
 
 
+def shown(rows):
+    """The sections that have been measured."""
+    return [section for section in SECTIONS if section in {(row["case"], row["model"]) for row in rows}]
+
+
 def figures(rows):
-    return discretization_charts.figures(rows, SECTIONS)
+    return discretization_charts.figures(rows, shown(rows))
 
 
 def tables(rows):
-    return discretization_charts.tables(rows, SECTIONS)
+    return discretization_charts.tables(rows, shown(rows))
