@@ -42,10 +42,14 @@ class ContactFile:
     def degree(self):
         return int(round(np.sqrt(self.cells.shape[1]))) - 1
 
+    def lattice(self):
+        """Place of the point (i, j) of a cell among its points."""
+        return _lattice(self.degree)
+
     def quadrilaterals(self):
         """The cells cut into quadrilaterals between all their points."""
         n = self.degree + 1
-        grid = _lattice(self.degree)
+        grid = self.lattice()
         quads = [(grid[i, j], grid[i + 1, j], grid[i + 1, j + 1], grid[i, j + 1])
                  for i in range(n - 1) for j in range(n - 1)]
         return np.concatenate([self.cells[:, quad] for quad in quads])

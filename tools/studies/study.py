@@ -16,7 +16,8 @@ import style  # noqa: E402
 # Module of each study, in the order of docs/accuracy.md and docs/stability.md. A module has PAGE, the page of docs/
 # that shows it; measured(context), the rows of its points; figures(rows), {name: figure}; and, if the page has tables
 # of it, tables(rows), {name: text}.
-STUDIES = ("solvers", "maps")
+STUDIES = ("discretization", "solvers", "load_stepping", "slip_integration", "projection", "reduced_models", "maps",
+           "uniqueness", "locking")
 
 
 class Context:
@@ -26,6 +27,7 @@ class Context:
         self.name = name
         self.is_quick = options.quick
         self.jobs = options.jobs
+        self.folder = options.output  # of files that are no rows
         self._programs = {"build/orthocone": options.program, "build/tests/studies/studies": options.studies}
         self._table = Table(options.output / f"{name}.csv", options.anew)
 
