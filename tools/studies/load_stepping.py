@@ -21,7 +21,6 @@ ONE_CYCLE = {"Load program/Cycles": 1, "Output/Contact fields": 0, "Output/Volum
 CYCLE_STEPS, CYCLE_REFERENCE = (5, 10, 20, 40, 80, 160), 1280
 TURN_STEPS, TURN_REFERENCE = (1, 2, 4, 8), 32
 QUANTITIES = {"slip": "slip history", "work": "loop (work of the top)", "dissipation": "dissipation"}
-N_COMMON = {"cycle": 15, "turn": 25}
 
 
 def cycle(steps):
@@ -39,6 +38,7 @@ def turn(steps):
     return {**ONE_CYCLE, "Load program/Preload": "0 0 -0.1 : 1", "Load program/Legs": " ; ".join(legs)}
 
 
+TWO_STEP = "two-step formula"  # its slips are those of the node nearest to the probe
 PROGRAMS = {"cycle": (cycle, CYCLE_STEPS, CYCLE_REFERENCE), "turn": (turn, TURN_STEPS, TURN_REFERENCE)}
 
 
@@ -51,11 +51,11 @@ def small_point(case, program, steps):
                          {**SMALL, **PROGRAMS[program][0](steps)})
 
 
-def two_step_point(case, program, steps, scheme):
+def two_step_point(case, program, steps):
     settings = {**SMALL, **PROGRAMS[program][0](steps)}
     words = [word for entry, value in settings.items() for word in ("--set", f"{entry}={value}")]
-    return tool_point(columns(case, program, "small", f"{scheme}, node", steps), "slip_integration",
-                      f"prm/paper/case_{case}.prm", *words, "--scheme", scheme)
+    return tool_point(columns(case, program, "small", TWO_STEP, steps), "slip_integration",
+                      f"prm/paper/case_{case}.prm", *words, "--scheme", "bdf2")
 
 
 def mesh_point(case, resolution):
@@ -100,13 +100,8 @@ def all_points(is_quick):
     points = [small_point(case, "cycle", steps) for case in "abc" for steps in (*CYCLE_STEPS, CYCLE_REFERENCE)]
     points += [small_point(case, "turn", steps) for case in "bc" for steps in (*TURN_STEPS, TURN_REFERENCE)]
     points += [mesh_point(case, resolution) for case in "abc" for resolution in ("paper", "fine")]
-    for case in "bc":
-        points.append(two_step_point(case, "cycle", CYCLE_REFERENCE, "backward-euler"))
-        points += [two_step_point(case, "cycle", steps, scheme)
-                   for steps in CYCLE_STEPS[1:5] for scheme in ("backward-euler", "bdf2")]
-        points.append(two_step_point(case, "turn", TURN_REFERENCE, "backward-euler"))
-        points += [two_step_point(case, "turn", steps, scheme)
-                   for steps in TURN_STEPS for scheme in ("backward-euler", "bdf2")]
+    points += [two_step_point(case, "cycle", steps) for case in "bc" for steps in (*CYCLE_STEPS[1:5], CYCLE_REFERENCE)]
+    points += [two_step_point(case, "turn", steps) for case in "bc" for steps in (*TURN_STEPS, TURN_REFERENCE)]
     return points
 
 
@@ -129,17 +124,21 @@ def errors(row, truth):
     return found
 
 
-class Family:
-    """Rows of one case and program, in the order of their steps; the last one of backward Euler is the truth."""
+def extrapolated(coarse, fine):
+    """What runs of n and 2n steps tell together, if errors are of first order."""
+    row = {name: f"{2 * float(fine[name]) - float(coarse[name]):.9g}" for name in ("work", "dissipation")}
+    return {"slips": as_text(2 * slips_of(fine) - slips_of(coarse)), **row}
 
-    def __init__(self, rows, case, load, scheme="backward Euler", truth_scheme=None):
-        mine = [row for row in rows if (row["case"], row["load"], row["mesh"]) == (case, load, "small")]
-        of_scheme = sorted((row for row in mine if row["scheme"] == scheme), key=lambda row: int(row["steps"]))
-        exact = [row for row in mine if row["scheme"] == (truth_scheme or scheme)]
-        truth = max(exact, key=lambda row: int(row["steps"]), default=None)
-        self.rows = [row for row in of_scheme if row is not truth]
+
+class Family:
+    """Rows of one case and program, in the order of their steps; the last one is the truth."""
+
+    def __init__(self, rows, case, load, scheme="backward Euler"):
+        wanted = (case, load, "small", scheme)
+        mine = [row for row in rows if tuple(row[name] for name in ("case", "load", "mesh", "scheme")) == wanted]
+        *self.rows, self.truth = sorted(mine, key=lambda row: int(row["steps"])) or [None]
         self.steps = [int(row["steps"]) for row in self.rows]
-        self.errors = [errors(row, truth) for row in self.rows]
+        self.errors = [errors(row, self.truth) for row in self.rows]
 
     def error(self, quantity):
         return np.array([error[quantity] for error in self.errors])
@@ -172,7 +171,7 @@ def draw_quantity(ax, rows, quantity, load):
         scale = 24 if load == "turn" else 1  # steps of the whole program
         ax.loglog([scale * steps for steps in family.steps], 100 * family.error(quantity), "o-", ms=4,
                   color=CASE_COLOURS[case], label=f"{case}, order {family.order(quantity):.2f}")
-        two_step = Family(rows, case, load, "bdf2, node", "backward-euler, node")
+        two_step = Family(rows, case, load, TWO_STEP)
         if quantity in ("slip", "dissipation") and two_step.rows:
             ax.loglog([scale * steps for steps in two_step.steps], 100 * two_step.error(quantity), "^:", ms=4,
                       mfc="white", color=CASE_COLOURS[case],
@@ -188,12 +187,17 @@ def figures(rows):
         for ax, (quantity, label) in zip(line, QUANTITIES.items()):
             draw_quantity(ax, rows, quantity, load)
             ax.set_title(f"{label}, {'the cycle' if load == 'cycle' else 'a path that turns'}", fontsize=9)
-            ax.set_xlabel("steps of unloading" if load == "cycle" else "steps of the path (26 corners)")
+            ax.set_xlabel("steps of unloading" if load == "cycle" else "steps of the path (18 legs)")
+            shown = PROGRAMS[load][1] if load == "cycle" else [24 * steps for steps in PROGRAMS[load][1]]
+            ax.set_xticks(shown, shown)
+            ax.minorticks_off()
             if ax.lines:
-                ax.legend(fontsize=7)
+                ax.legend(fontsize=7, loc="lower left")
         line[0].set_ylabel("error in %")
+    axes[0, 0].set_ylim(bottom=2e-4)  # room for the legends
+    axes[1, 0].set_ylim(bottom=1e-3)
     axes[0, 0].axvline(10, color="0.5", lw=0.8)
-    axes[0, 0].annotate("paper", (10, 0.02), (3, 0), xycoords=("data", "axes fraction"), textcoords="offset points",
+    axes[0, 0].annotate("paper", (10, 0.96), (3, 0), xycoords=("data", "axes fraction"), textcoords="offset points",
                         fontsize=7, color="0.3")
     return {"load_stepping": figure}
 
@@ -208,7 +212,7 @@ def tables(rows):
     for load, shown in (("cycle", (5, 10, 40, 160)), ("turn", (1, 2, 8))):
         for case in "ABC":
             family = Family(rows, case, load)
-            two_step = Family(rows, case, load, "bdf2, node", "backward-euler, node")
+            two_step = Family(rows, case, load, TWO_STEP)
             for number, steps in enumerate(family.steps):
                 if steps not in shown:
                     continue
@@ -219,6 +223,13 @@ def tables(rows):
                 place = f"{steps} up" if load == "cycle" else f"{24 * steps} on the path"
                 lines.append(f"| {case} | {place} | " + " | ".join(percent(error[name]) for name in QUANTITIES) +
                              f" | {orders} | {also} |")
+    for case in "ABC":
+        family = Family(rows, case, "cycle")
+        pair = [row for row in family.rows if row["steps"] in ("10", "20")]
+        if len(pair) == 2:
+            error = errors(extrapolated(*pair), family.truth)
+            lines.append(f"| {case} | 10 and 20 up, extrapolated | " +
+                         " | ".join(percent(error[name]) for name in QUANTITIES) + " | – | – |")
     for case in "ABC":
         if mesh := mesh_errors(rows, case):
             lines.append(f"| {case} | the paper's mesh | " + " | ".join(percent(mesh[name]) for name in QUANTITIES) +
