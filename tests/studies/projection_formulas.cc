@@ -126,7 +126,7 @@ double companion(const OrthotropicFriction &law, const Vector3d &tau)
   return test::wanted_root(law, tau, test::companion_roots(test::multiplier_quartic(law, tau)));
 }
 
-/// Some root of z^3 + a z^2 + b z + c by Cardano's formula, not zero if there is another one.
+/// The largest root of z^3 + a z^2 + b z + c by Cardano's formula: Ferrari's formula divides by it.
 Complex cubic_root(const Complex &a, const Complex &b, const Complex &c)
 {
   const Complex p = b - a * a / 3.;
@@ -134,7 +134,15 @@ Complex cubic_root(const Complex &a, const Complex &b, const Complex &c)
   const Complex root = std::sqrt(q * q / 4. + p * p * p / 27.);
   const Complex sum = std::abs(-q / 2. + root) > std::abs(-q / 2. - root) ? -q / 2. + root : -q / 2. - root;
   const Complex u = std::pow(sum, 1. / 3.);
-  return (u == 0. ? 0. : u - p / (3. * u)) - a / 3.;
+  Complex largest = -a / 3.;
+  for (int k = 0; k < 3 && u != 0.; ++k)
+  {
+    const Complex v = u * std::polar(1., 2 * M_PI * k / 3);
+    const Complex root_k = v - p / (3. * v) - a / 3.;
+    if (std::abs(root_k) > std::abs(largest))
+      largest = root_k;
+  }
+  return largest;
 }
 
 /// Ferrari's closed form.

@@ -75,14 +75,14 @@ def figures(rows):
             colour = PALETTE[number]
             ax.plot([time, time], [worst, median], "-", color=colour, lw=1)
             ax.plot(time, median, MARKERS[number], color=colour, mfc="white", ms=6)
-            ax.plot(time, worst, MARKERS[number], color=colour, ms=7, label=label)
+            ax.plot(time, worst, MARKERS[number], color=colour, ms=7, label=label, zorder=3 if number == 0 else 2)
             if failure_share(row) > 0:
-                ax.annotate(f"no answer: {100 * failure_share(row):.2g} %", (time, worst), (7, -3), color=colour,
-                            textcoords="offset points", fontsize=8)
+                ax.annotate(f"{100 * failure_share(row):.2g} % fail", (time, worst), (0, -13), color=colour,
+                            textcoords="offset points", fontsize=7, ha="center")
         ax.set_xscale("log")
         ax.set_title(title, fontsize=9)
         ax.set_xlabel("nanoseconds a call (median)")
-        ax.set_ylim(-0.5, 17)
+        ax.set_ylim(-1.5, 17)
     axes[0].set_ylabel("correct digits (filled: worst, open: median)")
     figure.get_layout_engine().set(rect=(0, 0.17, 1, 0.83))  # room for the legend
     handles, labels = axes[0].get_legend_handles_labels()
