@@ -18,7 +18,19 @@ void compliance(const Words &words);
 
 /// studies trace FILE.prm [--set "Section/Entry=value"]... [--step N] [--method WORD] [--condensed 0]:
 /// residuals of one step, solved from the forces of the step before; the steps up to there are solved by the
-/// method of the file. With
-/// --condensed 0 each product with the compliance is a solution with the sparse factor.
+/// method of the file. With --condensed 0 each product with the compliance is a solution with the sparse factor.
 void trace(const Words &words);
+
+/// studies projection FORMULA LAWS: accuracy and time of a formula for the projection, a line for each class
+/// of points and law.
+void projection(const Words &words);
+
+/// studies layer SCHEME PROGRAM FRICTION STEPS...: one node on an elastic layer, its slip integrated by a
+/// scheme.
+void layer(const Words &words);
+
+/// studies slip_integration FILE.prm [--set "Section/Entry=value"]... [--scheme bdf2] [--x X] [--y Y]: a
+/// march through a scene with backward Euler or a formula of two steps for the slip, and what comes of the
+/// node nearest to (x, y).
+void slip_integration(const Words &words);
 } // namespace orthocone::studies

@@ -13,6 +13,9 @@ int main(const int argc, const char *const *const argv)
   const std::map<std::string, void (*)(const Words &)> experiments{
       {"compliance", compliance},
       {"trace", trace},
+      {"projection", projection},
+      {"layer", layer},
+      {"slip_integration", slip_integration},
   };
   const Words words(argv + 1, argv + argc);
   const auto experiment = words.empty() ? experiments.end() : experiments.find(words.front());

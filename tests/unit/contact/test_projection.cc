@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 #include "laws.h"
+#include "quartic.h"
 
-#include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
-
-#include <complex>
 
 namespace orthocone::test
 {
@@ -123,37 +121,9 @@ namespace
 /// Projection by the quartic of the paper, from the eigenvalues of its companion matrix.
 Vector3d project_by_quartic(const OrthotropicFriction &law, const Vector3d &tau)
 {
-  using Polynomial = Eigen::Matrix<double, 5, 1>; // coefficients of 1, lambda, ..., lambda^4
-  const auto square_times_square =
-      [](const double a, const double sign_a, const double b, const double sign_b)
-  {
-    const Vector3d p(a * a, 2 * a * sign_a, 1);
-    const Vector3d q(b * b, 2 * b * sign_b, 1);
-    Polynomial product = Polynomial::Zero();
-    for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 3; ++j)
-        product[i + j] += p[i] * q[j];
-    return product;
-  };
-  const double x = law.mu_x * law.mu_x;
-  const double y = law.mu_y * law.mu_y;
-  const Polynomial quartic = tau[1] * tau[1] * x * square_times_square(y, 1, 1, -1) +
-                             tau[2] * tau[2] * y * square_times_square(x, 1, 1, -1) -
-                             tau[0] * tau[0] * square_times_square(x, 1, y, 1);
-  Eigen::Matrix4d companion = Eigen::Matrix4d::Zero();
-  companion.diagonal(-1).setOnes();
-  companion.col(3) = -quartic.head<4>() / quartic[4];
-  Vector3d nearest = Vector3d::Zero();
-  const Eigen::EigenSolver<Eigen::Matrix4d> solver(companion);
-  for (const std::complex<double> &root : solver.eigenvalues())
-  {
-    const double lambda = root.real();
-    const Vector3d r(tau[0] / (1 - lambda), tau[1] / (1 + lambda / x), tau[2] / (1 + lambda / y));
-    const bool is_wanted = lambda > 0 && r[0] > 0 && std::abs(root.imag()) < 1e-3 * std::abs(lambda);
-    if (is_wanted && (tau - r).norm() < (tau - nearest).norm())
-      nearest = r;
-  }
-  return nearest;
+  const double lambda = wanted_root(law, tau, companion_roots(multiplier_quartic(law, tau)));
+  return {tau[0] / (1 - lambda), tau[1] / (1 + lambda / (law.mu_x * law.mu_x)),
+          tau[2] / (1 + lambda / (law.mu_y * law.mu_y))};
 }
 
 double error_of_quartic(const OrthotropicFriction &law)
