@@ -21,7 +21,8 @@ Discretization::Discretization(const dealii::Triangulation<3> &triangulation, co
       fe_(scalar_fe_, dim),
       mapping_(options.degree),
       dof_handler_(triangulation),
-      n_quadrature_points_(options.n_quadrature_points())
+      n_quadrature_points_(options.n_quadrature_points()),
+      volumetric_quadrature_(options.volumetric_quadrature)
 {
   dof_handler_.distribute_dofs(fe_);
   n_cells_ = triangulation.n_active_cells();

@@ -35,6 +35,7 @@ SectionDiscretization::SectionDiscretization(const dealii::Triangulation<2> &tri
       mapping_(1),
       dof_handler_(triangulation),
       n_quadrature_points_(options.n_quadrature_points()),
+      volumetric_quadrature_(options.volumetric_quadrature),
       hierarchic_(dealii::FETools::lexicographic_to_hierarchic_numbering<2>(options.degree)),
       axis_face_points_(gauss_lobatto_jacobi_points(options.degree))
 {

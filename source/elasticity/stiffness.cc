@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include "cell_dofs.h"
 
+#include <orthocone/elasticity/projected_divergence.h>
 #include <orthocone/elasticity/stiffness.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -13,6 +14,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <optional>
 
 namespace orthocone
 {
@@ -28,16 +30,20 @@ struct Scratch
                dealii::QGauss<dim>(discretization.n_quadrature_points()),
                dealii::update_gradients | dealii::update_JxW_values)
   {
+    if (discretization.volumetric_quadrature() == VolumetricQuadrature::reduced)
+      divergence.emplace(values.get_fe().degree, values.get_quadrature());
   }
   Scratch(const Scratch &other)
       : values(other.values.get_mapping(), other.values.get_fe(), other.values.get_quadrature(),
-               other.values.get_update_flags())
+               other.values.get_update_flags()),
+        divergence(other.divergence)
   {
   }
 
   dealii::FEValues<dim> values;
+  std::optional<ProjectedDivergence<dim>> divergence; ///< with reduced volumetric quadrature
   Eigen::MatrixXd products;  ///< integral of d_i N_a d_j N_b at (dim a + i, dim b + j)
-  Eigen::VectorXd gradients; ///< d_i N_a at dim a + i
+  Eigen::VectorXd gradients; ///< d_i N_a at dim a + i, its divergence in direction i
 };
 
 struct CellMatrix
@@ -54,12 +60,16 @@ void integrate_gradient_products(const dealii::Triangulation<dim>::active_cell_i
   const Eigen::Index n = static_cast<Eigen::Index>(dim) * n_nodes;
   scratch.gradients.resize(n);
   scratch.products.setZero(n, n);
+  if (scratch.divergence)
+    scratch.divergence->reset(n);
   for (const unsigned int q : scratch.values.quadrature_point_indices())
   {
     for (unsigned int a = 0; a < n_nodes; ++a)
       for (unsigned int i = 0; i < dim; ++i)
         scratch.gradients[dim * a + i] = scratch.values.shape_grad(a, q)[i];
     scratch.products.noalias() += (scratch.values.JxW(q) * scratch.gradients) * scratch.gradients.transpose();
+    if (scratch.divergence)
+      scratch.divergence->add(q, scratch.gradients, scratch.values.JxW(q));
   }
 }
 
@@ -126,11 +136,16 @@ void make_stiffness_pattern(const SectionDiscretization &discretization, dealii:
 
 void Stiffness::assemble(const Discretization &discretization, const LameParameters &lame)
 {
+  LameParameters combined = lame; // what combine() takes care of
+  if (discretization.volumetric_quadrature() == VolumetricQuadrature::reduced)
+    combined.lambda = 0;
   const auto work =
       [&](const dealii::DoFHandler<dim>::active_cell_iterator &cell, Scratch &scratch, CellMatrix &copy)
   {
     integrate_gradient_products(cell, scratch);
-    combine(scratch.products, lame, copy.matrix);
+    combine(scratch.products, combined, copy.matrix);
+    if (scratch.divergence)
+      copy.matrix += lame.lambda * scratch.divergence->products();
     copy.dofs = dofs_by_node<dim>(cell);
   };
   const auto add = [&](const CellMatrix &copy) { add_cell_matrix(copy.matrix, copy.dofs, matrix_); };

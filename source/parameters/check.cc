@@ -54,7 +54,8 @@ std::string changed_mesh_entry(const MeshOptions &mesh)
   for (std::size_t i = 0; i < values.size(); ++i)
   {
     const auto &[entry, value] = values[i];
-    const bool is_free = entry == "Mesh/Model" || entry == "Mesh/Resolution" || entry == "Mesh/Accuracy";
+    const bool is_free = entry == "Mesh/Model" || entry == "Mesh/Resolution" || entry == "Mesh/Accuracy" ||
+                         entry == "Mesh/Volumetric quadrature";
     if (!is_free && value != defaults[i].second)
       return entry + " = " + value + " is set beside it: allowed is the default " + defaults[i].second;
   }

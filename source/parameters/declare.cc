@@ -48,6 +48,11 @@ void declare_mesh(MeshOptions &mesh, ParameterHandler &handler)
             "Polynomial degree of the elements; 4 in the axisymmetric model only.");
   add_count(handler, "Quadrature points", mesh.quadrature_points, 0, 10,
             "Gauss points per direction, more than the degree; 0 = degree + 1.");
+  add_choice(
+      handler, "Volumetric quadrature", mesh.volumetric_quadrature,
+      "reduced: the elements resist changes of volume only as far as these are polynomials of the degree "
+      "- 1, as with one Gauss point fewer per direction (B-bar for degree 1); against the locking of "
+      "nearly incompressible materials. May stand beside a Resolution or an Accuracy.");
   add_number(handler, "Core ratio", mesh.core_ratio, Range{0.01, 1, true, false},
              "Distance of the core's corners from the axis / radius.");
   add_number(handler, "Rim grading", mesh.rim_grading, Range{0, 10, false, true},

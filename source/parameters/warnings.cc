@@ -26,10 +26,11 @@ void warn_of_locking(const MaterialOptions &material, const MeshOptions &mesh,
                      std::vector<std::string> &warnings)
 {
   constexpr double nearly_incompressible = 0.49;
-  if (material.poisson_ratio > nearly_incompressible && mesh.degree == 1)
+  if (material.poisson_ratio > nearly_incompressible && mesh.degree == 1 &&
+      mesh.volumetric_quadrature == VolumetricQuadrature::full)
     warnings.push_back("Material/Poisson ratio = " + to_text(material.poisson_ratio) +
                        " with Mesh/Degree = 1: trilinear elements lock, forces come out much too large; "
-                       "take degree 2 or 3");
+                       "take degree 2 or 3, or Mesh/Volumetric quadrature = reduced");
 }
 
 /// Where the corners of the load program are.

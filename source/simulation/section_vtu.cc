@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include "vtu_flags.h"
 
+#include <orthocone/elasticity/projected_divergence.h>
 #include <orthocone/simulation/vtu.h>
 
 #include <deal.II/base/quadrature_lib.h>
@@ -29,7 +30,7 @@ struct PointValues
 };
 
 /// In the plane y = 0, where r is x and the hoop direction y.
-Stress stress_of(const PointValues &point, const LameParameters &lame)
+Stress strain_of(const PointValues &point)
 {
   Stress strain;
   strain[0][0] = point.gradients[0][0];
@@ -37,13 +38,12 @@ Stress stress_of(const PointValues &point, const LameParameters &lame)
   strain[1][1] = point.radius > 0 ? point.displacement[0] / point.radius : point.gradients[0][0];
   strain[2][2] = point.gradients[1][1];
   strain[0][2] = 0.5 * (point.gradients[0][1] + point.gradients[1][0]);
-  return lame.lambda * trace(strain) * dealii::unit_symmetric_tensor<3>() + 2 * lame.mu * strain;
+  return strain;
 }
 
-void fill_column(const PointValues &point, const double height, const LameParameters &lame,
+void fill_column(const PointValues &point, const double height, const Stress &stress,
                  const unsigned int column, dealii::Table<2, float> &data)
 {
-  const Stress stress = stress_of(point, lame);
   const std::array<double, 3> displacement{{point.displacement[0], 0, point.displacement[1]}};
   const std::array<double, 3> place{{point.radius, 0, height}};
   for (unsigned int i = 0; i < 3; ++i)
@@ -84,6 +84,56 @@ PointValues values_at(const dealii::FEValues<2> &values, const unsigned int q, c
     }
   return point;
 }
+
+/// The change of volume that the reduced quadrature sees, at the points of output of a cell.
+class ProjectedVolumeChange
+{
+public:
+  ProjectedVolumeChange(const SectionDiscretization &discretization, const dealii::Quadrature<2> &points)
+      : values_(discretization.mapping(), discretization.scalar_fe(),
+                dealii::QGauss<2>(discretization.n_quadrature_points()),
+                dealii::update_values | dealii::update_gradients | dealii::update_quadrature_points |
+                    dealii::update_JxW_values),
+        divergence_(discretization.scalar_fe().degree, values_.get_quadrature()),
+        polynomials_(
+            ProjectedDivergence<2>(discretization.scalar_fe().degree, points).polynomials().transpose())
+  {
+  }
+
+  Eigen::VectorXd in(const SectionDiscretization::Cell &cell, const Eigen::VectorXd &nodal)
+  {
+    values_.reinit(dealii::Triangulation<2>::active_cell_iterator(cell));
+    divergence_.reset(1);
+    for (const unsigned int q : values_.quadrature_point_indices())
+    {
+      const PointValues point = values_at(values_, q, nodal);
+      divergence_.add(q, Eigen::VectorXd::Constant(1, trace(strain_of(point))),
+                      point.radius * values_.JxW(q));
+    }
+    return polynomials_ * divergence_.coefficients();
+  }
+
+private:
+  dealii::FEValues<2> values_;
+  ProjectedDivergence<2> divergence_;
+  Eigen::MatrixXd polynomials_;
+};
+
+/// `volume_changes` at the points replace those of the displacement; empty: they do not.
+void fill(const dealii::FEValues<2> &values, const Eigen::VectorXd &nodal,
+          const Eigen::VectorXd &volume_changes, const LameParameters &lame, Patch &patch)
+{
+  patch.data.reinit(n_rows + 3, values.n_quadrature_points);
+  for (const unsigned int q : values.quadrature_point_indices())
+  {
+    const PointValues point = values_at(values, q, nodal);
+    const Stress strain = strain_of(point);
+    const double volume_change = volume_changes.size() == 0 ? trace(strain) : volume_changes[q];
+    fill_column(point, values.quadrature_point(q)[1],
+                lame.lambda * volume_change * dealii::unit_symmetric_tensor<3>() + 2 * lame.mu * strain, q,
+                patch.data);
+  }
+}
 } // namespace
 
 std::string volume_vtu(const SectionDiscretization &discretization, const MaterialOptions &material,
@@ -95,6 +145,8 @@ std::string volume_vtu(const SectionDiscretization &discretization, const Materi
   dealii::FEValues<2> values(discretization.mapping(), discretization.scalar_fe(), points,
                              dealii::update_values | dealii::update_gradients |
                                  dealii::update_quadrature_points);
+  const bool is_reduced = discretization.volumetric_quadrature() == VolumetricQuadrature::reduced;
+  ProjectedVolumeChange volume_change(discretization, points);
   std::vector<Patch> patches;
   for (const auto &cell : discretization.dof_handler().active_cell_iterators())
   {
@@ -106,9 +158,7 @@ std::string volume_vtu(const SectionDiscretization &discretization, const Materi
     patch.reference_cell = dealii::ReferenceCells::Quadrilateral; // its constructor leaves it invalid
     patch.n_subdivisions = degree;
     patch.points_are_available = true;
-    patch.data.reinit(n_rows + 3, points.size());
-    for (const unsigned int q : values.quadrature_point_indices())
-      fill_column(values_at(values, q, nodal), values.quadrature_point(q)[1], lame, q, patch.data);
+    fill(values, nodal, is_reduced ? volume_change.in(cell, nodal) : Eigen::VectorXd(), lame, patch);
   }
   std::vector<std::string> names(3, "displacement");
   names.insert(names.end(), 9, "stress");

@@ -161,7 +161,10 @@ std::string describe_model(const Parameters &parameters, const ModelChoice &mode
        << "mesh           " << unknowns.n_cells()
        << (model.symmetry.is_axisymmetric() ? " quadrilaterals" : " hexahedra") << " of degree "
        << parameters.mesh.degree << ", " << parameters.mesh.n_quadrature_points()
-       << " Gauss points per direction\n"
+       << " Gauss points per direction"
+       << (parameters.mesh.volumetric_quadrature == VolumetricQuadrature::reduced
+               ? ", volumetric part reduced\n"
+               : "\n")
        << "unknowns       " << unknowns.n_free() << " of " << unknowns.n_dofs() << " degrees of freedom\n"
        << "contact nodes  " << unknowns.contact_surface().nodes.size()
        << (model.symmetry.is_axisymmetric() ? " (rings)" : "") << "\n"

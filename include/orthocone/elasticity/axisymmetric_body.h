@@ -46,6 +46,7 @@ public:
   const dealii::FE_Q<2> &scalar_fe() const { return scalar_fe_; }
   const dealii::MappingQ<2> &mapping() const { return mapping_; }
   unsigned int n_quadrature_points() const { return n_quadrature_points_; }
+  VolumetricQuadrature volumetric_quadrature() const { return volumetric_quadrature_; }
 
   using Cell = dealii::DoFHandler<2>::active_cell_iterator;
 
@@ -68,6 +69,7 @@ private:
   dealii::MappingQ<2> mapping_;
   dealii::DoFHandler<2> dof_handler_;
   unsigned int n_quadrature_points_;
+  VolumetricQuadrature volumetric_quadrature_;
   std::vector<unsigned int> hierarchic_; ///< numbers in scalar_fe_ of the nodes in lexicographic order
   std::vector<double> axis_face_points_; ///< 0 to 1
   Eigen::MatrixXd axis_face_values_;     ///< at the face's nodes of FE_Q, of the basis at axis_face_points_

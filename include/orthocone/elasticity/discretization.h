@@ -23,6 +23,7 @@ public:
   const dealii::FE_Q<3> &scalar_fe() const { return scalar_fe_; }
   const dealii::MappingQ<3> &mapping() const { return mapping_; }
   unsigned int n_quadrature_points() const { return n_quadrature_points_; }
+  VolumetricQuadrature volumetric_quadrature() const { return volumetric_quadrature_; }
 
 private:
   std::vector<bool> held_dofs(TopFace top_face) const;
@@ -36,5 +37,6 @@ private:
   dealii::MappingQ<3> mapping_;
   dealii::DoFHandler<3> dof_handler_;
   unsigned int n_quadrature_points_;
+  VolumetricQuadrature volumetric_quadrature_;
 };
 } // namespace orthocone

@@ -38,6 +38,14 @@ enum class MeshResolution
   fine,
 };
 
+/// How the part of the stiffness that resists changes of volume is integrated: like the rest (full), or so
+/// that it sees the divergence one degree lower (reduced).
+enum class VolumetricQuadrature
+{
+  full,
+  reduced,
+};
+
 /// Contact solvers.
 enum class ContactMethod
 {
@@ -66,8 +74,9 @@ struct MeshOptions
   unsigned int layers = 4;            ///< cells over the height
   unsigned int degree = 2;            ///< polynomial degree of FE_Q
   unsigned int quadrature_points = 0; ///< Gauss points per direction; 0: degree + 1
-  double core_ratio = 0.5;            ///< core corner radius / R
-  double rim_grading = 1;             ///< thickness of a ring / thickness of the next inner ring
+  VolumetricQuadrature volumetric_quadrature = VolumetricQuadrature::full;
+  double core_ratio = 0.5;  ///< core corner radius / R
+  double rim_grading = 1;   ///< thickness of a ring / thickness of the next inner ring
   double layer_grading = 1; ///< thickness of a layer / thickness of its neighbour towards mid-height
   MeshResolution resolution = MeshResolution::custom;
   double accuracy = 0; ///< wanted of the four quantities that users look at, percent; 0: the mesh is given

@@ -50,6 +50,13 @@ struct Words<MeshResolution>
 };
 
 template<>
+struct Words<VolumetricQuadrature>
+{
+  static constexpr std::array<std::pair<VolumetricQuadrature, std::string_view>, 2> table{
+      {{VolumetricQuadrature::full, "full"}, {VolumetricQuadrature::reduced, "reduced"}}};
+};
+
+template<>
 struct Words<ContactMethod>
 {
   static constexpr std::array<std::pair<ContactMethod, std::string_view>, 6> table{

@@ -197,4 +197,36 @@ TEST(Section, ConvergesWithItsDegree)
     EXPECT_NEAR(std::log2(coarse / fine), degree, 0.15) << coarse << " " << fine;
   }
 }
+
+// The reduced quadrature, too: with the factor r, one Gauss point would not integrate the pressure exactly.
+TEST(Section, CompressesUniformly)
+{
+  GeometryOptions geometry;
+  geometry.top_face = TopFace::guided;
+  const MaterialOptions material;
+  constexpr double pressure = 100;
+  const double strain = -pressure / material.young_modulus;
+  for (const unsigned int degree : {1, 2, 3, 4})
+    for (const auto quadrature : {VolumetricQuadrature::full, VolumetricQuadrature::reduced})
+    {
+      MeshOptions options = section_options(degree);
+      options.volumetric_quadrature = quadrature;
+      const SectionBody body(options, geometry);
+      const Stiffness stiffness(body.discretization, material);
+      const StiffnessFactor factor(stiffness.matrix(), body.discretization.n_interior());
+      const auto &nodes = body.discretization.contact_surface().nodes;
+      Eigen::VectorXd forces = Eigen::VectorXd::Zero(body.discretization.n_free());
+      for (const ContactNode &node : nodes)
+        forces[node.dofs[2]] = pressure * node.area;
+      const Eigen::VectorXd u = factor.solve(forces);
+      for (const ContactNode &node : nodes)
+      {
+        EXPECT_NEAR(u[node.dofs[2]], -strain * geometry.height, 1e-12);
+        if (node.is_free[0])
+        {
+          EXPECT_NEAR(u[node.dofs[0]], -material.poisson_ratio * strain * node.position[0], 1e-12);
+        }
+      }
+    }
+}
 } // namespace orthocone::test

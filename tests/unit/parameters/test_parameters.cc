@@ -24,7 +24,8 @@ Parameters unusual_parameters()
 {
   Parameters parameters;
   parameters.geometry = {7.25, 1e-3, TopFace::guided};
-  parameters.mesh = {ModelKind::quarter, 6, 5, 3, 3, 5, 0.37, 0.4, 1.5, MeshResolution::coarse, 2.5};
+  parameters.mesh = {ModelKind::quarter,     6,  5, 3, 3, 5, VolumetricQuadrature::reduced, 0.37, 0.4, 1.5,
+                     MeshResolution::coarse, 2.5};
   parameters.material = {1. / 3, -0.25};
   parameters.friction = {{{0.1, 1e-3}}, {{2, 3}}, -12.5};
   parameters.load = {{Leg{{{0, 0, -0.01}}, 2}}, {Leg{{{1e-3, -2, -0.1}}, 3}, Leg{{{0, 0, 0}}, 4}}, 7};

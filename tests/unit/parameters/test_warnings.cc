@@ -58,6 +58,14 @@ TEST(Warnings, AreGivenForWhatIsLegalButSuspicious)
         p.material.poisson_ratio = 0.495;
       },
       "Material/Poisson ratio"));
+  EXPECT_FALSE(warned(
+      [&](Parameters &p)
+      {
+        fine(p);
+        p.material.poisson_ratio = 0.495;
+        p.mesh.volumetric_quadrature = VolumetricQuadrature::reduced;
+      },
+      "Material/Poisson ratio"));
 }
 
 TEST(Warnings, AreGivenForALoadProgramThatNeverPresses)
