@@ -12,6 +12,8 @@ int main(const int argc, const char *const *const argv)
 {
   const std::map<std::string, void (*)(const Words &)> experiments{
       {"compliance", compliance},
+      {"starts", starts},
+      {"one_node", one_node},
   };
   const Words words(argv + 1, argv + argc);
   const auto experiment = words.empty() ? experiments.end() : experiments.find(words.front());
