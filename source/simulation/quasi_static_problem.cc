@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/simulation/quasi_static_problem.h>
 
+#include <orthocone/contact/critical_friction.h>
 #include <orthocone/parameters/parameters.h>
 #include <orthocone/parameters/text.h>
 #include <orthocone/simulation/blas_threads.h>
@@ -24,16 +25,21 @@ QuasiStaticProblem::QuasiStaticProblem(const Parameters &parameters, const Model
       chosen_(with_model(std::move(chosen), choice)),
       model_(*chosen_.model),
       state_(model_.initial_state()),
+      critical_friction_(critical_friction_of_model()),
       checker_(parameters_, choice.symmetry, model_.condensed(), model_.stiffness()),
       cycles_(parameters_.load, state_.n_nodes()),
       output_(folder_, parameters_, model_)
 {
   record_.accuracy = chosen_.accuracy;
+  record_.critical_friction = critical_friction_;
   record_.seconds = model_.seconds();
   // The search built the model, too.
   if (chosen_.accuracy)
     record_.seconds.mesh_search = chosen_.search_seconds - model_.seconds().sum();
   seconds_before_ = chosen_.search_seconds;
+  log_.line(describe(critical_friction_));
+  for (const std::string &warning : model_warnings(record_))
+    log_.line("warning: " + warning);
 }
 
 ChosenMesh QuasiStaticProblem::with_model(ChosenMesh chosen, const ModelChoice &choice) const
@@ -54,6 +60,13 @@ void QuasiStaticProblem::announce(const ModelChoice &choice, const Body &body) c
     log_.line(name + " " + version);
   for (const std::string &warning : parameter_warnings(parameters_))
     log_.line("warning: " + warning);
+}
+
+CriticalFrictionRecord QuasiStaticProblem::critical_friction_of_model() const
+{
+  const CriticalFriction critical = critical_friction(model_.problem());
+  const auto &position = model_.surface().nodes[critical.node].position;
+  return {critical.factor, {{position[0], position[1]}}};
 }
 
 QuasiStaticProblem::Outcome QuasiStaticProblem::run(const std::optional<Checkpoint> &checkpoint)
@@ -103,6 +116,7 @@ void QuasiStaticProblem::begin(const std::optional<Checkpoint> &checkpoint)
   model_.solver().restore(checkpoint->starts);
   totals_ = model_.totals(state_);
   record_ = checkpoint->record;
+  record_.critical_friction = critical_friction_;
   record_.seconds.add(model_.seconds());
   seconds_before_ = record_.total_seconds;
 }
@@ -229,9 +243,10 @@ void QuasiStaticProblem::finish(const Outcome &outcome)
                                               static_cast<unsigned int>(steps_.size()),
                                               state_.step - cycles_.memory().n_jumped_steps(),
                                               totals_.total_dissipation, record_, cycles_.memory()}));
-  // Those of the parameters were told at the beginning.
+  // Those of the parameters and of the model were told at the beginning.
   const auto warnings = all_warnings(parameters_, record_);
-  for (std::size_t i = parameter_warnings(parameters_).size(); i < warnings.size(); ++i)
+  for (std::size_t i = parameter_warnings(parameters_).size() + model_warnings(record_).size();
+       i < warnings.size(); ++i)
     log_.line("warning: " + warnings[i]);
   log_.line(describe_seconds(record_) + "; files in " + folder_.path());
   output_.flush();

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <iomanip>
 #include <sstream>
+#include <utility>
 
 namespace orthocone
 {
@@ -62,6 +63,13 @@ Json accuracy_json(const AccuracyEstimate &accuracy)
   return json;
 }
 
+Json critical_friction_json(const CriticalFrictionRecord &critical)
+{
+  if (!std::isfinite(critical.factor))
+    return {};
+  return {{"factor", critical.factor}, {"node_mm", critical.position}};
+}
+
 void consider(std::pair<double, unsigned int> &peak, const double value, const unsigned int step)
 {
   if (value > peak.first)
@@ -100,11 +108,35 @@ void RunRecord::add_step(const unsigned int step, const Totals &totals, const So
   consider(energy_defect, checks.energy_defect, step);
 }
 
+std::string describe(const CriticalFrictionRecord &critical)
+{
+  std::ostringstream text;
+  text << std::setprecision(3) << "critical friction ";
+  if (!std::isfinite(critical.factor))
+    text << "none: normal and tangential directions are not coupled";
+  else
+    text << critical.factor << " times the given one, at (" << critical.position[0] << ", "
+         << critical.position[1] << ") mm";
+  return text.str();
+}
+
+std::vector<std::string> model_warnings(const RunRecord &record)
+{
+  if (record.critical_friction.factor > 1)
+    return {};
+  return {
+      describe(record.critical_friction) +
+      ": a node can wedge there, and a load step may have several solutions, or none that a solver finds; "
+      "compare runs with other steps and methods before a result is trusted"};
+}
+
 std::vector<std::string> all_warnings(const Parameters &parameters, const RunRecord &record)
 {
   constexpr double large = 0.05;
   constexpr double percent = 100;
   std::vector<std::string> warnings = parameter_warnings(parameters);
+  for (std::string &warning : model_warnings(record))
+    warnings.push_back(std::move(warning));
   if (record.energy_defect.first > large)
     warnings.push_back("load step " + std::to_string(record.energy_defect.second) +
                        ": the energy balance misses " +
@@ -141,6 +173,7 @@ std::string summary_json(const Summary &summary)
   json["peaks"] = {{"slip_mm", peak_json(summary.record.peaks.slip)},
                    {"pressure_MPa", peak_json(summary.record.peaks.pressure)},
                    {"force_z_N", peak_json(summary.record.peaks.force_z)}};
+  json["critical_friction"] = critical_friction_json(summary.record.critical_friction);
   if (summary.record.accuracy)
     json["accuracy"] = accuracy_json(*summary.record.accuracy);
   json["warnings"] = all_warnings(summary.parameters, summary.record);

@@ -53,9 +53,18 @@ class ContractTest(unittest.TestCase):
         self.assertEqual(set(summary["seconds"]), PHASES)
         self.assertEqual((summary["status"], summary["steps"]["solved"]), ("complete", 45))
         self.assertEqual(summary["peaks"]["force_z_N"]["step"], 5)
+        self.assertGreater(summary["critical_friction"]["factor"], 1)
         self.assertIn("BLAS", (run / "log.txt").read_text())
         self.assertEqual(result.stdout.count("\nstep "), 45)
         self.assertFalse(list(run.glob("*.part")))
+
+    def test_friction_beyond_the_critical_one_is_told_once(self):
+        settings = ["Friction/Coefficients=6, 3", "Load program/Legs=0 0 -0.01 : 1"]
+        result = self.run_program("--output", "run", settings=[*SMALL, *settings, "Load program/Cycles=1"])
+        self.assertEqual(result.stdout.count("warning: critical friction"), 1, result.stdout)
+        summary = json.loads((self.folder / "run/summary.json").read_text())
+        self.assertLess(summary["critical_friction"]["factor"], 1)
+        self.assertRegex(summary["warnings"][-1], "^critical friction .* several solutions")
 
     def test_parameters_repeat_the_run(self):
         self.run_program("--output", "first", settings=["Mesh/Core cells=4", "Load program/Cycles=1"])

@@ -33,4 +33,14 @@ void layer(const Words &words);
 /// march through a scene with backward Euler or a formula of two steps for the slip, and what comes of the
 /// node nearest to (x, y).
 void slip_integration(const Words &words);
+
+/// studies starts FILE.prm [--set "Section/Entry=value"]... [--step N] [--loads L] [--starts M]: step N, or L
+/// random loads instead, solved from three special and M random starts with three methods, and which of these
+/// end at the same solution.
+void starts(const Words &words);
+
+/// studies one_node [--coupling C] [--friction F] [--loads N]: a node with w_nn = w_tt = 1, w_nt = C, with F
+/// times the friction at which it wedges, under loads from N directions: which states solve the law, and
+/// which one is found.
+void one_node(const Words &words);
 } // namespace orthocone::studies

@@ -16,6 +16,8 @@ int main(const int argc, const char *const *const argv)
       {"projection", projection},
       {"layer", layer},
       {"slip_integration", slip_integration},
+      {"starts", starts},
+      {"one_node", one_node},
   };
   const Words words(argv + 1, argv + argc);
   const auto experiment = words.empty() ? experiments.end() : experiments.find(words.front());

@@ -34,6 +34,7 @@ public:
 private:
   ChosenMesh with_model(ChosenMesh chosen, const ModelChoice &choice) const;
   void announce(const ModelChoice &choice, const Body &body) const;
+  CriticalFrictionRecord critical_friction_of_model() const;
   void begin(const std::optional<Checkpoint> &checkpoint);
   Outcome march();
   Outcome advance_to(const LoadStep &step);
@@ -52,6 +53,7 @@ private:
   const ChosenMesh chosen_;
   ContactModel &model_; ///< owned by chosen_
   ContactState state_;
+  const CriticalFrictionRecord critical_friction_;
   RunRecord record_;
   Totals totals_; ///< of state_
   StepChecker checker_;

@@ -54,7 +54,14 @@ struct Peaks
   std::pair<double, unsigned int> force_z{0, 0};  ///< N
 };
 
-/// What adds up from step to step, also over interruptions.
+/// The strongest friction that no node can wedge under, and where one would first.
+struct CriticalFrictionRecord
+{
+  double factor = 0;                      ///< CriticalFriction::factor
+  std::array<double, 2> position{{0, 0}}; ///< mm
+};
+
+/// What adds up from step to step, also over interruptions, and what is known before the first step.
 struct RunRecord
 {
   void add_step(unsigned int step, const Totals &totals, const SolverReport &report,
@@ -67,6 +74,7 @@ struct RunRecord
   Peaks peaks{};
   std::pair<double, unsigned int> energy_defect{0, 0}; ///< the largest, and its step
   std::optional<AccuracyEstimate> accuracy{};          ///< where Mesh/Accuracy chose the mesh
+  CriticalFrictionRecord critical_friction{};          ///< of the model, not kept in checkpoints
   PhaseSeconds seconds{};
   double total_seconds = 0;
 };
@@ -88,7 +96,13 @@ struct Summary
 /// Text of summary.json.
 std::string summary_json(const Summary &summary);
 
-/// parameter_warnings(), and what the steps so far give reason to warn of.
+/// What the model gives reason to warn of before the first step, besides parameter_warnings().
+std::vector<std::string> model_warnings(const RunRecord &record);
+
+/// "critical friction 7.21 times the given one, at (9.95, 0.98) mm".
+std::string describe(const CriticalFrictionRecord &critical);
+
+/// parameter_warnings(), model_warnings(), and what the steps so far give reason to warn of.
 std::vector<std::string> all_warnings(const Parameters &parameters, const RunRecord &record);
 
 /// Wall times of the phases in a line.
