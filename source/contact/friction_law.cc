@@ -40,6 +40,7 @@ double multiplier(const OrthotropicFriction &law, const Vector3d &tau)
   double lower = tau[0] > 0 ? 0 : 1;
   double upper = tau[0] > 0 ? 1 : std::numeric_limits<double>::infinity();
   double lambda = tau[0] > 0 ? 0 : 1;
+  constexpr double settled = 4 * std::numeric_limits<double>::epsilon();
   for (unsigned int step = 0; step < most_newton_steps && tau[0] != 0; ++step)
   {
     const Vector2d r = tangential_point(law, tau, lambda);
@@ -47,11 +48,15 @@ double multiplier(const OrthotropicFriction &law, const Vector3d &tau)
     const double value = 1 - lambda - tau[0] / norm;
     (value > 0 ? lower : upper) = lambda;
     const double slope = -1 + tau[0] * norm_slope(law, r, norm, lambda) / (norm * norm);
-    double next = lambda - value / slope;
-    if (!(slope < 0 && next > lower && next < upper))
-      next = std::isinf(upper) ? 2 * lower + 1 : 0.5 * (lower + upper);
-    const bool has_settled = std::abs(next - lambda) <= 4 * std::numeric_limits<double>::epsilon() * next;
-    lambda = next;
+    const double change = value / slope;
+    // Before the bracket is looked at, one end of which is the root by now.
+    if (slope < 0 && std::abs(change) <= settled * lambda)
+      return lambda - change;
+    const double next = lambda - change;
+    const bool is_inside = slope < 0 && next > lower && next < upper;
+    const double moved = is_inside ? next : std::isinf(upper) ? 2 * lower + 1 : 0.5 * (lower + upper);
+    const bool has_settled = std::abs(moved - lambda) <= settled * moved;
+    lambda = moved;
     if (has_settled)
       break;
   }

@@ -18,7 +18,8 @@ void compliance(const Words &words);
 
 /// studies trace FILE.prm [--set "Section/Entry=value"]... [--step N] [--method WORD] [--condensed 0]:
 /// residuals of one step, solved from the forces of the step before; the steps up to there are solved by the
-/// method of the file. With --condensed 0 each product with the compliance is a solution with the sparse factor.
+/// method of the file. With --condensed 0 each product with the compliance is a solution with the sparse
+/// factor.
 void trace(const Words &words);
 
 /// studies projection FORMULA LAWS: accuracy and time of a formula for the projection, a line for each class

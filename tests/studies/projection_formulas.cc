@@ -88,13 +88,14 @@ double plain_newton(const OrthotropicFriction &law, const Vector3d &tau)
 
 enum class Variant
 {
-  as_program, ///< a step that leaves the open bracket is replaced by halving, and then told from the last one
-  settles_first, ///< a step that is rounding ends the search before it can be replaced
-  halves,        ///< halving alone
+  settles_first,  ///< a step that is rounding ends the search, before one that leaves the bracket is replaced
+  halves_at_root, ///< the other way round: at the root, an end of the bracket by then, the rest of it is
+                  ///< halved
+  halves,         ///< halving alone
 };
 
 /// Newton's method in a bracket.
-template<typename Real, Function<Real> function, Variant variant = Variant::as_program>
+template<typename Real, Function<Real> function, Variant variant = Variant::settles_first>
 double bracketed(const OrthotropicFriction &law, const Vector3d &tau)
 {
   const Secular<Real> equation(law, tau);
@@ -202,8 +203,7 @@ Formula projection_formula(const std::string &name)
   using Double = Secular<double>;
   static const std::map<std::string, Formula> formulas{
       {"program", project},
-      {"newton-relative", with<bracketed<double, &Double::relative>>},
-      {"newton-settles-first", with<bracketed<double, &Double::relative, Variant::settles_first>>},
+      {"newton-halves-at-root", with<bracketed<double, &Double::relative, Variant::halves_at_root>>},
       {"newton-relative-single", with<bracketed<float, &Single::relative>>},
       {"newton-psi", with<bracketed<double, &Double::psi>>},
       {"plain-newton-psi", with<plain_newton<&Double::psi>>},

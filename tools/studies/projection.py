@@ -15,7 +15,7 @@ plt = style.plt
 PAGE = "accuracy.md"
 FORMULAS = {  # name of the experiment: what it is
     "program": "Newton on ψ/‖r‖ in a bracket (the program's)",
-    "newton-settles-first": "the same, stops before it halves",
+    "newton-halves-at-root": "the same, but halves the bracket at the root",
     "newton-psi": "Newton on ψ in a bracket",
     "plain-newton-relative": "Newton on ψ/‖r‖, no bracket",
     "plain-newton-psi": "Newton on ψ, no bracket",
