@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/simulation/contact_state.h>
 
+#include <algorithm>
+
 namespace orthocone
 {
 using Eigen::Index;
@@ -21,12 +23,21 @@ ContactState::ContactState(const Index n_nodes)
 namespace
 {
 /// Work of friction along the slip `change`, >= 0. The mean of the forces before and after is exact while
-/// they are proportional. It is wrong where the old force drives the slip (a reversal within the step) and
-/// where the node ends in the air: there the force that the law gives at the end counts.
-double dissipation(const Vector2d &before, const Vector2d &after, const Vector2d &change, const double gap)
+/// they are proportional. Where the old force drives the slip, this reverses within the step and all of it is
+/// against the force that the law gives at the end, unless the old force is small against that. Continuous in
+/// both forces: which case it is must not depend on rounding.
+double dissipation(const Vector2d &before, const Vector2d &after, const Vector2d &change)
 {
-  const bool has_reversed = before.dot(change) > 0;
-  return has_reversed || gap > 0 ? -after.dot(change) : -0.5 * (before + after).dot(change);
+  const double old_work = -before.dot(change);
+  const double new_work = -after.dot(change);
+  return 0.5 * (new_work + (old_work < 0 ? std::min(-old_work, new_work) : old_work));
+}
+
+/// Share of the step in which a node that ends with a gap touched the plane, if its normal force fell evenly
+/// from `before` to what would pull the gap shut.
+double share_in_contact(const double before, const double gap, const double compliance)
+{
+  return before > 0 ? before / (before + std::max(gap, 0.) / compliance) : 0;
 }
 
 /// To be called with the status at the end of a step, and the slip at its beginning still in the state.
@@ -59,9 +70,11 @@ void advance(ContactState &state, const ContactProblem &problem, const NodeVecto
     const bool is_open = state.status[node] == NodeStatus::open;
     if (!was_open || !is_open)
       state.accumulated_slip[node] += change.norm();
+    const double share = is_open ? share_in_contact(state.force[3 * node], d[3 * node],
+                                                    problem.compliance().diagonal_block(node)(0, 0))
+                                 : 1;
     state.dissipated_energy[node] +=
-        dissipation(state.force.segment<2>(3 * node + 1), force.segment<2>(3 * node + 1), change,
-                    is_open ? d[3 * node] : 0);
+        share * dissipation(state.force.segment<2>(3 * node + 1), force.segment<2>(3 * node + 1), change);
     remember_stick(state, node, change);
     state.displacement[3 * node] = d[3 * node];
     state.displacement.segment<2>(3 * node + 1) += change;

@@ -8,6 +8,7 @@ namespace orthocone::test
 {
 using Eigen::Index;
 using Eigen::Vector2d;
+using Eigen::Vector3d;
 
 namespace
 {
@@ -205,5 +206,38 @@ TEST(History, PartialUnloadingKeepsTheHistory)
           preloaded = after.displacement;
       });
   EXPECT_GT((scene.state.displacement - preloaded).norm(), 0.1 * preloaded.norm());
+}
+
+namespace
+{
+/// What a node with unit compliance dissipates in a step that takes it from a state to another by the slip
+/// (0.1, 0).
+double dissipated(const Vector3d &force_before, const Vector3d &force_after, const double gap)
+{
+  const DenseCompliance compliance(Eigen::Matrix3d::Identity());
+  ContactProblem problem(compliance, {{0.3, 0.3, 0.3, 0.3}});
+  ContactState state(1);
+  state.force = force_before;
+  state.status = {NodeStatus::slip};
+  problem.set_step(Vector3d(gap, 0.1, 0) - force_after,
+                   Vector3d::Zero()); // so that the displacement is (gap, 0.1, 0)
+  advance(state, problem, force_after, {{0, 0, 0}});
+  return state.dissipated_energy[0];
+}
+} // namespace
+
+// A node that just leaves the plane, or that carried no force before, may do so by rounding.
+TEST(History, RoundingDoesNotDecideOnDissipation)
+{
+  constexpr double rounding = 1e-14;
+  const Vector3d none = Vector3d::Zero(), slipping(1, -0.3, 0);
+  const double leaving = dissipated(slipping, none, 0);
+  EXPECT_NEAR(leaving, 0.5 * 0.3 * 0.1, 1e-15); // the force falls in proportion
+  EXPECT_NEAR(dissipated(slipping, none, rounding), leaving, 1e-12);
+  EXPECT_NEAR(dissipated(slipping, none, 1), 0.5 * leaving, 1e-15); // in contact for half of the step
+  const double loading = dissipated(none, slipping, 0);
+  for (const double noise : {-rounding, rounding})
+    EXPECT_NEAR(dissipated({rounding, noise, 0}, slipping, 0), loading, 1e-12);
+  EXPECT_NEAR(dissipated({1, 0.3, 0}, slipping, 0), 0.3 * 0.1, 1e-15); // all of the slip after the reversal
 }
 } // namespace orthocone::test
