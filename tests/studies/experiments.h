@@ -22,6 +22,10 @@ void compliance(const Words &words);
 /// factor.
 void trace(const Words &words);
 
+/// studies spectrum FILE.prm [--set "Section/Entry=value"]...: condition of W, the largest eigenvalue that
+/// decides on Box 3 for all nodes at once, and those of the symmetric part of D C W D.
+void spectrum(const Words &words);
+
 /// studies projection FORMULA LAWS: accuracy and time of a formula for the projection, a line for each class
 /// of points and law.
 void projection(const Words &words);
