@@ -26,6 +26,10 @@ void trace(const Words &words);
 /// decides on Box 3 for all nodes at once, and those of the symmetric part of D C W D.
 void spectrum(const Words &words);
 
+/// studies small_problems METHOD NODES PROBLEMS MAXIMUM_ITERATIONS: how many random problems without a body
+/// end with which verdict, apart for friction above and below the critical one.
+void small_problems(const Words &words);
+
 /// studies projection FORMULA LAWS: accuracy and time of a formula for the projection, a line for each class
 /// of points and law.
 void projection(const Words &words);

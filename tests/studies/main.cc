@@ -11,9 +11,15 @@ using namespace orthocone::studies;
 int main(const int argc, const char *const *const argv)
 {
   const std::map<std::string, void (*)(const Words &)> experiments{
-      {"compliance", compliance}, {"trace", trace},       {"spectrum", spectrum},
-      {"projection", projection}, {"layer", layer},       {"slip_integration", slip_integration},
-      {"starts", starts},         {"one_node", one_node},
+      {"compliance", compliance},
+      {"trace", trace},
+      {"spectrum", spectrum},
+      {"small_problems", small_problems},
+      {"projection", projection},
+      {"layer", layer},
+      {"slip_integration", slip_integration},
+      {"starts", starts},
+      {"one_node", one_node},
   };
   const Words words(argv + 1, argv + argc);
   const auto experiment = words.empty() ? experiments.end() : experiments.find(words.front());
