@@ -20,8 +20,8 @@ struct Level
 
 const std::vector<Level> &levels(const bool is_axisymmetric)
 {
-  static const std::vector<Level> solid{{2, 2, 0.4},  {4, 3, 0.4},   {6, 4, 0.42},
-                                        {8, 5, 0.46}, {10, 7, 0.54}, {12, 9, 0.6}};
+  static const std::vector<Level> solid{{2, 2, 0.4}, {4, 3, 0.4},   {6, 4, 0.46},
+                                        {8, 5, 0.5}, {10, 7, 0.57}, {12, 9, 0.62}};
   static const std::vector<Level> section{{6, 3, 0.4},    {8, 4, 0.42},  {12, 5, 0.45},
                                           {16, 7, 0.52},  {22, 9, 0.58}, {30, 12, 0.65},
                                           {42, 17, 0.73}, {58, 25, 0.8}, {80, 36, 0.85}};

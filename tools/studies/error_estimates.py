@@ -15,17 +15,11 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from resolutions import QUANTITIES, run  # noqa: E402
+from resolutions import FINEST, FINEST_SECTION, QUANTITIES, run  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 FLOOR = 0.05  # percent: an estimate below that is not blamed for being too large
 TRUTHS_OWN = 0.01  # percent: no estimate is blamed for a smaller error, which may be the truth's own
-
-# The truths: cells of the section's base are 0.7 mm wide at the most, and thinner at its rim than those of all levels.
-SECTION = ["Mesh/Core cells=110", "Mesh/Rings=44", "Mesh/Layers=60", "Mesh/Degree=4", "Mesh/Core ratio=0.75",
-           "Mesh/Rim grading=0.85", "Mesh/Layer grading=0.75"]
-BODY = ["Mesh/Core cells=12", "Mesh/Rings=8", "Mesh/Layers=14", "Mesh/Degree=3", "Mesh/Core ratio=0.8",
-        "Mesh/Rim grading=0.6", "Mesh/Layer grading=0.5"]
 
 CYCLE = "Load program/Legs=0 0 -0.1 : 1; 0 0 -0.02 : 3"
 
@@ -84,7 +78,7 @@ def true_error(name, value, truths):
 
 def truths_of(program, settings, is_solid):
     """Quantities of a scene on the fine mesh, and its contact nodes."""
-    values, _, model, _ = run(program, "b", [CYCLE, *settings, *(BODY if is_solid else SECTION)])
+    values, _, model, _ = run(program, "b", [CYCLE, *settings, *(FINEST if is_solid else FINEST_SECTION)])
     return dict(zip(QUANTITIES, values)), model["contact_nodes"]
 
 
