@@ -14,7 +14,7 @@ namespace orthocone
 MeshOptions ladder_mesh(const GeometryOptions &geometry, const MeshOptions &given, bool is_axisymmetric,
                         unsigned int level);
 
-/// Number of levels that are meant to be solved. The finest has some 1100 contact nodes in a quarter, 300
+/// Number of levels that are meant to be solved. The finest has some 1400 contact nodes in a quarter, 300
 /// rings in a section.
 unsigned int n_ladder_levels(bool is_axisymmetric);
 
