@@ -2,25 +2,36 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/simulation/mesh_ladder.h>
 
-#include <array>
 #include <cmath>
+#include <vector>
 
 namespace orthocone
 {
 namespace
 {
-/// What a level of the ladder has in the disc.
+/// What a level of the ladder has in the disc. The grading rises with the number of rings, so that the widest
+/// ring shrinks from level to level, too, not only the outermost.
 struct Level
 {
   unsigned int core_cells;
   unsigned int rings;
+  double rim_grading;
 };
 
-constexpr std::array<Level, 6> levels{{{2, 2}, {4, 3}, {6, 4}, {8, 5}, {10, 6}, {12, 7}}};
-constexpr std::array<Level, 9> axisymmetric_levels{
-    {{4, 3}, {6, 4}, {10, 5}, {14, 6}, {20, 7}, {28, 8}, {40, 9}, {56, 10}, {80, 11}}};
-constexpr double core_ratio = 0.6;
-constexpr double rim_grading = 0.4;
+const std::vector<Level> &levels(const bool is_axisymmetric)
+{
+  static const std::vector<Level> solid{{2, 2, 0.4}, {4, 3, 0.4},   {6, 4, 0.46},
+                                        {8, 5, 0.5}, {10, 7, 0.57}, {12, 9, 0.62}};
+  static const std::vector<Level> section{{6, 3, 0.4},    {8, 4, 0.42},  {12, 5, 0.45},
+                                          {16, 7, 0.52},  {22, 9, 0.58}, {30, 12, 0.65},
+                                          {42, 17, 0.73}, {58, 25, 0.8}, {80, 36, 0.85}};
+  return is_axisymmetric ? section : solid;
+}
+
+constexpr double solid_core_ratio = 0.6;
+/// In a section, cells of the core are no dearer than rings: the core reaches to where stick and slip meet on
+/// the way up.
+constexpr double section_core_ratio = 0.9;
 
 /// Thickness of the thinnest of `n` intervals, each `grading` times as thick as the one before, relative to
 /// all of them.
@@ -44,17 +55,23 @@ double fitting_grading(const unsigned int n, const double share)
   return std::round(digits * grading) / digits;
 }
 
-/// Sets as many layers as it takes for neighbours that do not differ by much more than the rings do.
-void choose_layers(const GeometryOptions &geometry, MeshOptions &mesh)
+/// Width of all rings where they are narrowest: beside the corners of the core, of a section on its base.
+double width_of_rings(const double radius, const double core_ratio, const bool is_axisymmetric)
 {
-  constexpr double steepest = 0.3;
-  const double rim = thinnest_share(mesh.rings, mesh.rim_grading) * (1 - mesh.core_ratio) * geometry.radius;
+  return radius * (is_axisymmetric ? 1 - core_ratio / std::sqrt(2.) : 1 - core_ratio);
+}
+
+/// Sets as few layers as let neighbours differ by little more than the rings do: between base and upper face
+/// less happens than in the disc, but layers have to shrink from level to level all the same.
+void choose_layers(const GeometryOptions &geometry, const bool is_axisymmetric, MeshOptions &mesh)
+{
+  const double steepest = 0.7 * mesh.rim_grading;
+  const double rim = thinnest_share(mesh.rings, mesh.rim_grading) *
+                     width_of_rings(geometry.radius, mesh.core_ratio, is_axisymmetric);
   const double share = rim / (geometry.height / 2);
-  unsigned int n_half = mesh.rings;
-  while (fitting_grading(n_half, share) < steepest)
+  unsigned int n_half = 1;
+  while (n_half * share < 1 && fitting_grading(n_half, share) < steepest)
     ++n_half;
-  while (n_half > 1 && 1. / (n_half - 1) <= share) // one less is thin enough without any grading
-    --n_half;
   mesh.layers = 2 * n_half;
   mesh.layer_grading = fitting_grading(n_half, share);
 }
@@ -62,7 +79,7 @@ void choose_layers(const GeometryOptions &geometry, MeshOptions &mesh)
 
 unsigned int n_ladder_levels(const bool is_axisymmetric)
 {
-  return is_axisymmetric ? axisymmetric_levels.size() : levels.size();
+  return levels(is_axisymmetric).size();
 }
 
 MeshOptions ladder_mesh(const GeometryOptions &geometry, const MeshOptions &given, const bool is_axisymmetric,
@@ -71,13 +88,13 @@ MeshOptions ladder_mesh(const GeometryOptions &geometry, const MeshOptions &give
   MeshOptions mesh = given;
   mesh.resolution = MeshResolution::custom;
   mesh.accuracy = 0;
-  const Level &chosen = is_axisymmetric ? axisymmetric_levels.at(level) : levels.at(level);
-  mesh.core_cells = chosen.core_cells;
-  mesh.rings = chosen.rings;
+  const Level &disc = levels(is_axisymmetric).at(level);
+  mesh.core_cells = disc.core_cells;
+  mesh.rings = disc.rings;
+  mesh.rim_grading = disc.rim_grading;
+  mesh.core_ratio = is_axisymmetric ? section_core_ratio : solid_core_ratio;
   mesh.degree = is_axisymmetric ? 4 : 3;
-  mesh.core_ratio = core_ratio;
-  mesh.rim_grading = rim_grading;
-  choose_layers(geometry, mesh);
+  choose_layers(geometry, is_axisymmetric, mesh);
   return mesh;
 }
 
