@@ -1,15 +1,20 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""How the studies evaluate contact files between their nodes: polynomials are reproduced.
+"""How the studies evaluate contact files between their nodes: polynomials are reproduced. And tools/study itself: points
+are made once, each row redoes its point, pictures and tables are there, bad names are refused.
 
 Usage: test_studies.py PROGRAM [unittest options]"""
+import csv
+import os
 import pathlib
+import shlex
+import subprocess
 import sys
 
 import numpy as np
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from program import ROOT, SMALL, RunTest, main  # noqa: E402
+from program import PROGRAM, ROOT, SMALL, RunTest, main  # noqa: E402
 
 sys.path[:0] = [str(ROOT / "tools/plots"), str(ROOT / "tools/studies")]
 import contact_surface  # noqa: E402
@@ -76,6 +81,62 @@ class ContactSurfaceTest(RunTest):
         # the norm of x - y on the quarter disc, relative to that of the radius: 1 - 2 <xy>/<r r> = 1 - 2/pi
         difference = contact_surface.relative_l2(POINTS[:, [1, 0]], POINTS, WEIGHTS)
         self.assertAlmostEqual(difference**2, 2 - 4 / np.pi, 6)
+
+
+class StudyCommandTest(RunTest):
+    TOOL = pathlib.Path(PROGRAM).parent / "tests/studies/studies"
+
+    def study(self, *words):
+        command = [sys.executable, ROOT / "tools/studies/study.py", "--program", PROGRAM, "--studies", self.TOOL, "--output",
+                   self.folder, *words]
+        return subprocess.run([str(word) for word in command], capture_output=True, text=True, timeout=1000, check=False)
+
+    def rows_of(self, name):
+        with open(self.folder / f"{name}.csv", newline="", encoding="utf-8") as file:
+            return list(csv.DictReader(file))
+
+    def test_every_study_that_is_listed_can_be_made(self):
+        listed = self.study("--list")
+        self.assertEqual(listed.returncode, 0, listed.stderr)
+        names = [line.split()[0] for line in listed.stdout.splitlines()]
+        self.assertIn("maps", names)
+        finished = self.study("--quick")
+        self.assertEqual(finished.returncode, 0, finished.stderr)
+        for name in names:
+            with self.subTest(name=name):
+                rows = self.rows_of(name)
+                self.assertGreater(len(rows), 0)
+                self.assertTrue(all(row["command"].startswith("build/") for row in rows))
+        pictures = {file.stem for file in self.folder.glob("*.png")}
+        self.assertGreaterEqual(len(pictures), len(names))
+        self.assertEqual(pictures, {file.stem for file in self.folder.glob("*.svg")})
+
+    def test_points_are_made_once_and_kept_when_interrupted(self):
+        self.assertEqual(self.study("spectra", "--quick").returncode, 0)
+        table = (self.folder / "spectra.csv").read_text(encoding="utf-8")
+        first, *others = self.rows_of("spectra")
+        kept = [line for line in table.splitlines() if others[-1]["command"] not in line]
+        (self.folder / "spectra.csv").write_text("\n".join(kept) + "\n", encoding="utf-8")  # as if killed before the last
+        self.assertEqual(self.study("spectra", "--quick").returncode, 0)
+        self.assertEqual(sorted(self.rows_of("spectra"), key=lambda row: row["command"]),
+                         sorted([first, *others], key=lambda row: row["command"]))
+
+    def test_the_command_of_a_row_redoes_its_point(self):
+        self.assertEqual(self.study("spectra", "--quick").returncode, 0)
+        row = next(row for row in self.rows_of("spectra") if row["iterations"])
+        program, *words = shlex.split(row["command"])
+        self.assertEqual(program, "build/tests/studies/studies")
+        again = subprocess.run([self.TOOL, *words], capture_output=True, text=True, cwd=ROOT, timeout=600, check=True,
+                               env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})
+        last = list(csv.DictReader(again.stdout.splitlines()))[-1]
+        for name in ("iterations", "residual", "verdict"):
+            self.assertEqual(last[name], row[name])
+
+    def test_wrong_words_are_refused(self):
+        for words, message in ((["map"], "there is no study 'map'"), (["maps", "--quick", "--docs"], "--quick measures nothing")):
+            refused = self.study(*words)
+            self.assertEqual(refused.returncode, 2)
+            self.assertIn(message, refused.stderr)
 
 
 if __name__ == "__main__":

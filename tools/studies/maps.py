@@ -34,7 +34,7 @@ def point_of(name, x, y, method, settings):
 
 
 def all_points(is_quick):
-    for name, (make, _, _, left_out) in scenes.MAPS.items():
+    for name, (make, _, _, left_out) in list(scenes.MAPS.items())[:2 if is_quick else None]:
         for x, y, settings in make(2) if is_quick else make():
             for method in METHODS:
                 if method not in left_out:
@@ -117,7 +117,9 @@ def add_legend(figure, found):
 
 
 def figures(rows):
-    return {f"map_{name}": map_figure(name, [row for row in rows if row["map"] == name]) for name in scenes.MAPS}
+    found = {row["map"] for row in rows}
+    return {f"map_{name}": map_figure(name, [row for row in rows if row["map"] == name])
+            for name in scenes.MAPS if name in found}
 
 
 def count_table(rows):

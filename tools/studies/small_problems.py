@@ -37,7 +37,10 @@ def counts(row, kinds=("above", "below")):
 
 
 def figures(rows):
-    figure, grid = plt.subplots(1, len(NODES), figsize=(11, 2.6), sharey=True)
+    figure = plt.figure(figsize=(11, 3))
+    charts, legend = figure.subfigures(2, 1, height_ratios=(2.6, 0.4))
+    grid = charts.subplots(1, len(NODES), sharey=True)
+    grid[0].invert_yaxis()
     for axes, nodes in zip(grid, NODES):
         own = {row["method"]: counts(row) for row in rows if int(row["nodes"]) == nodes}
         left = dict.fromkeys(own, 0.)
@@ -45,11 +48,10 @@ def figures(rows):
             shares = {method: 100 * found[verdict] / sum(found.values()) for method, found in own.items()}
             axes.barh(list(shares), list(shares.values()), left=list(left.values()), color=colour, label=verdict)
             left = {method: left[method] + share for method, share in shares.items()}
-        axes.invert_yaxis()
         axes.grid(False)
         axes.set_title(f"{nodes} node{'s' if nodes > 1 else ''}", fontsize=9)
         axes.set_xlabel("% of the problems")
-    grid[0].legend(fontsize=6.5, loc="lower left", frameon=True)
+    legend.legend(*grid[0].get_legend_handles_labels(), fontsize=8, loc="center", ncols=len(VERDICTS))
     return {"small_problems": figure}
 
 
