@@ -26,7 +26,7 @@ void sweep(benchmark::State &state)
   for (auto _ : state)
   {
     NodeVector force = s.force;
-    sweeps.sweep(force);
+    sweeps.sweep(force, 1);
     benchmark::DoNotOptimize(force.data());
   }
 }
@@ -40,7 +40,7 @@ void newton_iteration(benchmark::State &state)
   const GaussSeidel sweeps(s.problem, s.parameters.contact_solver);
   NodeVector force = s.force;
   for (unsigned int i = 0; i < 10; ++i)
-    sweeps.sweep(force);
+    sweeps.sweep(force, 1);
   const NodeVector displacement = s.problem.displacement(force);
   const InnerCompliance inner(*s.condensed.compliance().dense(), s.problem.largest_compliance());
   for (auto _ : state)
