@@ -34,7 +34,8 @@ double fall(const Points &trace)
   return std::log(least_residual(trace.begin(), std::next(middle)) / least_residual(middle, trace.end()));
 }
 
-/// Whether nearly every residual of the second half is below the one before: an iteration that creeps does not cycle.
+/// Whether nearly every residual of the second half is below the one before: an iteration that creeps does
+/// not cycle.
 bool creeps(const Points &trace)
 {
   constexpr double rounding = 1e-12;
@@ -72,6 +73,7 @@ const char *to_word(const Verdict verdict)
 
 Verdict judge(const Points &trace, const double tolerance, const double rounding)
 {
+  constexpr std::size_t few = 4;       // points that tell no trend
   constexpr double growth = 10;        // of forces that have no bound, in half of the iterations
   constexpr double least_fall = 0.105; // a tenth of the residual in half of the iterations
   if (trace.empty())
@@ -79,11 +81,12 @@ Verdict judge(const Points &trace, const double tolerance, const double rounding
   const TracePoint &last = trace.back();
   if (last.residual <= tolerance)
     return Verdict::converged;
-  if (!std::isfinite(last.residual) || last.force > growth * middle_of(trace)->force)
+  if (!std::isfinite(last.residual))
+    return Verdict::diverged;
+  if (trace.size() >= few && last.force > growth * middle_of(trace)->force)
     return Verdict::diverged;
   if (least_residual(trace.begin(), trace.end()) <= rounding)
     return Verdict::rounding;
-  constexpr std::size_t few = 4;
   return trace.size() < few || fall(trace) > least_fall || creeps(trace) ? Verdict::slow : Verdict::cycling;
 }
 

@@ -57,7 +57,7 @@ std::optional<Iterate> line_search(const ContactProblem &problem, const Iterate 
 /// solution.
 double relaxation_of_round(const unsigned int round)
 {
-  constexpr unsigned int first_relaxed = 4;
+  constexpr unsigned int first_relaxed = 5;
   if (round < first_relaxed || round % 2 == 0)
     return 1;
   return round % 4 == 1 ? 0.3 : 0.05;
@@ -108,13 +108,43 @@ double SemismoothNewton::iterate_while_it_pays(NodeVector &force, unsigned int &
   return last_residual;
 }
 
+/// Newton's steps in full from `trial` on, whatever the residual does on the way: where pieces of the natural
+/// map meet, the line search may stop at a corner that full steps pass over. Leaves the best forces and
+/// returns their residual.
+double SemismoothNewton::iterate_in_full(NodeVector trial, double least, NodeVector &force,
+                                         unsigned int &iterations, Trace &trace) const
+{
+  constexpr unsigned int most_iterations = 15;
+  constexpr float inexactness = 1e-4F; // what single precision gives without trouble
+  for (unsigned int i = 0; i < most_iterations && iterations < options_.maximum_iterations; ++i, ++iterations)
+  {
+    const NewtonSystem system(problem_, trial, problem_.displacement(trial), options_.rho_factor);
+    trial += system.solve(inner_, inexactness); // may leave the cone on the way
+    const NodeVector candidate = admissible(problem_, trial);
+    const double residual = problem_.residual(candidate);
+    if (!std::isfinite(residual))
+      break;
+    if (residual < least)
+    {
+      least = residual;
+      force = candidate;
+      trace.add(iterations, residual, problem_.force_scale(force));
+    }
+    if (residual <= options_.tolerance)
+      break;
+  }
+  return least;
+}
+
 SolverReport SemismoothNewton::solve(NodeVector &force)
 {
   constexpr unsigned int first_sweeps = 10;
   constexpr unsigned int most_sweeps = 160;
-  constexpr double good_start = 0.1; // sweeps are for starts that are farther off, and for stalls
+  constexpr unsigned int first_full_round = 2; // where line search and sweeps have stalled twice
+  constexpr double good_start = 0.1;           // sweeps are for starts that are farther off, and for stalls
   unsigned int iterations = 0;
   Trace trace;
+  const NodeVector start = force;
   double residual = problem_.residual(force);
   trace.add(iterations, residual, problem_.force_scale(force));
   unsigned int n_sweeps = residual > good_start ? first_sweeps : 0;
@@ -125,6 +155,9 @@ SolverReport SemismoothNewton::solve(NodeVector &force)
     for (unsigned int i = 0; i < n_sweeps && iterations < options_.maximum_iterations; ++i, ++iterations)
       sweeps_.sweep(force, relaxation_of_round(round));
     residual = iterate_while_it_pays(force, iterations, trace);
+    if (round >= first_full_round && residual > options_.tolerance)
+      residual =
+          iterate_in_full(round == first_full_round ? start : force, residual, force, iterations, trace);
     n_sweeps = std::clamp(2 * n_sweeps, first_sweeps, most_sweeps);
   }
   return make_report(problem_, force, iterations, options_.tolerance, std::move(trace));

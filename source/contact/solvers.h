@@ -108,6 +108,8 @@ public:
 
 private:
   double iterate_while_it_pays(NodeVector &force, unsigned int &iterations, Trace &trace) const;
+  double iterate_in_full(NodeVector trial, double least, NodeVector &force, unsigned int &iterations,
+                         Trace &trace) const;
 
   const ContactProblem &problem_;
   ContactSolverOptions options_;

@@ -18,8 +18,9 @@ constexpr const char *file_name = "checkpoint/state";
 /// solved and judged, but not what is computed.
 bool may_change(const std::string &entry)
 {
-  static const std::array<const char *, 3> free_entries{
-      {"Output/Checkpoint", "Contact solver/Maximum iterations", "Contact solver/Method"}};
+  static const std::array<const char *, 5> free_entries{
+      {"Output/Checkpoint", "Contact solver/Maximum iterations", "Contact solver/Method",
+       "Contact solver/Relaxation", "Contact solver/Rho factor"}};
   return entry.compare(0, 7, "Checks/") == 0 ||
          std::find(free_entries.begin(), free_entries.end(), entry) != free_entries.end();
 }

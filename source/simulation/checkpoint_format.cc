@@ -17,7 +17,7 @@ namespace
 using Eigen::Index;
 using Json = nlohmann::json;
 
-constexpr unsigned int format_version = 2;
+constexpr unsigned int format_version = 3;
 constexpr const char *magic = "orthocone-checkpoint";
 
 std::uint32_t checksum(const std::string &bytes)

@@ -22,17 +22,6 @@ ContactState::ContactState(const Index n_nodes)
 
 namespace
 {
-/// Work of friction along the slip `change`, >= 0. The mean of the forces before and after is exact while
-/// they are proportional. Where the old force drives the slip, this reverses within the step and all of it is
-/// against the force that the law gives at the end, unless the old force is small against that. Continuous in
-/// both forces: which case it is must not depend on rounding.
-double dissipation(const Vector2d &before, const Vector2d &after, const Vector2d &change)
-{
-  const double old_work = -before.dot(change);
-  const double new_work = -after.dot(change);
-  return 0.5 * (new_work + (old_work < 0 ? std::min(-old_work, new_work) : old_work));
-}
-
 /// Share of the step in which a node that ends with a gap touched the plane, if its normal force fell evenly
 /// from `before` to what would pull the gap shut.
 double share_in_contact(const double before, const double gap, const double compliance)
@@ -51,6 +40,17 @@ void remember_stick(ContactState &state, const Index node, const Vector2d &chang
     mark = before;
 }
 } // namespace
+
+// The mean of the forces before and after is exact while
+// they are proportional. Where the old force drives the slip, this reverses within the step and all of it is
+// against the force that the law gives at the end, unless the old force is small against that. Continuous in
+// both forces: which case it is must not depend on rounding.
+double dissipation(const Vector2d &before, const Vector2d &after, const Vector2d &change)
+{
+  const double old_work = -before.dot(change);
+  const double new_work = -after.dot(change);
+  return 0.5 * (new_work + (old_work < 0 ? std::min(-old_work, new_work) : old_work));
+}
 
 double slip_since_stick(const ContactState &state, const Index node)
 {

@@ -13,6 +13,14 @@ namespace orthocone
 {
 namespace
 {
+/// How many iterations would have been enough for the part of the step that was tried last, or 0 if nobody
+/// knows.
+double enough_iterations(const ContactSolverOptions &options, const SolverReport &report)
+{
+  const double more = iterations_to_go(report.trace.points(), options.tolerance);
+  return more > 0 ? report.trace.points().back().iterations + more : 0;
+}
+
 double least_residual(const SolverReport &report)
 {
   double least = report.residual;
@@ -28,10 +36,9 @@ std::string why(const ContactSolverOptions &options, const SolverReport &report)
   switch (report.verdict)
   {
   case Verdict::slow:
-    text << "The iteration is slow: the residual still falls";
-    if (const double more = iterations_to_go(report.trace.points(), options.tolerance); more > 0)
-      text << ", and at this rate " << std::setprecision(1) << std::scientific << more
-           << " iterations more would do";
+    text << "The iteration is slow: "
+         << (enough_iterations(options, report) > 0 ? "the residual still fell at the end"
+                                                    : "too few iterations to tell more");
     break;
   case Verdict::rounding:
     text << "Rounding stops the iteration: the residual came down to " << least_residual(report);
@@ -50,27 +57,31 @@ std::string why(const ContactSolverOptions &options, const SolverReport &report)
   return text.str();
 }
 
+std::string more_iterations(const ContactSolverOptions &options, const SolverReport &report)
+{
+  std::ostringstream text;
+  text << "Try more Contact solver/Maximum iterations";
+  if (const double enough = enough_iterations(options, report); enough > 0)
+    text << " (at this rate, some " << std::setprecision(0) << std::fixed << enough
+         << " for each part of the step)";
+  text << (options.method == ContactMethod::newton ? "." : ", or Method = newton.");
+  return text.str();
+}
+
 std::string remedy(const ContactSolverOptions &options, const SolverReport &report)
 {
-  const bool is_default = options.method == ContactMethod::newton;
-  switch (report.verdict)
-  {
-  case Verdict::slow:
-    return std::string("Try more Contact solver/Maximum iterations") +
-           (is_default ? "." : ", or Method = newton.");
-  case Verdict::rounding:
+  const bool is_default = options.method == ContactMethod::newton && options.rho_factor == 1;
+  if (report.verdict == Verdict::slow)
+    return more_iterations(options, report);
+  if (report.verdict == Verdict::rounding)
     return "Take a larger Contact solver/Tolerance.";
-  case Verdict::diverged:
-    if (!std::isfinite(report.residual))
-      return "Are lengths in mm, forces in N, moduli in MPa?";
-    break;
-  default:
-    break;
-  }
-  return is_default ? "Try smaller load steps or Contact solver/Method = gauss-seidel; where friction is "
-                      "above the critical "
-                      "one, there may be no solution next to the last state."
-                    : "Try Contact solver/Method = newton.";
+  if (!is_default)
+    return "Try Contact solver/Method = newton with Rho factor = 1.";
+  if (!std::isfinite(report.residual))
+    return "Are lengths in mm, forces in N, moduli in MPa?";
+  return "Try smaller load steps or Contact solver/Method = gauss-seidel; near incompressibility, "
+         "Mesh/Volumetric "
+         "quadrature = reduced; and see what log.txt says of the critical friction.";
 }
 } // namespace
 

@@ -185,7 +185,7 @@ class RefusalTest(ResumeTest):
         for bad, expression in ((b"", "is not a checkpoint"), (b"hello\n", "is not a checkpoint"),
                                 (good[:middle], "is cut off"), (good + b"x", "is cut off"),
                                 (good[:middle] + bytes([good[middle] ^ 1]) + good[middle + 1:], "is damaged"),
-                                (good.replace(b" 2 ", b" 3 ", 1), "has format version 3, and this program reads")):
+                                (good.replace(b" 3 ", b" 4 ", 1), "has format version 4, and this program reads")):
             state.write_bytes(bad)
             self.assert_refused(FILE_ERROR, r".*checkpoint/state: " + expression + r".*; without --resume")
 

@@ -3,6 +3,8 @@
 #include "experiments.h"
 #include "layer_schemes.h"
 
+#include <orthocone/simulation/contact_state.h>
+
 #include <algorithm>
 #include <iostream>
 #include <map>
@@ -58,10 +60,9 @@ History march(Layer &layer, const std::string &scheme, const std::vector<Vector2
       step.is_first_of_leg = i == 1;
       const Vector2d slip = layer.advance(scheme, step);
       const Vector2d change = slip - step.slip, traction = step.top - slip;
-      // As the program reports it: by the mean of the forces, but by the new one where the slip reverses.
-      const Vector2d old = history.traction.back();
-      const Vector2d force = old.dot(change) < 0 ? traction : Vector2d(0.5 * (old + traction));
-      history.dissipation.push_back(history.dissipation.back() + force.dot(change));
+      // The plane's forces are opposite to the traction of the layer.
+      history.dissipation.push_back(history.dissipation.back() +
+                                    dissipation(-history.traction.back(), -traction, change));
       history.driven += std::max(0., -traction.dot(change));
       history.traction.push_back(traction);
       step.previous_slip = step.slip;

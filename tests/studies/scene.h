@@ -25,7 +25,7 @@ struct SceneWords
   double number(const std::string &option, double otherwise) const;
 };
 
-/// Marches with the default method, as the program would, until the step `number` is the next one. Throws
+/// Marches with the method of the file, as the program would, until the step `number` is the next one. Throws
 /// std::runtime_error if a step before cannot be solved.
 struct March
 {

@@ -26,8 +26,7 @@ void add_work(const ContactState &before, const ContactState &after, const unsig
     const Index x = 3 * node + 1;
     const Eigen::Vector2d change = after.displacement.segment<2>(x) - before.displacement.segment<2>(x);
     const Eigen::Vector2d old = before.force.segment<2>(x), force = after.force.segment<2>(x);
-    const bool has_reversed = old.dot(change) > 0;
-    work.dissipated -= n_copies * (has_reversed ? force.dot(change) : 0.5 * (old + force).dot(change));
+    work.dissipated += n_copies * dissipation(old, force, change);
     work.driven += n_copies * std::max(0., force.dot(change));
   }
 }

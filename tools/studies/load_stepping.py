@@ -12,7 +12,7 @@ import math
 import numpy as np
 import run_folder
 import style
-from points import program_point, tool_point
+from points import StudyError, program_point, tool_point
 
 plt = style.plt
 PAGE = "accuracy.md"
@@ -77,7 +77,7 @@ def as_text(vectors):
 
 def extract(result, point):
     if result.code != 0:
-        raise SystemExit(f"study: load_stepping: {point.command}\n{result.errors.strip()}")
+        raise StudyError(f"{point.command}\n{result.errors.strip()}")
     if point.words[1] == "slip_integration":
         rows = [{name: float(value) for name, value in row.items()}
                 for row in csv.DictReader(io.StringIO(result.output))]

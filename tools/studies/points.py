@@ -17,6 +17,7 @@ import time
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path.insert(0, str(ROOT / "tools/plots"))
 
+INTERRUPTED = 130  # exit code of the program
 RUN_FOLDER = "output/point"  # of commands as rows show them
 
 
@@ -73,6 +74,8 @@ def _run(words, folder, threads):
         _, status, usage = os.wait4(process.pid, 0)
         seconds = time.perf_counter() - begin
         process.returncode = os.waitstatus_to_exitcode(status)
+        if process.returncode < 0 or process.returncode == INTERRUPTED:
+            raise StudyError("interrupted; the same command goes on")
         output.seek(0)
         errors.seek(0)
         return Result(process.returncode, output.read(), errors.read(), seconds, usage.ru_utime + usage.ru_stime,
@@ -87,6 +90,13 @@ def ran(words, programs, threads=None):
         real = [str(programs.get(words[0], words[0])), *(str(folder / "run") if word == RUN_FOLDER else str(word)
                                                           for word in words[1:])]
         yield _run(real, folder, threads)
+
+
+def write_rows(path, rows):
+    with open(path, "w", newline="", encoding="utf-8") as file:
+        writer = csv.DictWriter(file, list(rows[0]), extrasaction="ignore")
+        writer.writeheader()
+        writer.writerows(rows)
 
 
 class Table:
@@ -109,11 +119,14 @@ class Table:
         with self._lock:
             self._known[row["command"]] = {name: str(value) for name, value in row.items()}
             is_new = not self.path.exists()
-            with open(self.path, "a", newline="", encoding="utf-8") as file:
-                writer = csv.DictWriter(file, list(row))
-                if is_new:
-                    writer.writeheader()
-                writer.writerow(row)
+            if is_new:
+                write_rows(self.path, [row])
+                return
+            with open(self.path, "r+", newline="", encoding="utf-8") as file:
+                if next(csv.reader(file)) != list(row):
+                    raise StudyError(f"{self.path} has other columns: remove it, or call with --anew")
+                file.seek(0, os.SEEK_END)
+                csv.DictWriter(file, list(row)).writerow(row)
 
 
 def measure(table, points, extract, programs, jobs=1, threads=None, note=print):

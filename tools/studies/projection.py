@@ -9,7 +9,7 @@ import io
 
 import numpy as np
 import style
-from points import tool_point
+from points import StudyError, tool_point
 
 plt = style.plt
 PAGE = "accuracy.md"
@@ -38,7 +38,7 @@ def laws_of(formula, laws):
 def extract(result, point):
     rows = list(csv.DictReader(io.StringIO(result.output)))
     if result.code != 0:
-        raise SystemExit(f"study: projection: {point.command}\n{result.errors.strip()}")
+        raise StudyError(f"{point.command}\n{result.errors.strip()}")
     found = {"nanoseconds": f"{np.median([float(row['nanoseconds']) for row in rows]):.1f}",
              "median_digits": f"{np.median([float(row['median_digits']) for row in rows]):.2f}",
              "failures": sum(int(row["failures"]) for row in rows), "points": sum(int(row["points"]) for row in rows)}

@@ -20,10 +20,9 @@ def friction(mu, p):
             "Friction/Slip potential": f"{number(p[0])}, {number(p[1])}"}
 
 
-def scene(case="C", **changes):
-    """The settings of a small scene of the paper's case; changes are entries with _ for blank and __ for /."""
-    settings = {"Mesh/Model": "quarter", **SMALL_MESH, **PROGRAM, **friction(*CASES[case])}
-    return settings | changes.get("settings", {})
+def scene(case="C", settings=None):
+    """The settings of a small scene of the paper's case, with other settings in place of some."""
+    return {"Mesh/Model": "quarter", **SMALL_MESH, **PROGRAM, **friction(*CASES[case]), **(settings or {})}
 
 
 def logarithmic(first, last, n):
@@ -107,7 +106,7 @@ def random_scene(seed):
             "Load program/Legs": legs}
 
 
-def random_scenes(n=300):
+def random_scenes(n=200):
     for seed in range(n if n > 2 else 4):
         yield seed, "", random_scene(seed)
 

@@ -7,7 +7,7 @@ import math
 
 import numpy as np
 import style
-from points import tool_point
+from points import StudyError, tool_point
 
 plt = style.plt
 PAGE = "accuracy.md"
@@ -26,7 +26,7 @@ def extract(result, point):
     """Lists, one entry for each number of steps."""
     rows = list(csv.DictReader(io.StringIO(result.output)))
     if result.code != 0:
-        raise SystemExit(f"study: slip_integration: {point.command}\n{result.errors.strip()}")
+        raise StudyError(f"{point.command}\n{result.errors.strip()}")
     return {name: " ".join(row[name] for row in rows) for name in rows[0]}
 
 

@@ -2,13 +2,12 @@
 # Copyright (C) 2026 the orthocone authors
 """Charts of accuracy against time and maps of where methods fail. Started by tools/study."""
 import argparse
+import hashlib
 import importlib
 import pathlib
-import shutil
-import subprocess
 import sys
 
-from points import ROOT, StudyError, Table, measure  # finds tools/plots for all that follow
+from points import ROOT, StudyError, Table, measure, write_rows  # finds tools/plots for all that follow
 
 import docs_page  # noqa: E402
 import style  # noqa: E402
@@ -45,10 +44,12 @@ def parsed_options():
     parser.add_argument("--anew", action="store_true", help="compute also the points that are there already")
     parser.add_argument("--quick", action="store_true", help="few points: a test of this tool, not a study")
     parser.add_argument("--jobs", type=int, default=2, help="runs at a time where no time is measured (2)")
-    parser.add_argument("--output", type=pathlib.Path, default=ROOT / "output/study", help="folder of the results")
+    parser.add_argument("--output", type=pathlib.Path, help="folder of the results (output/study)")
     parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/orthocone")
     parser.add_argument("--studies", type=pathlib.Path, default=ROOT / "build/tests/studies/studies")
     options = parser.parse_args()
+    if options.output is None:
+        options.output = ROOT / ("output/study-quick" if options.quick else "output/study")
     unknown = [name for name in options.names if name not in STUDIES]
     if unknown:
         parser.error(f"there is no study '{unknown[0]}': allowed are {', '.join(STUDIES)}")
@@ -57,21 +58,30 @@ def parsed_options():
     return options
 
 
-def forget_other_versions(options):
-    """Points of another version of the program, or of a quick try, do not stand beside those of this one."""
-    version = subprocess.run([options.program, "--version"], capture_output=True, text=True, check=True).stdout
-    version += "quick\n" if options.quick else ""
-    mark = options.output / "version.txt"
-    if mark.exists() and mark.read_text(encoding="utf-8") != version and any(options.output.glob("*.csv")):
-        print(f"study: {options.output} has points of another version; they are computed anew", flush=True)
-        for table in options.output.glob("*.csv"):
-            table.unlink()
+def fingerprint():
+    """Of everything that the programs are built from: another commit of pages or tools leaves points as they are."""
+    files = [ROOT / "CMakeLists.txt", *(file for folder in ("include", "source", "tests/studies", "prm")
+                                        for file in (ROOT / folder).rglob("*") if file.is_file())]
+    digest = hashlib.sha256()
+    for file in sorted(files):
+        digest.update(file.read_bytes())
+    return digest.hexdigest() + "\n"
+
+
+def set_aside_other_versions(name, options):
+    """Points of another version of the program do not stand beside those of this one."""
+    mark, table = options.output / f"{name}.version", options.output / f"{name}.csv"
+    present = fingerprint()
+    if table.exists() and not (mark.exists() and mark.read_text(encoding="utf-8") == present):
+        table.replace(options.output / f"{name}.csv.old")
+        print(f"study: {name}: points of another version are in {name}.csv.old; they are computed anew", flush=True)
     options.output.mkdir(parents=True, exist_ok=True)
-    mark.write_text(version, encoding="utf-8")
+    mark.write_text(present, encoding="utf-8")
 
 
 def make(name, options):
     module = importlib.import_module(name)
+    set_aside_other_versions(name, options)
     rows = module.measured(Context(name, options))
     folders = [options.output] + ([ROOT / "docs/images"] if options.docs else [])
     for picture, figure in module.figures(rows).items():
@@ -82,7 +92,7 @@ def make(name, options):
         print("\n" + table, flush=True)
     if options.docs:
         docs_page.write_tables(tables, ROOT / "docs" / module.PAGE, "study")
-        shutil.copy(options.output / f"{name}.csv", ROOT / "docs/data" / f"{name}.csv")
+        write_rows(ROOT / "docs/data" / f"{name}.csv", rows)
 
 
 def main():
@@ -91,7 +101,6 @@ def main():
         for name in STUDIES:
             print(f"{name:24}{importlib.import_module(name).__doc__.splitlines()[0]}")
         return
-    forget_other_versions(options)
     try:
         for name in options.names or STUDIES:
             make(name, options)

@@ -62,9 +62,9 @@ def extract(result, point):
     if result.code != 0:
         return {"critical_factor": "failed"}
     if point.columns["kind"] == "mesh":
-        critical = json.loads((result.folder / "summary.json").read_text(encoding="utf-8"))["critical_friction"]
-        return {"critical_factor": critical["factor"], "node_x": critical["node_mm"][0],
-                "node_y": critical["node_mm"][1]}
+        critical = json.loads((result.folder / "summary.json").read_text(encoding="utf-8"))["critical_friction"] or {"factor": "", "node_mm": None}
+        node = critical["node_mm"] or ("", "")  # nothing is coupled
+        return {"critical_factor": critical["factor"], "node_x": node[0], "node_y": node[1]}
     rows = list(csv.DictReader(io.StringIO(result.output)))
     if point.columns["kind"] == "one node":
         return {"states": " ".join(row["states"] for row in rows), "loads": len(rows),

@@ -52,7 +52,8 @@ def with_agreement(rows):
         tolerance = float(row["tolerance"])
         row["n_agree"] = sum(agree(row["signature"], other["signature"], tolerance) for other in converged)
     most = max((row["n_agree"] for row in converged), default=0)
+    is_split = 2 * most <= len(converged) and len(converged) > 1  # nobody knows which solution is the common one
     for row in converged:
-        if row["n_agree"] < most:
+        if is_split or row["n_agree"] < most:
             row["verdict"] = "other"
     return rows

@@ -27,6 +27,11 @@ struct ContactState
 /// How far a node has slipped since it last stuck or turned round, mm.
 double slip_since_stick(const ContactState &state, Eigen::Index node);
 
+/// Work of friction, N mm, along a node's slip `change` (mm) while its tangential force goes from `before` to
+/// `after` (N); not negative if `after` opposes the slip. docs/theory.md, section 4.
+double dissipation(const Eigen::Vector2d &before, const Eigen::Vector2d &after,
+                   const Eigen::Vector2d &change);
+
 /// Enters the solution of a step into the state: displacement, status, accumulated slip and dissipation,
 /// which is the work of the mean friction force, or of the final one where the slip reverses or the node
 /// lifts off.

@@ -157,9 +157,9 @@ TEST(Checkpoint, OfAnotherFormatIsRefused)
 {
   std::string bytes = encode(checkpoint_after(1));
   const std::size_t place = bytes.find(' ') + 1;
-  ASSERT_EQ(bytes[place], '2');
+  ASSERT_EQ(bytes[place], '3');
   bytes[place] = '7';
-  EXPECT_EQ(complaint(bytes), "has format version 7, and this program reads version 2");
+  EXPECT_EQ(complaint(bytes), "has format version 7, and this program reads version 3");
 }
 
 TEST(Checkpoint, IsFoundByTheSameParametersOnly)
