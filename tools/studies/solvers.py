@@ -104,6 +104,8 @@ def sizes(rows):
     for case, marker in zip(cases, ("o-", "^--")):
         for method in COMPARED:
             own = [row for row in rows if row["chart"] == f"sizes {case}" and row["method"] == method]
+            if not own:
+                continue
             style = {"color": METHOD_COLOURS[method], "marker": marker[0], "ls": marker[1:]}
             size_line(grid[0], own, lambda row: int(row["iterations"]), f"{method}, {case}", **style)
             size_line(grid[1], own, lambda row: float(row["seconds"]), f"{method}, {case}", **style)
@@ -116,8 +118,11 @@ def sizes(rows):
     for axes, label in zip(grid, ("iterations in the step", "seconds in the step", "seconds per iteration of uzawa")):
         axes.set_xlabel("contact nodes (quarter, Q2)")
         axes.set_ylabel(label)
-    grid[0].legend(fontsize=6.5)
+    grid[1].legend(fontsize=6.5, loc="upper left")
     grid[2].legend(fontsize=7)
+    for axes in grid:
+        axes.set_xticks([100, 200, 500, 1000], ["100", "200", "500", "1000"])
+        axes.set_xticks([], minor=True)
     return figure
 
 
