@@ -14,14 +14,20 @@ from style import METHODS
 
 PAGE = "stability.md"
 DEFAULT = "newton"
+DEFAULT_ITERATIONS = 5000
 MOST_ITERATIONS = 2000  # of methods other than the default, which has the program's
 RANDOM_METHODS = (DEFAULT, "gauss-seidel", "uzawa")
 
 # Verdict: (colour, letter in the cell). Converged cells are shaded by their iterations instead.
 KINDS = {"slow": ("#e69f00", "s"), "cycling": ("#cc79a7", "c"), "diverged": ("#000000", "d"), "rounding": ("#999999", "r"),
-         "other": ("#d55e00", "o"), "check": ("#ff0000", "x"), "no-model": ("#ffffff", "-")}
+         "other": ("#d55e00", "o"), "divided": ("#9ecae1", "h"), "check": ("#ff0000", "x"), "no-model": ("#ffffff", "-")}
+SOLVED = ("converged", "divided")
 SHADES = plt.get_cmap("GnBu")
 MOST_SHADED = 2000
+
+
+def most_iterations(method):
+    return DEFAULT_ITERATIONS if method == DEFAULT else MOST_ITERATIONS
 
 
 def point_of(name, x, y, method, settings):
@@ -48,7 +54,7 @@ def measured(context):
     rows = context.measure(list(all_points(context.is_quick)), verdicts.outcome, jobs=context.jobs, threads=1)
     rows = [dict(row) for row in rows]
     return [row for _, group in itertools.groupby(rows, lambda row: (row["map"], row["x"], row["y"]))
-            for row in verdicts.with_agreement(list(group))]
+            for row in verdicts.with_agreement(list(group), most_iterations)]
 
 
 def shade(iterations):
@@ -95,7 +101,7 @@ def map_figure(name, rows):
     for axes, method in zip(grid.flat, methods):
         own = [row for row in rows if row["method"] == method]
         draw_map(axes, own, columns, lines)
-        n = sum(row["verdict"] == "converged" for row in own)
+        n = sum(row["verdict"] in SOLVED for row in own)
         axes.set_title(f"{method}: {n} of {len(own)}", fontsize=9)
         label_axis(axes.xaxis, columns)
         label_axis(axes.yaxis, lines)
@@ -129,7 +135,7 @@ def count_table(rows):
         cells = []
         for name in (*names, None):
             own = [row for row in rows if row["method"] == method and name in (row["map"], None)]
-            n = sum(row["verdict"] == "converged" for row in own)
+            n = sum(row["verdict"] in SOLVED for row in own)
             cells.append(f"{n} of {len(own)}" if own else "–")
         text += f"| `{method}` | " + " | ".join(cells) + " |\n"
     return text
@@ -137,7 +143,7 @@ def count_table(rows):
 
 def failure_table(rows):
     """Every point that the default method did not solve, and what it said."""
-    failed = [row for row in rows if row["method"] == DEFAULT and row["verdict"] != "converged"]
+    failed = [row for row in rows if row["method"] == DEFAULT and row["verdict"] not in SOLVED]
     text = "| map | x | y | verdict | steps solved | other methods |\n|---|---|---|---|---|---|\n"
     for row in failed:
         others = ", ".join(f"{other['method']} {other['verdict']}" for other in rows if other is not row and
