@@ -41,6 +41,10 @@ TEST(Warnings, AreGivenForWhatIsLegalButSuspicious)
   EXPECT_TRUE(warned(sideways(3, 0.4), "Load program: |u_t|"));
   EXPECT_FALSE(warned(sideways(3, 0.3), "Load program"));
   EXPECT_FALSE(warned(sideways(0.3, 0.4), "Load program"));
+}
+
+TEST(Warnings, AreGivenForElementsThatDoNotResolveTheRimOrLock)
+{
   EXPECT_TRUE(warned([](Parameters &p) { p.mesh.degree = 1; }, "Mesh"));
   // A mesh of linear elements that resolves the rim, of a material that it locks for.
   const auto fine = [](Parameters &p)
