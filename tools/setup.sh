@@ -11,7 +11,7 @@
 set -eu
 
 packages="g++ cmake ninja-build git
-  libdeal.ii-dev libsuitesparse-dev libeigen3-dev libopenblas-pthread-dev liblapacke-dev
+  libdeal.ii-dev libsuitesparse-dev libmetis-dev libeigen3-dev libopenblas-pthread-dev liblapacke-dev
   libboost-program-options-dev nlohmann-json3-dev libgtest-dev"
 figures_packages="python3 python3-numpy python3-matplotlib python3-meshio"
 benchmark_packages="$figures_packages libbenchmark-dev"
