@@ -63,6 +63,15 @@ unsigned int ModelSymmetry::n_images(const ContactSurface &surface, const Contac
   return (planes_.normal_to_x && node.is_free[0] ? 2 : 1) * (planes_.normal_to_y && node.is_free[1] ? 2 : 1);
 }
 
+Eigen::VectorXd ModelSymmetry::force_shares(const ContactSurface &surface) const
+{
+  Eigen::VectorXd shares(surface.nodes.size());
+  for (std::size_t i = 0; i < surface.nodes.size(); ++i)
+    shares[static_cast<Eigen::Index>(i)] =
+        static_cast<double>(n_images(surface, surface.nodes[i])) / n_copies();
+  return shares;
+}
+
 Matrix2d ModelSymmetry::map_to(const Vector2d &position) const
 {
   if (is_axisymmetric_)

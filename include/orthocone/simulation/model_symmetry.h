@@ -50,6 +50,10 @@ public:
   /// Number of nodes of the whole surface that a node of the model stands for.
   unsigned int n_images(const ContactSurface &surface, const ContactNode &node) const;
 
+  /// Forces of the model's nodes relative to those of single nodes of the whole surface: a node on a plane of
+  /// symmetry carries in the model only its part of the force, a ring those of all its images.
+  Eigen::VectorXd force_shares(const ContactSurface &surface) const;
+
   /// Number of contact nodes in the counts of users: nodes of the whole body, or rings.
   unsigned int n_counted(const ContactSurface &surface, const ContactNode &node) const
   {

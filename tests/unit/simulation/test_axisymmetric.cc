@@ -15,7 +15,7 @@ namespace
 Parameters axisymmetric_scene(const unsigned int degree)
 {
   Parameters parameters = small_scene(degree);
-  parameters.friction.mu = parameters.friction.p = {{0.2, 0.2}};
+  parameters.friction.mu = {{0.2, 0.2}};
   parameters.load.legs = {Leg{{{0, 0, -0.1}}, 1}, Leg{{{0, 0, -0.06}}, 2}};
   return parameters;
 }
@@ -47,7 +47,7 @@ TEST(Axisymmetric, PressureIsUniformWithoutFrictionOrLateralStrain)
     parameters.mesh.layer_grading = 0.7;
     parameters.load.legs = {Leg{{{0, 0, -0.1}}, 1}};
     parameters.geometry.top_face = TopFace::guided;
-    parameters.friction.mu = parameters.friction.p = {{1e-11, 1e-11}};
+    parameters.friction.mu = {{1e-11, 1e-11}};
     Scene guided(parameters);
     ASSERT_TRUE(guided.symmetry.is_axisymmetric());
     guided.march();
@@ -58,7 +58,7 @@ TEST(Axisymmetric, PressureIsUniformWithoutFrictionOrLateralStrain)
                   lateral * guided.discretization.contact_surface().nodes[node].position[0], 1e-9);
     parameters.geometry.top_face = TopFace::clamped;
     parameters.material.poisson_ratio = 0;
-    parameters.friction.mu = parameters.friction.p = {{0.2, 0.2}};
+    parameters.friction.mu = {{0.2, 0.2}};
     Scene clamped(parameters);
     clamped.march();
     expect_uniform_pressure(clamped);
