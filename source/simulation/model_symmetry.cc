@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/simulation/model_symmetry.h>
 
+#include <array>
 #include <cmath>
 
 namespace orthocone
@@ -111,7 +112,7 @@ Matrix2d ModelSymmetry::map_to(const Vector2d &position) const
 
 WholeSurface ModelSymmetry::mirrored(const ContactSurface &surface) const
 {
-  // Bit 0 of an image's index is set where it is mirrored in its first direction, bit 1 in the other one.
+  // Set in the index of an image that is mirrored along x, or along y.
   const std::array<unsigned int, 2> bit{
       {planes_.normal_to_x ? 1u : 0u, planes_.normal_to_y ? n_copies() / 2 : 0u}};
   WholeSurface whole;
@@ -128,7 +129,7 @@ WholeSurface ModelSymmetry::mirrored(const ContactSurface &surface) const
       for (unsigned int i = 0; i < face.size(); ++i)
       {
         const unsigned int node = face[is_turned ? i - i % n_side + (n_side - 1 - i % n_side) : i];
-        // A plane's own node has its mirror image at its own place.
+        // A node on a plane of symmetry coincides with its mirror image.
         unsigned int own_image = image;
         for (unsigned int direction = 0; direction < 2; ++direction)
           if (!surface.nodes[node].is_free[direction])

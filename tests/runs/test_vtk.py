@@ -3,92 +3,17 @@
 """The .vtu and .pvd files as VTK reads them: names, kinds of cells, geometry, values, agreement with the tables.
 
 Usage: test_vtk.py PROGRAM [unittest options]"""
-import csv
-import functools
 import math
-import os
-import pathlib
-import subprocess
 import sys
-import tempfile
-import unittest
 import xml.etree.ElementTree
 
 import numpy as np
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from vtu_grid import HEXAHEDRON, QUADRILATERAL, Grid, gauss_lobatto, line, nearest  # noqa: E402
-
-PROGRAM = ""
-SCRATCH = tempfile.TemporaryDirectory()
-RADIUS, HEIGHT, CORE_CELLS, N_STEPS = 10, 8, 2, 4
-MU = np.array([0.3, 0.15])
-PROBE = np.array([-6, -3])
-SCENE = f"""subsection Geometry
-  set Radius = {RADIUS}
-  set Height = {HEIGHT}
-end
-subsection Mesh
-  set Core cells = {CORE_CELLS}
-  set Rings      = 2
-  set Layers     = 2
-end
-subsection Friction
-  set Coefficients   = {MU[0]}, {MU[1]}
-  set Slip potential = 0.05, 0.2
-end
-subsection Output
-  set Contact fields = 1
-  set Volume fields  = 1
-  set Probes         = P: {PROBE[0]} {PROBE[1]}
-end
-"""
-CASES = [(degree, model) for degree in (1, 2, 3) for model in ("full", "half", "quarter")]
-SHARE = {"full": 1, "half": 1 / 2, "quarter": 1 / 4}
-OPEN, STICK, SLIP = 0, 1, 2
-SINGLE = 1e-5  # the files hold single precision
-CONTACT_FIELDS = {"displacement": 3, "slip": 3, "slip_magnitude": 1, "accumulated_slip": 1, "gap": 1, "pressure": 1,
-                  "friction_traction": 3, "friction_criterion": 1, "status": 1, "nodal_force": 3,
-                  "dissipated_energy": 1}
-VOLUME_FIELDS = {"displacement": 3, "stress": 9, "von_mises_stress": 1}
-
-
-@functools.lru_cache(maxsize=None)
-def run_folder(degree, model, legs="0 0 -0.1 : 2 ; 0 0 -0.05 : 2"):
-    folder = pathlib.Path(tempfile.mkdtemp(dir=SCRATCH.name))
-    (folder / "case.prm").write_text(SCENE)
-    kind = "auto" if model == "quarter" else model
-    settings = [f"--set=Mesh/Degree={degree}", f"--set=Mesh/Model={kind}", f"--set=Load program/Legs={legs}"]
-    subprocess.run([PROGRAM, "case.prm", "--quiet", "--output", "run", *settings], cwd=folder, check=True, timeout=300)
-    return folder / "run"
-
-
-@functools.lru_cache(maxsize=None)
-def grid(degree, model, kind, step):
-    return Grid(run_folder(degree, model) / f"{kind}-{step:04d}.vtu")
-
-
-def table(degree, model, name):
-    """Rows of a .csv file: column -> number, or text where it is none."""
-    def value(text):
-        try:
-            return float(text)
-        except ValueError:
-            return text
-    with open(run_folder(degree, model) / name, encoding="ascii") as file:
-        return [{key: value(text) for key, text in row.items()} for row in csv.DictReader(file)]
-
-
-def each(kind, cases=tuple(CASES)):
-    """Runs a test of one file for the files of all cases and steps."""
-    def decorate(test):
-        def run_all(self):
-            for degree, model in cases:
-                for step in range(1, N_STEPS + 1):
-                    with self.subTest(degree=degree, model=model, step=step):
-                        test(self, grid(degree, model, kind, step), degree, model, step)
-        return run_all
-    return decorate
+from vtk_runs import (CASES, CONTACT_FIELDS, CORE_CELLS, HEIGHT, MU, N_STEPS, OPEN, PROBE,  # noqa: E402
+                      RADIUS, SCRATCH, SHARE, SINGLE, SLIP, STICK, VOLUME_FIELDS, VtkTest, each, grid, run_folder,
+                      run_tests, table)
+from vtu_grid import HEXAHEDRON, QUADRILATERAL, Grid, gauss_lobatto, nearest  # noqa: E402
 
 
 def polygon(nodes):
@@ -97,13 +22,7 @@ def polygon(nodes):
     return 4 * CORE_CELLS * RADIUS**2 / 2 * np.sin(angles).sum()
 
 
-class VtkTest(unittest.TestCase):
-    def assert_close(self, values, expected, scale=None, tolerance=SINGLE):
-        """Largest difference relative to the largest value expected."""
-        if scale is None:
-            scale = np.max(np.abs(expected))
-        self.assertLessEqual(np.max(np.abs(np.asarray(values) - expected)), tolerance * scale)
-
+class DiscTest(VtkTest):
     def assert_disc(self, area, degree):
         """Disc, but for bricks of degree 1 a polygon."""
         self.assert_close(area, polygon([0, 1]) if degree == 1 else math.pi * RADIUS**2,
@@ -117,7 +36,7 @@ class VtkTest(unittest.TestCase):
             self.assertTrue(np.all(np.isfinite(data[name])), name)
 
 
-class FileTest(VtkTest):
+class FileTest(DiscTest):
     def test_collections(self):
         for degree, model in CASES:
             for kind in ("contact", "volume"):
@@ -142,7 +61,7 @@ class FileTest(VtkTest):
         self.assert_contract(data, VOLUME_FIELDS, HEXAHEDRON)
 
 
-class ContactTest(VtkTest):
+class ContactTest(DiscTest):
     @each("contact")
     def test_disc(self, data, degree, _model, _step):
         """The cells cover the whole disc, seen from above."""
@@ -234,7 +153,7 @@ def elements(data, degree):
     return np.arange(len(data.points)).reshape(-1, (degree + 1)**3), np.linspace(0, 1, degree + 1)
 
 
-class VolumeTest(VtkTest):
+class VolumeTest(DiscTest):
     @each("volume")
     def test_body(self, data, degree, model, _step):
         x, y, z = data.points.T
@@ -275,62 +194,6 @@ class VolumeTest(VtkTest):
         self.assert_close(total / HEIGHT / SHARE[model], -force, tolerance=1e-3)
 
 
-class SampleTest(VtkTest):
-    """What VTK finds along lines, as ParaView's Plot Over Line does."""
-
-    def assert_sampled(self, data, places):
-        """Every sample is found and comes from the place where it was asked for."""
-        fields, found = data.samples(places)
-        self.assertEqual(np.sum(~found), 0)
-        self.assert_close(fields["place"], places)
-        return fields
-
-    @each("contact")
-    def test_diameters(self, data, degree, _model, _step):
-        half_gap = math.pi / (4 * CORE_CELLS) * np.diff(gauss_lobatto(degree)).max()
-        for angle in np.radians([0, 12, 45, 90, 101.3, 135]):
-            along, across = np.array([[math.cos(angle), math.sin(angle), 0], [-math.sin(angle), math.cos(angle), 0]])
-            ends_at_nodes = np.isclose(math.sin(4 * angle), 0)
-            reach = RADIUS * (1 if ends_at_nodes else math.cos(half_gap))
-            for offset in (0, 1e-6, 0.017) if not ends_at_nodes else (0,):
-                half = math.sqrt(reach**2 - offset**2) * along
-                fields = self.assert_sampled(data, line(offset * across - half, offset * across + half))
-                self.assertGreaterEqual(fields["pressure"].min(), 0)
-                self.assertLessEqual(fields["pressure"].max(), data["pressure"].max() * (1 + SINGLE))
-
-    @each("contact")
-    def test_pressure_between_nodes(self, data, _degree, _model, _step):
-        """Along an axis, where edges of the elements are."""
-        samples = line((-RADIUS, 0, 0), (RADIUS, 0, 0))
-        nodes = np.flatnonzero(np.abs(data.points[:, 1]) < SINGLE)
-        nodes = nodes[np.argsort(data.points[nodes, 0])]
-        places, pressure = data.points[nodes, 0], data["pressure"][nodes]
-        sampled = self.assert_sampled(data, samples)["pressure"]
-        expected = np.interp(samples[:, 0], places, pressure)
-        self.assert_close(sampled, expected, tolerance=1e-3)
-        # A sample nearer to a node than a thousandth of a cell's diagonal, VTK may extrapolate from the cell beyond.
-        corners = data.points[data.cells()]
-        diagonal = np.linalg.norm(corners[:, 3] - corners[:, 0], axis=1).max()
-        is_between = np.abs(samples[:, :1] - places).min(axis=1) > 1e-3 * diagonal
-        self.assertGreater(is_between.mean(), 0.9)
-        self.assert_close(sampled[is_between], expected[is_between])
-
-    @each("contact")
-    def test_nodes(self, data, _degree, _model, _step):
-        fields = self.assert_sampled(data, data.points)
-        for name in CONTACT_FIELDS:
-            self.assert_close(fields[name], data[name], np.abs(data["displacement" if name == "gap" else name]).max())
-
-    @each("volume")
-    def test_body(self, data, _degree, _model, _step):
-        reach = 0.9 * RADIUS  # degree 1 is a polygon of eight sides
-        for angle in np.radians([0, 12, 45, 90]):
-            for low, high in ((0, 0), (HEIGHT, HEIGHT), (0.3 * HEIGHT, 0.6 * HEIGHT)):
-                end = reach * np.array([math.cos(angle), math.sin(angle)])
-                fields = self.assert_sampled(data, line((0, 0, low), (*end, high)))
-                self.assertTrue(np.all(fields["von_mises_stress"] <= data["von_mises_stress"].max() * (1 + SINGLE)))
-
-
 class ModelTest(VtkTest):
     """Half and quarter models give the values of the full model, point by point."""
 
@@ -361,5 +224,4 @@ def tearDownModule():
 
 
 if __name__ == "__main__":
-    PROGRAM = os.path.abspath(sys.argv.pop(1))
-    unittest.main()
+    run_tests(sys.argv)
