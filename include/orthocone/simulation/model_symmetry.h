@@ -21,8 +21,10 @@ struct WholeSurface
     unsigned int image; ///< index in `images`
   };
 
-  std::vector<Eigen::Matrix2d> images;  ///< orthogonal maps of the plane, from the model to its images
-  std::vector<std::vector<Node>> faces; ///< (degree + 1)^2 nodes a face, lexicographic, anticlockwise
+  std::vector<Eigen::Matrix2d> images; ///< orthogonal maps of the plane, from the model to its images
+  std::vector<Node> nodes;             ///< no two at one place
+  std::vector<std::vector<unsigned int>>
+      faces; ///< (degree + 1)^2 `nodes` a face, lexicographic, anticlockwise
 };
 
 /// How the model makes the whole body: by copies mirrored about planes of symmetry, or by revolution.

@@ -2,11 +2,20 @@
 // Copyright (C) 2026 the orthocone authors
 #include "scenes.h"
 
+#include <set>
+
 namespace orthocone::test
 {
 namespace
 {
 constexpr double tolerance = 1e-8;
+
+Eigen::Vector3d mapped(const Eigen::Matrix2d &map, const Eigen::Vector3d &vector)
+{
+  Eigen::Vector3d result = vector;
+  result.head<2>() = map * vector.head<2>();
+  return result;
+}
 
 Parameters with_model(Parameters parameters, const ModelKind model)
 {
@@ -92,6 +101,39 @@ TEST(Symmetry, HalfFollowsATangentialLeg)
     expect_same_totals(half.totals(), whole.totals());
     EXPECT_LT(half.totals().force[along_x ? 0 : 1], -1000); // the plane holds the body back
   }
+}
+
+// Points of the contact files: no place twice, every image of every node, forces that add up to the total.
+TEST(Symmetry, EachNodeOfTheWholeBodyIsOnePlace)
+{
+  for (const unsigned int degree : {1, 2, 3})
+    for (const ModelKind kind :
+         {ModelKind::full, ModelKind::half, ModelKind::quarter, ModelKind::axisymmetric})
+    {
+      Parameters parameters = with_model(small_scene(degree), kind);
+      if (kind == ModelKind::axisymmetric)
+        parameters.friction.mu = parameters.friction.p = {{0.2, 0.2}};
+      parameters.load.legs = {Leg{{{0, 0, -0.1}}, 1}};
+      Scene scene(parameters);
+      scene.march();
+      const ContactSurface &surface = scene.discretization.contact_surface();
+      const WholeSurface whole = scene.symmetry.whole(surface);
+      std::set<std::pair<long, long>> places;
+      std::vector<unsigned int> n_images(surface.nodes.size(), 0);
+      Eigen::Vector3d force = Eigen::Vector3d::Zero();
+      for (const auto &[node, image] : whole.nodes)
+      {
+        const auto &position = surface.nodes[node].position;
+        const Eigen::Vector3d place = mapped(whole.images[image], {position[0], position[1], 0});
+        places.emplace(std::lround(1e6 * place[0]), std::lround(1e6 * place[1]));
+        ++n_images[node];
+        force += mapped(whole.images[image], scene.evaluator.fields(scene.state, node).nodal_force);
+      }
+      EXPECT_EQ(places.size(), whole.nodes.size());
+      for (unsigned int node = 0; node < n_images.size(); ++node)
+        EXPECT_EQ(n_images[node], scene.symmetry.n_images(surface, surface.nodes[node]));
+      EXPECT_LE((force - scene.totals().force).norm(), 1e-9 * scene.totals().force[2]);
+    }
 }
 
 // The scene turned by 90 degrees: friction along x and y changed places, fields turned.
