@@ -57,7 +57,7 @@ class PageTest(Page):
         self.assertEqual(self.browser.title, f"{self.folder.name} \u2013 orthocone report")
         titles = self.script("return [...document.querySelectorAll('section h2')].map(title => title.textContent)")
         self.assertEqual(titles, ["Warnings", "Model", "Parameters", "Histories", "Maps of the contact surface",
-                                  "Hysteresis loops", "Energy ledger", "Contact solver", "Time"])
+                                  "Hysteresis loops", "Cycles", "Energy ledger", "Contact solver", "Time"])
         probes = self.script("return [...document.querySelectorAll('#probe-loops h3')].map(title => title.textContent)")
         self.assertEqual(probes, ["Probe - at (-6, 0) mm", "Probe P at (6.72, 6.72) mm",
                                   "Probe __proto__ at (3, -3) mm"])

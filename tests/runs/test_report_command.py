@@ -70,7 +70,7 @@ class CommandTest(unittest.TestCase):
         data = json.loads(re.search(r'id="data">(.*?)</script>', text)[1])
         steps = [frame["step"] for frame in data["maps"]["frames"]]
         self.assertEqual(steps[:15] + steps[-15:], [*range(1, 16), *range(1036, 1051)])
-        self.assertTrue(set(steps) <= set(data["history"]["step"]))
+        self.assertTrue(set(steps) <= set(data["runs"][0]["history"]["step"]))
 
 
 def tearDownModule():

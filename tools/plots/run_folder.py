@@ -27,7 +27,7 @@ def read_csv(path):
 
 
 class ContactFile:
-    """Fields of a contact-NNNN.vtu file at its points; the cells do not share points."""
+    """Fields of a contact-NNNN.vtu file at its points, which neighbouring cells may share or have each of its own."""
 
     def __init__(self, path):
         mesh = meshio.read(path)
@@ -94,6 +94,11 @@ class RunFolder:
     def checks(self):
         """Independent checks of every step; {} for a run that wrote none."""
         file = self.path / "checks.csv"
+        return read_csv(file) if file.exists() else {}
+
+    def cycles(self):
+        """One row a cycle, or one for several that were jumped; {} before the first cycle has ended."""
+        file = self.path / "cycles.csv"
         return read_csv(file) if file.exists() else {}
 
     def summary(self):
