@@ -109,7 +109,8 @@ class Chart {
     const name = spec.y.name || (names.size === 1 ? spec.series[0].name : "");
     const words = name ? named(name, scales.yUnit.name) : scales.yUnit.name;
     const y = (BOX.top + BOX.bottom) / 2;
-    svgElement(this.svg, "text", {x: 11, y, "text-anchor": "middle", transform: `rotate(-90 11 ${y})`}, words);
+    const place = {x: 11, y, "text-anchor": "middle", transform: `rotate(-90 11 ${y})`};
+    if (words) svgElement(this.svg, "text", place, words);
   }
 
   // --- curves ---

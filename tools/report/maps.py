@@ -52,7 +52,9 @@ class Maps:
         return chosen
 
     def frame(self, step):
-        file = self.file(step)
+        return self.data.read(f"contact-{step:04d}.vtu", lambda: self.fields(step, self.file(step)))
+
+    def fields(self, step, file):
         fields = fields_of(file, self.nodes)
         frame = {"step": step, "lines": [line.values(fields) for line in self.lines], "status": packed(file["status"][self.nodes].astype(np.uint8))}
         for name in FIELDS:

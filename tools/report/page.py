@@ -159,6 +159,7 @@ def ledger(data):
         blocks = blocks[:half] + blocks[-half:]
     rows = []
     for block in blocks:
+        end = min(block.last, int(data.steps[-1]))
         first, last = np.searchsorted(data.steps, (block.first, block.last + 1))
         elastic = energy["elastic"]
         change = elastic[last - 1] - (elastic[first - 1] if first else 0)
@@ -168,7 +169,7 @@ def ledger(data):
         dissipation = energy["step_dissipation"][part].sum()
         absolute = (energy["step_work"][part].sum(), change, dissipation, defect)
         relative = (abs(defect) / energy["scale"], abs(defect) / dissipation if dissipation > 0 else None)
-        rows.append((f"{block.name} (steps {block.first}\u2013{last})", *(f"{value:.5g}" for value in absolute),
+        rows.append((f"{block.name} (steps {block.first}\u2013{end})", *(f"{value:.5g}" for value in absolute),
                      *(fallback(value, "{:.3%}") for value in relative)))
     head = ("N mm", "work of the top", "change of elastic energy", "dissipation", "defect",
             "defect / largest energy", "defect / dissipation")

@@ -42,7 +42,7 @@ function drawKeys(parent, spec) {
     if (key.bar) span.append(key.from);
     const sample = svgElement(span, "svg", {viewBox: `0 0 ${width} 10`, style: `width: ${width}px`, "aria-hidden": "true"});
     drawSample(sample, key, 0, 0, width);
-    span.append(key.bar ? key.to : key.label);
+    span.append(key.bar ? ` ${key.to}` : key.label);
   }
 }
 
