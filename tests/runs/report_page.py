@@ -108,7 +108,7 @@ class Page(unittest.TestCase):
         return self.browser.execute_script(text, *arguments)
 
     def save(self, menu, kind):
-        """The file that a chart's menu (or another one, by its selector) saves; the browser's own folder has only it."""
+        """The file that the menu of a chart saves; nothing else is in the folder of the browser."""
         for old in self.downloads.iterdir():
             old.unlink()
         self.script("arguments[0].open = true; arguments[0].scrollIntoView({block: 'center'})", menu)
@@ -131,7 +131,8 @@ class Page(unittest.TestCase):
     def curves(self, title):
         """Pixels of the curves of a chart, in the order in which they are drawn."""
         paths = self.chart(title).find_elements("css selector", "path.curve")
-        return [np.array(re.findall(r"[ML]([\d.-]+),([\d.-]+)", path.get_attribute("d")), dtype=float) for path in paths]
+        pairs = [re.findall(r"[ML]([\d.-]+),([\d.-]+)", path.get_attribute("d")) for path in paths]
+        return [np.array(one, dtype=float) for one in pairs]
 
     def colours(self, title):
         return self.script("return [...arguments[0].querySelectorAll('path.curve')]"

@@ -66,8 +66,10 @@ class ChartsTest(Page):
         self.assertRegex(caption, r"\(cycle 4\)")
         number = caption.split("F_x = ")[1].split(" N/mm")[0].replace("\u2212", "-")
         self.assertAlmostEqual(float(number) / stiffness, 1, delta=1e-4)
-        titles = self.script("return [...document.querySelectorAll('#body-loops figcaption')].map(e => e.firstChild.data)")
-        self.assertEqual(titles, ["F_x over u_x of the top", LOOP, "F_z over u_z of the top"])  # u_z rests in the cycles
+        titles = self.script("return [...document.querySelectorAll('#body-loops figcaption')]"
+                             ".map(caption => caption.firstChild.data)")
+        # In the cycles u_z rests, so that there is no loop to see.
+        self.assertEqual(titles, ["F_x over u_x of the top", LOOP, "F_z over u_z of the top"])
 
     def test_loops_of_every_driven_component(self):
         folder = run("three_ways", *COARSE, "Load program/Preload=", "Load program/Cycles=2",
@@ -220,8 +222,8 @@ class ChartsTest(Page):
         self.assert_quiet()
 
     def test_no_label_is_cut(self):
-        self.open(run("labels", *FRETTING, "Load program/Cycles=1", "Output/Contact fields=5", "Output/Probes=edge: 9.9 0; "
-                      f"{'a' * 60}: -9.9 0; {'b' * 60}: 9.9 0.1; top: 0 9.9; bottom_of_it: 0 -9.9"))
+        probes = f"edge: 9.9 0; {'a' * 60}: -9.9 0; {'b' * 60}: 9.9 0.1; top: 0 9.9; bottom_of_it: 0 -9.9"
+        self.open(run("labels", *FRETTING, "Load program/Cycles=1", "Output/Contact fields=5", f"Output/Probes={probes}"))
         self.assertEqual(self.script(CUT_LABELS), [])
         self.assert_phone_and_paper()
 

@@ -103,7 +103,7 @@ class CommandTest(unittest.TestCase):
 
     def test_units(self):
         """Where the program's own description of an entry names a unit, the page shows it."""
-        words = {"mm": r"\bin mm\b|numbers in mm", "MPa": r"\bin MPa\b", "degrees": r"^Degrees\b", "s": r"^Least seconds",
+        words = {"mm": r"\bin mm\b", "MPa": r"\bin MPa\b", "degrees": r"^Degrees\b", "s": r"^Least seconds",
                  "%": r"percentage", "\u00d7 tolerance": r"in multiples of Contact solver/Tolerance"}
         folder = run("units", *COARSE, "Load program/Preload=0 0 -0.01 : 1", "Load program/Cycles=1",
                      "Output/Probes=P: 1 2")
@@ -145,7 +145,8 @@ class CommandTest(unittest.TestCase):
         small = maps["small"]
         self.assertEqual((small[0], small[-1]), (1, 410))
         self.assertLessEqual(len(small), 15)
-        self.assertEqual({(step - 10) % 40 for step in small[2:]}, {10, 30, 0})  # both sides of the loop, and the middle
+        sides = [(step - 10) % 40 for step in small]  # of the loop
+        self.assertGreaterEqual(min(sides.count(10), sides.count(30), sides.count(0)), 3)
 
     def test_long_run(self):
         folder = run("long", *COARSE, "Load program/Cycles=70")

@@ -10,8 +10,8 @@ const MOST_DOTS = 64, MOST_BARS = 12;
  * spec: title; series [{name, run, colour, dash, steps, x, y, gaps (x where a curve begins anew)}], one step, x and y a
  * point; x {name, unit, least, whole (whole numbers)}; y {name, unit, log, least, range, fit (zero need not be seen)};
  * shared (curves over the same x, not paths). What is smaller than `least` is rounding. Optional: caption; separators
- * [x...]; level {value, name}; outline [[x, y]...]; equal (same scale in x and y); bands [[from, to]...]; cycles (blocks
- * that colour the path); fixed (shows the whole run always); covers (a point stands for all steps since the point
+ * [x...]; level {value, name}; outline [[x, y]...]; equal (same scale in x and y); bands [[from, to]...]; cycles (the
+ * blocks that colour the path); fixed (shows the whole run always); covers (a point stands for all steps since the point
  * before); head (words of a point for the read-out).
  */
 class Chart {
@@ -56,8 +56,8 @@ class Chart {
 
   description() {
     const parts = this.spec.series.map(({name, run, y}) => {
-      const [low, high] = rangeOf(y);
-      return `${run ? `${run}, ` : ""}${name} from ${numberText(low)} to ${numberText(high)} ${this.spec.y.unit}`.trim();
+      const [low, high] = rangeOf(y).map(value => numberText(value));
+      return `${run ? `${run}, ` : ""}${name} from ${low} to ${high} ${this.spec.y.unit}`.trim();
     });
     return `${this.spec.title} over ${this.spec.x.name}: ${parts.join("; ")}`;
   }
@@ -77,7 +77,8 @@ class Chart {
     for (const tick of ticks.x) {
       const x = scales.px(tick / scales.xUnit.factor);
       if (!spec.x.whole) svgElement(svg, "line", {class: "gridline", x1: x, x2: x, y1: BOX.top, y2: BOX.bottom});
-      svgElement(svg, "text", {class: "tick", x, y: BOX.bottom + 15, "text-anchor": "middle"}, numberText(tick, xDigits));
+      const place = {class: "tick", x, y: BOX.bottom + 15, "text-anchor": "middle"};
+      svgElement(svg, "text", place, numberText(tick, xDigits));
     }
     this.drawSeparators();
     svgElement(svg, "rect", {class: "frame", x: BOX.left, y: BOX.top, width: BOX.right - BOX.left,

@@ -4,13 +4,14 @@
 // Loops of the whole body and of the probes.
 
 function onePath(run, r, steps, name, x, y) {
-  return {name, run: several ? run.name : "", colour: several ? `var(--r${r + 1})` : "var(--c1)", dash: "none", steps, x, y};
+  const look = several ? {run: run.name, colour: `var(--r${r + 1})`} : {run: "", colour: "var(--c1)"};
+  return {name, ...look, dash: "none", steps, x, y};
 }
 
-/** −1.23e6 and so on, always in N/mm: what was taken away has to be comparable. */
+/** Always in N/mm: what was taken away from several loops has to be comparable. */
 function lineWords(axis, {stiffness, offset, of}) {
-  const sign = offset < 0 ? "−" : "+";
-  return `F_${axis} = ${numberText(stiffness, 6)} N/mm · u_${axis} ${sign} ${numberText(Math.abs(offset), 5)} N (${of})`;
+  const rest = `${offset < 0 ? "−" : "+"} ${numberText(Math.abs(offset), 5)} N`;
+  return `F_${axis} = ${numberText(stiffness, 6)} N/mm · u_${axis} ${rest} (${of})`;
 }
 
 function departureCaption(axis, runs) {

@@ -56,7 +56,8 @@ class Maps:
 
     def fields(self, step, file):
         fields = fields_of(file, self.nodes)
-        frame = {"step": step, "lines": [line.values(fields) for line in self.lines], "status": packed(file["status"][self.nodes].astype(np.uint8))}
+        frame = {"step": step, "lines": [line.values(fields) for line in self.lines],
+                 "status": packed(file["status"][self.nodes].astype(np.uint8))}
         for name in FIELDS:
             values = file[name][self.nodes].astype(float)
             low, high = float(values.min()), float(values.max())

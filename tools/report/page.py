@@ -214,8 +214,8 @@ def run_list(runs):
         return ""
     items = "".join(element("li", element("span", "", "chip", f' style="background: var(--r{k + 1})"') + escape(name))
                     for k, name in enumerate(run_names(runs)))
-    hint = ("The charts of histories, loops and cycles show these runs, one colour each; everything else on this page is "
-            "of the first.")
+    hint = ("The charts of histories, loops and cycles show these runs, one colour each. Everything else on this page "
+            "is of the first.")
     return element("ul", items, "runs", ' id="runs"') + element("p", hint, "hint")
 
 

@@ -40,7 +40,8 @@ function drawKeys(parent, spec) {
   for (const key of keysOf(spec)) {
     const span = htmlElement(parent, "span", {class: key.bar ? "key bar-key" : "key"}), width = key.bar ? 72 : 26;
     if (key.bar) span.append(key.from);
-    const sample = svgElement(span, "svg", {viewBox: `0 0 ${width} 10`, style: `width: ${width}px`, "aria-hidden": "true"});
+    const box = {viewBox: `0 0 ${width} 10`, style: `width: ${width}px`, "aria-hidden": "true"};
+    const sample = svgElement(span, "svg", box);
     drawSample(sample, key, 0, 0, width);
     span.append(key.bar ? ` ${key.to}` : key.label);
   }

@@ -35,10 +35,10 @@ function fillHistoryTable(h) {
 function drawEnergy() {
   const e = data.runs[0].energy;
   const grid = byId("energy-charts");
-  overStepsOfFirst(grid, "Energies since the start", e, "N mm", [["work", "work of the top"], ["elastic", "elastic energy"],
-                                                          ["dissipation", "dissipation"]]);
-  overStepsOfFirst(grid, "Balance: work − elastic energy − dissipation", e, "N mm", [["balance", "since the start"],
-                                                                              ["step_defect", "in the step"]]);
+  overStepsOfFirst(grid, "Energies since the start", e, "N mm",
+                   [["work", "work of the top"], ["elastic", "elastic energy"], ["dissipation", "dissipation"]]);
+  overStepsOfFirst(grid, "Balance: work − elastic energy − dissipation", e, "N mm",
+                   [["balance", "since the start"], ["step_defect", "in the step"]]);
   overStepsOfFirst(grid, "Defect of a step / largest energy", e, "", [["relative_defect", "defect"]], {log: true});
 }
 
@@ -47,14 +47,15 @@ function drawSolver() {
   const grid = byId("solver-charts");
   overStepsOfFirst(grid, "Iterations", h, "", [["iterations", "iterations"]], {name: "iterations of the step"});
   overStepsOfFirst(grid, "Residual", h, "", [["residual", "residual"]],
-            {log: true, level: data.tolerance > 0 ? {value: data.tolerance, name: "tolerance"} : undefined});
+                   {log: true, level: data.tolerance > 0 ? {value: data.tolerance, name: "tolerance"} : undefined});
   byId("no-checks").hidden = data.checks !== null;
   if (!data.checks) return;
   overStepsOfFirst(grid, "Checks of equilibrium and contact", data.checks, "",
-            [["equilibrium", "equilibrium"], ["penetration", "penetration"], ["complementarity", "complementarity"]],
-            {log: true});
+                   [["equilibrium", "equilibrium"], ["penetration", "penetration"],
+                    ["complementarity", "complementarity"]], {log: true});
   overStepsOfFirst(grid, "Checks of friction and energy", data.checks, "",
-            [["friction_cone", "friction cone"], ["slip_rule", "slip rule"], ["energy_defect", "energy"]], {log: true});
+                   [["friction_cone", "friction cone"], ["slip_rule", "slip rule"], ["energy_defect", "energy"]],
+                   {log: true});
 }
 
 function drawAll() {

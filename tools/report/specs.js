@@ -37,8 +37,8 @@ function addCurves(parent, title, series, x, unit, {log = false, name = "", leas
 /** Curves over the steps, of all runs; `tableOf` gives the table of a run. */
 function overSteps(parent, title, tableOf, unit, columns, more = {}, runs = data.runs) {
   const separators = several ? [] : data.runs[0].blocks.map(block => block[1] - 0.5);
-  addCurves(parent, title, curves(runs, tableOf, columns, {column: "step"}), {name: "step", unit: "", whole: true}, unit,
-            {separators, ...more});
+  const x = {name: "step", unit: "", whole: true};
+  addCurves(parent, title, curves(runs, tableOf, columns, {column: "step"}), x, unit, {separators, ...more});
 }
 
 /** The same of something that only the first run has on this page. */
