@@ -4,6 +4,7 @@
 runs, and what is saved of them. Read in a real browser (Chromium without a window).
 
 Usage: test_report_charts.py PROGRAM [unittest options]"""
+import re
 import sys
 import xml.etree.ElementTree
 
@@ -21,6 +22,19 @@ FRETTING = [*COARSE, "Mesh/Core cells=4", "Load program/Preload=0 0 -0.05 : 5", 
 JUMPING = [*FRETTING, "Mesh/Core cells=2", "Load program/Cycles=100", "Load program/Jump when periodic=1e-5",
            "Load program/Jump cycles=20", "Output/Contact fields=0"]
 BOX = (318, 182)  # of the curves, in pixels of the drawing
+BEYOND_THE_PICTURE = """
+const picture = new DOMParser().parseFromString(arguments[0], "image/svg+xml").documentElement;
+const host = document.createElement("div");
+host.attachShadow({mode: "open"}).append(picture);  // where the styles of the page do not reach
+document.body.append(host);
+const whole = picture.getBoundingClientRect();
+const cut = [...picture.querySelectorAll("text")].filter(text => {
+  const place = text.getBoundingClientRect(), room = (whole.right - whole.left) / 400 / 2;
+  return place.left < whole.left - room || place.right > whole.right + room || place.bottom > whole.bottom + room;
+}).map(text => text.textContent);
+host.remove();
+return cut;
+"""
 LOOP = "F_x over u_x, without the elastic part"
 
 
@@ -205,7 +219,7 @@ class ChartsTest(Page):
     def test_saved_pictures_stand_alone(self):
         self.open(self.folder)
         self.media(**{"prefers-color-scheme": "dark"})
-        for title, menu in ((LOOP, self.menu(LOOP)), ("Force of the plane", self.menu("Force of the plane")),
+        for title, menu in ((LOOP, self.menu(LOOP)), ("Energy of a cycle", self.menu("Energy of a cycle")),
                             ("status: open, stick, slip", self.find("#map-save .save"))):
             with self.subTest(title):
                 file = self.save(menu, "SVG")
@@ -213,8 +227,11 @@ class ChartsTest(Page):
                 text = file.read_text(encoding="utf-8")
                 for word in ("var(", "color-mix", "color(", "class=", "style="):
                     self.assertNotIn(word, text)
-                words = [element.text for element in xml.etree.ElementTree.fromstring(text).iter() if element.text]
-                self.assertIn(title, words)
+                words = [element for element in xml.etree.ElementTree.fromstring(text).iter() if element.text]
+                self.assertIn(title, [element.text for element in words])
+                for element in words:  # dark on white, whatever the page looks like
+                    self.assertLess(max(map(int, re.findall(r"\d+", element.get("fill")))), 128, element.text)
+                self.assertEqual(self.script(BEYOND_THE_PICTURE, text), [])
                 picture = imread(self.save(menu, "PNG"))[..., :3]
                 self.assertEqual(picture.shape[1], 1200)
                 self.assertEqual(picture[0, 0].tolist(), [1, 1, 1])

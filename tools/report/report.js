@@ -111,7 +111,15 @@ function listenToTheme() {
   apply(current());
 }
 
+/** A menu for saving closes when something else is chosen. */
+function listenToMenus() {
+  addEventListener("pointerdown", ({target}) => {
+    for (const menu of document.querySelectorAll(".save[open]")) if (!menu.contains(target)) menu.open = false;
+  });
+}
+
 listenToTheme();
+listenToMenus();
 drawAll();
 listenToWindow();
 if (data.maps) player = new Player(data);
