@@ -29,8 +29,10 @@ function overCycles(title, unit, columns, more = {}) {
     if (!jumped[i]) return `cycle ${one.x[i]}`;
     return n_cycles[i] > 1 ? `cycles ${first}–${one.x[i]}, jumped` : `cycle ${first}, jumped`;
   };
+  const zeros = more.log && series.some(one => one.y.includes(0));
   addCurves(byId("cycle-charts"), title, series, CYCLE_AXIS, unit,
-            {fixed: true, covers: true, head, bands: jumpedBands(), ...more});
+            {fixed: true, covers: true, head, bands: jumpedBands(),
+             caption: zeros ? "A zero is drawn at the lower end." : "", ...more});
 }
 
 /** The threshold below which cycles count as periodic, if the run has one. */

@@ -126,3 +126,4 @@ if (data.maps) player = new Player(data);
 byId("map-panel").hidden = byId("mark-hint").hidden = !player;
 byId("no-maps").hidden = Boolean(player);
 byId("line-panel").hidden = !player;
+byId("separator-hint").hidden = several;  // their cycles may differ
