@@ -68,7 +68,7 @@ void print_model(const Parameters &parameters, const ModelChoice &model)
 
 int check(const CommandLine &line, const Parameters &given)
 {
-  constexpr double largest_meshed = 3e6; // unknowns
+  constexpr double largest_meshed = 1e6; // unknowns
   const ModelChoice model = resolve(line, given);
   Parameters parameters = given;
   if (given.mesh.accuracy == 0)

@@ -3,6 +3,7 @@
 #include "command_line.h"
 
 #include <orthocone/parameters/errors.h>
+#include <orthocone/parameters/text.h>
 
 #include <boost/program_options.hpp>
 
@@ -49,6 +50,15 @@ CommandLine from(const po::variables_map &values)
 }
 } // namespace
 
+/// Whether an option that wants a value stands before another option.
+static bool is_followed_by_option(const std::string &option, const int argc, const char *const *const argv)
+{
+  for (int i = 1; i + 1 < argc; ++i)
+    if (argv[i] == option && argv[i + 1][0] == '-')
+      return true;
+  return false;
+}
+
 CommandLine parse_command_line(const int argc, const char *const *const argv)
 {
   po::options_description all;
@@ -65,9 +75,16 @@ CommandLine parse_command_line(const int argc, const char *const *const argv)
   }
   catch (const po::error &error)
   {
-    throw InputError(std::string("command line: ") + error.what() + "; 'orthocone --help' lists the options");
+    throw InputError(std::string("command line: ") + shown(error.what()) +
+                     "; 'orthocone --help' lists the options");
   }
   CommandLine line = from(values);
+  if (values.count("output") != 0 &&
+      (line.output_folder.empty() || is_followed_by_option("--output", argc, argv) ||
+       is_followed_by_option("-o", argc, argv)))
+    throw InputError(
+        "command line: --output = '" + shown(line.output_folder) +
+        "': allowed is the name of a folder (one that begins with '-' is written behind '--output=')");
   if (line.parameter_file.empty() && !line.defaults && !line.help && !line.version)
     throw InputError(
         "command line: a parameter file is missing, as in 'orthocone prm/paper/case_b.prm'; 'orthocone "

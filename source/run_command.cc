@@ -42,6 +42,12 @@ struct Assignment
   }
 };
 
+/// Of the parameter file, to tell it from others of its name.
+std::string path_of(const CommandLine &line)
+{
+  return shown_path(fs::absolute(line.parameter_file).lexically_normal().string());
+}
+
 std::string input_name(const CommandLine &line)
 {
   return is_json(line.parameter_file) ? "input.json" : "input.prm";
@@ -50,8 +56,9 @@ std::string input_name(const CommandLine &line)
 /// Puts the parameters into the run folder: as the user wrote them, and complete.
 void keep_parameters(const RunFolder &folder, Assignment &task, const Parameters &parameters)
 {
-  const std::string path = shown_path(fs::absolute(task.line.parameter_file).lexically_normal().string());
-  if (const auto earlier = folder.start_anew(complete_text(parameters), path))
+  const std::string path = path_of(task.line);
+  if (const auto earlier =
+          folder.start_anew(complete_text(parameters), path, probe_files(parameters.output.probes)))
     task.tell("warning: " + folder.path() + " held the results of another file, " + *earlier +
               "; those of this run take their place (--output DIR keeps both)");
   folder.write(input_name(task.line), task.file.text);
@@ -61,7 +68,8 @@ void keep_parameters(const RunFolder &folder, Assignment &task, const Parameters
 void update_parameters(const RunFolder &folder, const Assignment &task, const Parameters &parameters)
 {
   const std::string text = complete_text(parameters);
-  if (folder.has("parameters.prm") && folder.read("parameters.prm") == text)
+  if (folder.has(input_name(task.line)) && folder.has("parameters.prm") &&
+      folder.read("parameters.prm") == text)
     return;
   folder.write("parameters.prm", text);
   folder.write(input_name(task.line), task.file.text);
@@ -69,8 +77,10 @@ void update_parameters(const RunFolder &folder, const Assignment &task, const Pa
 
 fs::path run_folder_of(const CommandLine &line)
 {
-  return line.output_folder.empty() ? "output" / fs::path(line.parameter_file).stem()
-                                    : fs::path(line.output_folder);
+  if (!line.output_folder.empty())
+    return line.output_folder;
+  const fs::path stem = fs::path(line.parameter_file).stem();
+  return "output" / (stem == "." || stem == ".." ? fs::path(line.parameter_file).filename() : stem);
 }
 
 /// Refuses a model for which there is not enough memory, before anything is touched.
@@ -99,7 +109,7 @@ void require_memory_for(const Assignment &task)
 QuasiStaticProblem::Outcome solve(Assignment &task, const RunFolder &folder)
 {
   const Parameters &given = task.file.parameters;
-  folder.require_own();
+  folder.require_own(probe_files(given.output.probes));
   const auto checkpoint =
       task.line.resume ? find_checkpoint(folder, given, shown_path(task.line.parameter_file)) : std::nullopt;
   // A search for a mesh may take minutes: what is wrong with the folder is told before, and an older run in
@@ -121,6 +131,8 @@ QuasiStaticProblem::Outcome solve(Assignment &task, const RunFolder &folder)
   if (!task.lines.empty())
     folder.append("log.txt", task.lines);
   QuasiStaticProblem problem(parameters, task.model, folder, log, std::move(chosen));
+  if (checkpoint)
+    folder.mark(path_of(task.line), probe_files(parameters.output.probes));
   return problem.run(checkpoint, [&] { update_parameters(folder, task, parameters); });
 }
 
@@ -149,6 +161,10 @@ int run(const CommandLine &line, const ParameterFile &file)
     throw;
   }
   catch (const FileError &)
+  {
+    throw;
+  }
+  catch (const fs::filesystem_error &)
   {
     throw;
   }

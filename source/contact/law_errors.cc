@@ -65,7 +65,7 @@ LawErrors law_errors(const ContactProblem &problem, const NodeVector &force, con
   LawErrors errors;
   for (Index node = 0; node < problem.n_nodes(); ++node)
   {
-    const OrthotropicFriction &law = problem.given_law(node);
+    const OrthotropicFriction &law = problem.law(node);
     const Vector2d r_t = force.segment<2>(3 * node + 1);
     const double r_n = force[3 * node];
     const double gap = displacement[3 * node];

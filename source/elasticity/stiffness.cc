@@ -14,6 +14,8 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <optional>
 
 namespace orthocone
@@ -152,6 +154,21 @@ void Stiffness::assemble(const Discretization &discretization, const LameParamet
   const auto &dof_handler = discretization.dof_handler();
   dealii::WorkStream::run(dof_handler.begin_active(), dof_handler.end(), work, add, Scratch(discretization),
                           CellMatrix());
+}
+
+double Stiffness::rounding(const Eigen::VectorXd &displacement) const
+{
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(displacement.size());
+  for (unsigned int row = 0; row < matrix_.m(); ++row)
+    for (auto entry = matrix_.begin(row); entry != matrix_.end(row); ++entry)
+    {
+      const unsigned int column = entry->column();
+      const double size = std::abs(entry->value());
+      sums[row] += size * std::abs(displacement[column]);
+      if (column != row)
+        sums[column] += size * std::abs(displacement[row]);
+    }
+  return std::numeric_limits<double>::epsilon() * sums.norm();
 }
 
 Eigen::VectorXd Stiffness::vmult(const Eigen::VectorXd &displacement) const

@@ -49,7 +49,10 @@ public:
   void require_success(const char *const task) const
   {
     if (common.status == CHOLMOD_NOT_POSDEF)
-      throw std::runtime_error(std::string(task) + ": the stiffness matrix is not positive definite");
+      throw std::runtime_error(
+          std::string(task) +
+          ": the stiffness matrix is not positive definite; a Poisson ratio next to 0.5 or -1, or cells "
+          "that are far too flat, make it so");
     if (common.status == CHOLMOD_OUT_OF_MEMORY)
       throw std::bad_alloc();
     if (common.status == CHOLMOD_TOO_LARGE)

@@ -4,6 +4,8 @@
 
 #include <orthocone/parameters/text.h>
 
+#include <algorithm>
+
 namespace orthocone
 {
 namespace
@@ -20,28 +22,58 @@ std::string beginning(const std::string &text, const std::size_t most)
   return text.substr(0, size);
 }
 
-bool is_control(const unsigned char c)
+/// Bytes of the UTF-8 character at `place`; 0 if there is none.
+std::size_t character_size(const std::string &text, const std::size_t place)
 {
-  constexpr unsigned char blank = 0x20, del = 0x7f;
-  return c < blank || c == del;
+  const auto first = static_cast<unsigned char>(text[place]);
+  const std::size_t size = first < 0x80                    ? 1
+                           : first >= 0xc2 && first < 0xe0 ? 2
+                           : first >= 0xe0 && first < 0xf0 ? 3
+                           : first >= 0xf0 && first < 0xf5 ? 4
+                                                           : 0;
+  for (std::size_t i = 1; i < size; ++i)
+    if (place + i >= text.size() || !continues_character(text[place + i]))
+      return 0;
+  return size;
 }
 
-/// A control character as in C and JSON, others as they are.
-std::string printable(const unsigned char c)
+/// Characters that move the cursor, or turn the direction of what follows.
+bool is_control(const std::string &character)
+{
+  const auto byte = [&](const std::size_t i) { return static_cast<unsigned char>(character[i]); };
+  if (character.size() == 1)
+    return byte(0) < 0x20 || byte(0) == 0x7f;
+  if (character.size() == 2)
+    return byte(0) == 0xc2 && byte(1) < 0xa0;
+  const bool is_mark =
+      byte(0) == 0xe2 && byte(1) == 0x80 && (byte(2) == 0x8e || byte(2) == 0x8f || byte(2) >= 0xa8);
+  const bool turns = byte(0) == 0xe2 && byte(1) == 0x81 && byte(2) >= 0xa6 && byte(2) <= 0xa9;
+  return character.size() == 3 && ((is_mark && byte(2) <= 0xae) || turns);
+}
+
+/// As in C and JSON.
+std::string escape(const std::string &bytes)
 {
   constexpr const char *digits = "0123456789abcdef";
-  if (!is_control(c))
-    return {static_cast<char>(c)};
-  if (c == '\n' || c == '\t' || c == '\r')
-    return c == '\n' ? "\\n" : c == '\t' ? "\\t" : "\\r";
-  return {'\\', 'x', digits[c / 16], digits[c % 16]};
+  if (bytes == "\n" || bytes == "\t" || bytes == "\r")
+    return bytes == "\n" ? "\\n" : bytes == "\t" ? "\\t" : "\\r";
+  std::string result;
+  for (const char byte : bytes)
+    result += {'\\', 'x', digits[static_cast<unsigned char>(byte) / 16],
+               digits[static_cast<unsigned char>(byte) % 16]};
+  return result;
 }
 
 std::string escaped(const std::string &text)
 {
   std::string result;
-  for (const char c : text)
-    result += printable(static_cast<unsigned char>(c));
+  for (std::size_t i = 0; i < text.size();)
+  {
+    const std::size_t size = character_size(text, i);
+    const std::string character = text.substr(i, std::max<std::size_t>(size, 1));
+    result += size == 0 || is_control(character) ? escape(character) : character;
+    i += character.size();
+  }
   return result;
 }
 

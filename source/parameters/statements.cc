@@ -61,7 +61,7 @@ std::vector<Line> lines_of(const std::string &content, const std::string &file_n
       lines.push_back({"", place, ""});
     lines.back().raw += raw;
     // A blank between: "0 0 1\" and "0 : 5" are not to become "0 0 10 : 5".
-    lines.back().text += (is_continued ? " " : "") + content_of(text, place);
+    lines.back().text = trimmed(lines.back().text + (is_continued ? " " : "") + content_of(text, place));
     is_continued = continues(text);
   }
   return lines;

@@ -96,6 +96,8 @@ std::optional<Checkpoint> find_checkpoint(const RunFolder &folder, const Paramet
     const Checkpoint checkpoint = decode(bytes);
     require_same_past(checkpoint, parameters, folder, file);
     folder.require_tables(checkpoint.tables);
+    require_fields(folder, "contact", checkpoint.fields.contact);
+    require_fields(folder, "volume", checkpoint.fields.volume);
     return checkpoint;
   }
   catch (const CheckpointError &error)

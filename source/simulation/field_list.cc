@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/simulation/field_list.h>
 
+#include <orthocone/parameters/errors.h>
+
 #include <deal.II/base/data_out_base.h>
 
 #include <algorithm>
@@ -16,18 +18,27 @@ FieldList::FieldList(const RunFolder &folder, const std::string &name)
 {
 }
 
-std::string FieldList::field_file(const unsigned int step) const
+std::string field_file(const std::string &kind, const unsigned int step)
 {
   constexpr std::size_t digits = 4;
   const std::string number = std::to_string(step);
-  return name_ + "-" + std::string(digits - std::min(digits, number.size()), '0') + number + ".vtu";
+  return kind + "-" + std::string(digits - std::min(digits, number.size()), '0') + number + ".vtu";
+}
+
+void require_fields(const RunFolder &folder, const std::string &kind, const std::vector<unsigned int> &steps)
+{
+  for (const unsigned int step : steps)
+    if (const std::string file = field_file(kind, step);
+        !folder.has(file) || !folder.ends_with(file, "</VTKFile>\n"))
+      throw FileError(folder.path(file) + (folder.has(file) ? ": is cut off" : ": is missing") +
+                      ", so that the run cannot be continued; without --resume it starts anew");
 }
 
 void FieldList::set(const std::vector<unsigned int> &steps)
 {
   files_.clear();
   for (const unsigned int step : steps)
-    files_.emplace_back(step, field_file(step));
+    files_.emplace_back(step, field_file(name_, step));
   is_up_to_date_ = files_.empty();
   if (files_.empty())
     folder_.remove(name_ + ".pvd");
@@ -61,7 +72,7 @@ void FieldList::write_pending()
 {
   if (!pending_.valid())
     return;
-  const std::string file = field_file(pending_step_);
+  const std::string file = field_file(name_, pending_step_);
   folder_.write(file, pending_.get());
   files_.emplace_back(pending_step_, file);
   is_up_to_date_ = false;

@@ -71,6 +71,19 @@ void History::write(const SolvedStep &step) const
   folder_.append("timing.csv", row(state.step, seconds, report.iterations));
 }
 
+static std::string probe_file(const Probe &probe)
+{
+  return "probe-" + probe.name + ".csv";
+}
+
+std::vector<std::string> probe_files(const std::vector<Probe> &probes)
+{
+  std::vector<std::string> names;
+  for (const Probe &probe : probes)
+    names.push_back(probe_file(probe));
+  return names;
+}
+
 ProbeHistories::ProbeHistories(const RunFolder &folder, const std::vector<Probe> &probes,
                                const ContactFieldEvaluator &evaluator)
     : folder_(folder),
@@ -81,7 +94,7 @@ ProbeHistories::ProbeHistories(const RunFolder &folder, const std::vector<Probe>
     const Vector2d position(probe.position[0], probe.position[1]);
     const Matrix2d map = evaluator.symmetry().map_to(position);
     places_.push_back(
-        {"probe-" + probe.name + ".csv", nearest_node(evaluator.surface(), map.transpose() * position), map});
+        {probe_file(probe), nearest_node(evaluator.surface(), map.transpose() * position), map});
   }
 }
 

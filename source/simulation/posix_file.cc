@@ -144,6 +144,14 @@ void cut(const std::filesystem::path &file, const std::uintmax_t size)
     fail(file, "cannot be written", errno);
 }
 
+Identity identity(const std::filesystem::path &file)
+{
+  struct stat status
+  {
+  };
+  return ::stat(file.c_str(), &status) == 0 ? Identity(status.st_dev, status.st_ino) : Identity();
+}
+
 void synchronize(const std::filesystem::path &file)
 {
   const Descriptor descriptor(file, O_RDONLY, "cannot be written");

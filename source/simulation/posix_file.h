@@ -5,6 +5,8 @@
 // lock. Everything throws FileError, naming file and cause.
 #pragma once
 
+#include <orthocone/simulation/run_folder.h>
+
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -28,6 +30,9 @@ std::string tail(const std::filesystem::path &file, std::size_t size);
 void rename(const std::filesystem::path &from, const std::filesystem::path &to);
 
 void cut(const std::filesystem::path &file, std::uintmax_t size);
+
+/// Of a file or folder; nothing's where there is none.
+Identity identity(const std::filesystem::path &file);
 
 /// Returns when the content of a file, or the names in a folder, are on the disk.
 void synchronize(const std::filesystem::path &file);

@@ -9,8 +9,8 @@
 
 #include <algorithm>
 #include <cstring>
+#include <iterator>
 #include <regex>
-#include <vector>
 
 namespace orthocone
 {
@@ -21,10 +21,11 @@ namespace fs = std::filesystem;
 /// Tells a folder of a run from others: a name and a first line that nobody else writes. `parameters.prm`
 /// would not do, as users of deal.II call their own files so.
 constexpr const char *marker = "orthocone-run.txt";
-constexpr const char *marker_line = "orthocone run folder, made by the parameter file\n";
+constexpr const char *marker_line = "orthocone run folder: parameter file and tables of probes";
 constexpr const char *identity = "parameters.prm";
 constexpr const char *checkpoint_folder = "checkpoint";
-constexpr const char *table_names = "probe-.*\\.csv|(history|timing|checks|cycles)\\.csv";
+constexpr const char *probe_names = "probe-.*\\.csv";
+const std::vector<std::string> fixed_tables{"checks.csv", "cycles.csv", "history.csv", "timing.csv"};
 
 bool begins_with(const std::string &text, const char *const beginning)
 {
@@ -41,7 +42,7 @@ std::vector<std::string> matching(const fs::path &folder, const std::string &pat
 {
   const std::regex expression(pattern);
   std::vector<std::string> names;
-  if (fs::exists(folder))
+  if (fs::is_directory(folder))
     for (const auto &entry : fs::directory_iterator(folder))
       if (const std::string name = entry.path().filename().string(); std::regex_match(name, expression))
         names.push_back(name);
@@ -49,19 +50,12 @@ std::vector<std::string> matching(const fs::path &folder, const std::string &pat
   return names;
 }
 
-/// All that a run may leave, the checkpoint first: without its other files it is worth nothing.
-std::vector<std::string> files_of_a_run(const fs::path &folder)
+std::string with_line_ends(const std::vector<std::string> &lines)
 {
-  std::vector<std::string> names;
-  for (const std::string &name : matching(folder / checkpoint_folder, "state(\\.part)?"))
-    names.push_back(std::string(checkpoint_folder) + "/" + name);
-  for (const std::string &name : matching(
-           folder,
-           std::string("((contact|volume)(-\\d{4,9}\\.vtu|\\.pvd)|summary\\.json|(input|parameters)\\.prm|"
-                       "input\\.json|log\\.txt|report\\.html|") +
-               table_names + ")(\\.part)?"))
-    names.push_back(name);
-  return names;
+  std::string text;
+  for (const std::string &line : lines)
+    text += line + "\n";
+  return text;
 }
 } // namespace
 
@@ -76,6 +70,14 @@ RunFolder::RunFolder(const fs::path &path)
   if (code)
     fail(path_, "cannot be created as the run folder", code.message());
   lock();
+  identity_ = posix::identity(path_);
+}
+
+/// A folder may be moved while a run writes there, and another one take its name.
+void RunFolder::require_same_folder() const
+{
+  if (posix::identity(path_) != identity_)
+    throw FileError(path() + ": is no longer the folder that the run has begun in; was it moved or removed?");
 }
 
 RunFolder::~RunFolder()
@@ -99,48 +101,97 @@ bool RunFolder::is_of_a_run() const
          (has("checkpoint/state") && begins_with(read("checkpoint/state"), "orthocone-checkpoint "));
 }
 
-std::optional<std::string> RunFolder::marked_parameter_file() const
+/// What the marker has behind its first line: the parameter file, and tables of probes.
+std::vector<std::string> RunFolder::marked_lines() const
 {
-  if (!has(marker))
-    return std::nullopt;
-  const std::string text = read(marker);
-  const std::size_t first = std::min(text.size(), std::strlen(marker_line));
-  return text.substr(first, text.find('\n', first) - first);
+  std::vector<std::string> lines;
+  if (has(marker))
+    lines = split(read(marker), '\n');
+  if (!lines.empty())
+    lines.erase(lines.begin());
+  return lines;
 }
 
-void RunFolder::require_own() const
+void RunFolder::mark(const std::string &parameter_file, const std::vector<std::string> &probes) const
 {
-  const std::vector<std::string> files = files_of_a_run(path_);
-  if ((!files.empty() || has(marker)) && !is_of_a_run())
+  std::vector<std::string> lines{marker_line, parameter_file};
+  lines.insert(lines.end(), probes.begin(), probes.end());
+  if (const std::string text = with_line_ends(lines); !has(marker) || read(marker) != text)
+    replace(marker, text, false);
+}
+
+/// Names that the tables of the folder's run have.
+std::vector<std::string> RunFolder::own_tables() const
+{
+  std::vector<std::string> names = fixed_tables;
+  const std::vector<std::string> probes = has(marker) ? marked_lines() : matching(path_, probe_names);
+  const std::regex expression(probe_names);
+  std::copy_if(probes.begin(), probes.end(), std::back_inserter(names),
+               [&](const std::string &name) { return std::regex_match(name, expression); });
+  return names;
+}
+
+/// All that the folder's run has left, the checkpoint first: without its other files it is worth nothing.
+std::vector<std::string> RunFolder::files() const
+{
+  std::vector<std::string> names;
+  for (const std::string &name : matching(path_ / checkpoint_folder, "state(\\.part)?"))
+    names.push_back(std::string(checkpoint_folder) + "/" + name);
+  for (const std::string &table : own_tables())
+    for (const std::string &name : {table, table + ".part"})
+      if (fs::exists(fs::symlink_status(path_ / name)))
+        names.push_back(name);
+  for (const std::string &name :
+       matching(path_, "((contact|volume)(-\\d{4,9}\\.vtu|\\.pvd)|summary\\.json|(input|parameters)\\.prm|"
+                       "input\\.json|log\\.txt|report\\.html)(\\.part)?"))
+    names.push_back(name);
+  return names;
+}
+
+void RunFolder::require_own(const std::vector<std::string> &probes) const
+{
+  std::vector<std::string> foreign;
+  if (!is_of_a_run())
+    foreign = files();
+  if (has(checkpoint_folder) && !fs::is_directory(path_ / checkpoint_folder))
+    foreign.emplace_back(checkpoint_folder);
+  if (foreign.empty() && has(marker) && !is_of_a_run())
+    foreign.emplace_back(marker);
+  const std::vector<std::string> own = own_tables();
+  for (const std::string &probe : probes)
+    if (has(probe) && std::find(own.begin(), own.end(), probe) == own.end())
+      foreign.push_back(probe);
+  if (!foreign.empty())
     fail(path_, "cannot be the run folder",
-         "it holds a " + (files.empty() ? marker : files.front()) +
-             ", and no run has left it there; --output DIR takes another one");
+         "it holds a " + foreign.front() + ", and no run has left it there; --output DIR takes another one");
 }
 
 std::optional<std::string> RunFolder::start_anew(const std::string &parameters,
-                                                 const std::string &parameter_file) const
+                                                 const std::string &parameter_file,
+                                                 const std::vector<std::string> &probes) const
 {
-  require_own();
-  const std::vector<std::string> files = files_of_a_run(path_);
+  require_own(probes);
+  const std::vector<std::string> old = files();
   // Before anything is removed, everything must be removable, and there must be room for the new parameters.
-  for (const std::string &file : files)
+  for (const std::string &file : old)
     if (fs::is_directory(path_ / file))
       fail(path_ / file, "cannot be replaced", "a folder of this name is in its place");
-  const auto before = marked_parameter_file();
+  const std::vector<std::string> before = marked_lines();
   if (!has(marker))
-    replace(marker, marker_line, false);
+    replace(marker, std::string(marker_line) + "\n", false);
   const fs::path part = write_part(identity, parameters, false);
-  replace(marker, marker_line + parameter_file + "\n", false);
-  for (const std::string &name : files)
+  for (const std::string &name : old)
     if (begins_with(name, checkpoint_folder))
       remove(name);
   // From here on the folder is that of the new run, which has not come to a checkpoint yet.
   posix::rename(part, path_ / identity);
-  for (const std::string &name : files)
+  for (const std::string &name : old)
     if (name != identity)
       remove(name);
+  mark(parameter_file, probes);
   growing_.clear();
-  return before && !before->empty() && *before != parameter_file ? before : std::nullopt;
+  const bool is_other = !before.empty() && !before.front().empty() && before.front() != parameter_file;
+  return is_other ? std::optional<std::string>(before.front()) : std::nullopt;
 }
 
 void RunFolder::remove_fields_after(const unsigned int step) const
@@ -153,6 +204,7 @@ void RunFolder::remove_fields_after(const unsigned int step) const
 /// The new content beside the file; nothing stays if it cannot be written.
 fs::path RunFolder::write_part(const std::string &name, const std::string &content, const bool durably) const
 {
+  require_same_folder();
   const fs::path part = path_ / (name + ".part");
   std::error_code code;
   fs::create_directories(part.parent_path(), code);
@@ -207,6 +259,7 @@ void RunFolder::write_durably(const std::string &name, const std::string &conten
 
 void RunFolder::append(const std::string &name, const std::string &content) const
 {
+  require_same_folder();
   auto known = growing_.find(name);
   if (known == growing_.end())
   {
@@ -239,6 +292,7 @@ bool RunFolder::ends_with(const std::string &name, const std::string &end) const
 
 void RunFolder::remove(const std::string &name) const
 {
+  require_same_folder();
   std::error_code code;
   fs::remove(path_ / name, code);
   if (code)
@@ -247,10 +301,9 @@ void RunFolder::remove(const std::string &name) const
 
 TableMarks RunFolder::tables() const
 {
-  const std::regex expression(table_names);
   TableMarks marks;
   for (const auto &[name, file] : growing_)
-    if (std::regex_match(name, expression))
+    if (name != "log.txt")
       marks[name] = {file.size, file.crc.checksum()};
   return marks;
 }
@@ -275,10 +328,11 @@ void RunFolder::require_tables(const TableMarks &marks) const
 void RunFolder::cut_tables(const TableMarks &marks) const
 {
   require_tables(marks);
-  for (const std::string &name : matching(path_, table_names))
+  for (const std::string &name : own_tables())
     if (const auto kept = marks.find(name); kept == marks.end())
     {
-      remove(name);
+      if (has(name))
+        remove(name);
       growing_.erase(name);
     }
     else

@@ -2,7 +2,6 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/simulation/run_output.h>
 
-#include <orthocone/parameters/errors.h>
 #include <orthocone/simulation/vtu.h>
 
 namespace orthocone
@@ -35,22 +34,11 @@ bool RunOutput::is_due(const unsigned int interval, const unsigned int step) con
 
 void RunOutput::return_to(const unsigned int step, const TableMarks &tables, const FieldSteps &fields)
 {
-  require_fields(contact_, fields.contact);
-  require_fields(volume_, fields.volume);
   folder_.cut_tables(tables);
   probes_.start(tables);
   contact_.set(fields.contact);
   volume_.set(fields.volume);
   folder_.remove_fields_after(step);
-}
-
-void RunOutput::require_fields(const FieldList &list, const std::vector<unsigned int> &steps) const
-{
-  for (const unsigned int step : steps)
-    if (const std::string file = list.field_file(step);
-        !folder_.has(file) || !folder_.ends_with(file, "</VTKFile>\n"))
-      throw FileError(folder_.path(file) + (folder_.has(file) ? ": is cut off" : ": is missing") +
-                      ", so that the run cannot be continued; without --resume it starts anew");
 }
 
 void RunOutput::write(const SolvedStep &step)

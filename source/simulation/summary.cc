@@ -164,6 +164,10 @@ std::vector<std::string> all_warnings(const Parameters &parameters, const RunRec
                        ": the energy balance misses " +
                        to_text(std::round(percent * record.energy_defect.first)) +
                        " % of the largest energy; loops and dissipation need more steps in this leg");
+  constexpr double noticeable = 0.01;
+  if (record.missing > noticeable * record.dissipation && record.dissipation > 0)
+    warnings.push_back(describe_energy(record) +
+                       ": dissipation is wrong by that much or more; more load steps lower it");
   if (record.accuracy && !record.accuracy->is_reached())
     warnings.push_back("Mesh/Accuracy = " + to_text(record.accuracy->wanted) +
                        " % is not reached on the finest mesh: " + describe(*record.accuracy));

@@ -77,8 +77,8 @@ DONE_WITH = [
     ["Load program/Legs=0.1 0 0 : 2 ; 0 0 0 : 2"],
     ["Load program/Legs=0 0 -0.1 : 1 ; 0 0 -0.1 : 3 ; 0 0 -0.1 : 1"], ["Load program/Legs=0 0 1e10 : 1 ; 0 0 -0.1 : 1"],
     ["Load program/Legs=0 0 -1e-15 : 2"],
-    ["Load program/Legs=0 0 -1e-100 : 2"], ["Load program/Legs=1000 0 -0.1 : 2"], ["Load program/Legs=1e6 0 -0.1 : 2"],
-    ["Load program/Legs=1e9 0 -0.1 : 2"], ["Load program/Legs=1e12 0 -0.1 : 2"], ["Load program/Legs=0 0 -9.9 : 1"],
+    ["Load program/Legs=0 0 -1e-100 : 2"], ["Load program/Legs=1000 0 -0.1 : 2"],
+    ["Load program/Legs=0 0 -9.9 : 1"],
     ["Load program/Legs=0 0 -0.1 : 500", "Output/Contact fields=0"],
     ["Load program/Preload=0 0 -0.1 : 2", "Load program/Legs=", "Load program/Cycles=9"],
     ["Load program/Preload=0 0 -0.1 : 2", "Load program/Cycles=0"],
@@ -100,7 +100,9 @@ DONE_WITH = [
 ]
 # Settings of a run that cannot be solved, and what is said.
 UNSOLVED_WITH = [
-    (["Geometry/Height=1e-300"], "load step 1 of 4"), (["Material/Young modulus=1e-300"], "load step 1 of 4"),
+    (["Material/Young modulus=1e-300"], "load step 1 of 4"),
+    *[([f"Load program/Legs={slide} 0 -0.1 : 2"], "Checks/Penetration: .* no more digits are left")
+      for slide in ("1e6", "1e9", "1e12")],
     (["Material/Young modulus=1e-320"], "load step 1"),
     (["Material/Poisson ratio=0.49999999999999994"], "stiffness|Poisson"),
     (["Load program/Legs=0 0 -1e-320 : 2"], "load step 1 of 2"),

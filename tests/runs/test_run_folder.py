@@ -85,7 +85,7 @@ class RunFolderTest(RunTest):
         self.assertEqual(self.start("case.prm", "--output", "run").returncode, DONE)
         self.put("precious", "precious")
         for name in ("history.csv", "history.csv.part", "parameters.prm.part", "summary.json.part", "contact.pvd.part",
-                     "contact-0001.vtu.part", "orthocone-run.txt.part", "log.txt", "checkpoint/state.part"):
+                     "contact-0001.vtu.part", "log.txt", "checkpoint/state.part"):
             with self.subTest(name):
                 path = self.folder / "run" / name
                 path.unlink(missing_ok=True)

@@ -201,5 +201,6 @@ def side_view(data):
 
 def figures(data):
     """(caption, SVG) of each drawing."""
-    return [("Contact surface, from above", surface(data)), ("Ellipses of friction and slip", ellipses(data)),
+    of_friction = [("Ellipses of friction and slip", ellipses(data))] if any(data.mu) else []
+    return [("Contact surface, from above", surface(data)), *of_friction,
             ("Cylinder, from the side", side_view(data))]

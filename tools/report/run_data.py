@@ -73,7 +73,10 @@ class RunData:
 
     def pair(self, entry):
         def two():
-            x, y = self.parameters["Friction"][entry].split(",")
+            text = self.parameters["Friction"][entry]
+            if text == "associated":
+                return self.mu
+            x, y = text.split(",")
             return float(x), float(y)
         return self.read("parameters.prm", two)
 

@@ -40,6 +40,9 @@ public:
   /// Forces K u on the free degrees of freedom.
   Eigen::VectorXd vmult(const Eigen::VectorXd &displacement) const;
 
+  /// What rounding leaves in vmult(), N: the machine's precision times the norm of |K| |u|.
+  double rounding(const Eigen::VectorXd &displacement) const;
+
 private:
   void assemble(const Discretization &discretization, const LameParameters &lame);
 

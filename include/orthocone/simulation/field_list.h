@@ -20,6 +20,12 @@ struct FieldSteps
   std::vector<unsigned int> volume;
 };
 
+/// Name of the field file of a step; `kind`: "contact" or "volume".
+std::string field_file(const std::string &kind, unsigned int step);
+
+/// Throws FileError if the field file of one of the steps is missing or cut off.
+void require_fields(const RunFolder &folder, const std::string &kind, const std::vector<unsigned int> &steps);
+
 /// The field files of a run and the .pvd file that names them. The content of a file is made on a thread of
 /// its own, while the next step is solved, and written when the next one comes. The .pvd file can only be
 /// replaced as a whole, which would cost more and more from step to step: it is written when the last time
@@ -28,9 +34,6 @@ class FieldList
 {
 public:
   FieldList(const RunFolder &folder, const std::string &name);
-
-  /// Name of the field file of a step.
-  std::string field_file(unsigned int step) const;
 
   /// Names the files of these steps and no others; without any there is no .pvd file.
   void set(const std::vector<unsigned int> &steps);

@@ -39,6 +39,9 @@ private:
   ContactMethod method_;
 };
 
+/// Names of the tables of these probes.
+std::vector<std::string> probe_files(const std::vector<Probe> &probes);
+
 /// probe-NAME.csv: the node nearest to each probe, in the image where the probe lies.
 class ProbeHistories
 {

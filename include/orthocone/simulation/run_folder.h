@@ -10,9 +10,17 @@
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
+#include <vector>
 
 namespace orthocone
 {
+namespace posix
+{
+/// Device and inode: tells a folder from another one that has taken its name.
+using Identity = std::pair<std::uintmax_t, std::uintmax_t>;
+} // namespace posix
+
 /// What a CSV file was at a moment, from its first byte on.
 struct TableMark
 {
@@ -37,14 +45,18 @@ public:
   RunFolder(const RunFolder &) = delete;
   RunFolder &operator=(const RunFolder &) = delete;
 
-  /// Throws FileError where files of a run's names lie in the folder that no run has made.
-  void require_own() const;
+  /// Throws FileError where files of a run's names lie in the folder that no run has made. `probes`: the
+  /// tables that the run is going to write for its probes.
+  void require_own(const std::vector<std::string> &probes) const;
 
   /// Removes the files that an earlier run left; whatever else lies there stays. `parameters` becomes the
-  /// content of parameters.prm, which tells the run from others. `parameter_file` is kept, too; returns that
-  /// of the earlier run, if it was another one.
-  std::optional<std::string> start_anew(const std::string &parameters,
-                                        const std::string &parameter_file) const;
+  /// content of parameters.prm, which tells the  /// run from others. `parameter_file` and `probes` are kept,
+  /// too; returns the parameter file of the earlier run, if it was another one.
+  std::optional<std::string> start_anew(const std::string &parameters, const std::string &parameter_file,
+                                        const std::vector<std::string> &probes) const;
+
+  /// Keeps which tables of probes are the run's; others are the user's.
+  void mark(const std::string &parameter_file, const std::vector<std::string> &probes) const;
 
   /// Removes the field files of steps after `step`.
   void remove_fields_after(unsigned int step) const;
@@ -88,13 +100,17 @@ private:
   };
 
   void lock();
+  void require_same_folder() const;
   bool is_of_a_run() const;
-  std::optional<std::string> marked_parameter_file() const;
+  std::vector<std::string> marked_lines() const;
+  std::vector<std::string> own_tables() const;
+  std::vector<std::string> files() const;
   std::filesystem::path write_part(const std::string &name, const std::string &content, bool durably) const;
   void replace(const std::string &name, const std::string &content, bool durably) const;
 
   std::filesystem::path path_;
   int lock_ = -1;                                  ///< descriptor of the folder itself
+  posix::Identity identity_{};                     ///< of the folder when the run began
   mutable std::set<std::string> not_on_disk_;      ///< files written since the last write_durably()
   mutable std::map<std::string, Growing> growing_; ///< files that append() has written
 };

@@ -22,7 +22,7 @@ public:
   void start() const;
 
   /// Brings the files back to what they were after `step`, with these tables and fields; probes that are new
-  /// since then get tables that begin here. Throws FileError before it touches anything, if they cannot be.
+  /// since then get tables that begin here. The files are those that find_checkpoint() has seen.
   void return_to(unsigned int step, const TableMarks &tables, const FieldSteps &fields);
 
   void write(const SolvedStep &step);
@@ -39,7 +39,6 @@ public:
 
 private:
   bool is_due(unsigned int interval, unsigned int step) const;
-  void require_fields(const FieldList &list, const std::vector<unsigned int> &steps) const;
   void write_fields(const ContactState &state, const Eigen::VectorXd &volume);
 
   const RunFolder &folder_;

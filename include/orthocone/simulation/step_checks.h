@@ -57,7 +57,8 @@ private:
   double tolerance_;
   double slip_amplification_; ///< of errors of the natural map in the slip rule
   unsigned int n_copies_;
-  double length_; ///< largest motion of the upper face, mm
+  double compression_; ///< largest motion of the upper face along z, mm
+  double length_;      ///< largest motion of the upper face, mm
   const CondensedBody &body_;
   const Stiffness &stiffness_;
 };

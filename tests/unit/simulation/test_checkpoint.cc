@@ -6,8 +6,12 @@
 #include <orthocone/parameters/parameters.h>
 #include <orthocone/simulation/checkpoint.h>
 
+#include <boost/crc.hpp>
+#include <nlohmann/json.hpp>
 #include <unistd.h>
 
+#include <cstring>
+#include <limits>
 #include <sstream>
 
 namespace orthocone::test
@@ -56,6 +60,15 @@ Checkpoint checkpoint_after(const unsigned int number, const Parameters &paramet
   checkpoint.record.seconds.contact = 0.1;
   checkpoint.record.total_seconds = 2. / 3;
   return checkpoint;
+}
+
+/// Content behind a header that fits.
+std::string with_header(const std::string &content)
+{
+  boost::crc_32_type crc;
+  crc.process_bytes(content.data(), content.size());
+  return "orthocone-checkpoint 4 " + std::to_string(content.size()) + " " + std::to_string(crc.checksum()) +
+         "\n" + content;
 }
 
 std::string complaint(const std::string &bytes)
@@ -159,6 +172,71 @@ TEST(Checkpoint, IsRefusedIfAnythingIsMissingOrChanged)
   EXPECT_EQ(complaint("subsection Mesh\n"), "is not a checkpoint");
 }
 
+namespace
+{
+/// A checkpoint whose content is `json`, with the checksum that belongs to it.
+std::string with_content(const nlohmann::json &json)
+{
+  std::string content;
+  nlohmann::json::to_cbor(json, content);
+  return with_header(content);
+}
+
+nlohmann::json content_of(const std::string &bytes)
+{
+  return nlohmann::json::from_cbor(bytes.substr(bytes.find('\n') + 1));
+}
+} // namespace
+
+// A checksum can be right although the content is not.
+TEST(Checkpoint, ContentIsBoundedAndChecked)
+{
+  const nlohmann::json good = content_of(encode(checkpoint_after(2)));
+  ASSERT_EQ(complaint(with_content(good)), "none");
+  for (const nlohmann::json &step : {nlohmann::json(-1), nlohmann::json(1ULL << 40), nlohmann::json(2.5),
+                                     nlohmann::json("two"), nlohmann::json()})
+    for (const char *const place : {"/state/step", "/state/n_nodes", "/cycles/n_completed",
+                                    "/cycles/row/cycle", "/record/n_iterations"})
+    {
+      nlohmann::json bad = good;
+      bad[nlohmann::json::json_pointer(place)] = step;
+      EXPECT_EQ(complaint(with_content(bad)).find("is damaged"), 0u) << place << " " << step;
+    }
+  nlohmann::json bad = good;
+  bad["cycles"]["change"] = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_EQ(complaint(with_content(bad)).find("is damaged"), 0u);
+  bad = good;
+  std::vector<std::uint8_t> &force = bad["state"]["force"].get_binary();
+  const double infinity = std::numeric_limits<double>::infinity();
+  std::memcpy(force.data(), &infinity, sizeof(infinity));
+  EXPECT_EQ(complaint(with_content(bad)), "is damaged (a number is not finite)");
+  bad = good;
+  bad["fields"][0] = {{1, 1, 4000000000U}};
+  EXPECT_EQ(complaint(with_content(bad)).find("is damaged"), 0u);
+}
+
+TEST(Checkpoint, NestedContentDoesNotOverflowTheStack)
+{
+  constexpr char array_of_one = '\x81';
+  EXPECT_EQ(complaint(with_header(std::string(200000, array_of_one) + '\0')),
+            "is damaged (its content is not understood)");
+}
+
+// A cycle of very many steps must not fill memory and disk with forces to start from.
+TEST(StartForces, RememberABoundedNumberOfPhases)
+{
+  const NodeVector force = NodeVector::Ones(3000);
+  StartForces starts;
+  for (unsigned int cycle = 1; cycle <= 2; ++cycle)
+    for (unsigned int phase = 0; phase < 3000; ++phase)
+      starts.remember(force, force, LoadStep{{{0, 0, 0}}, phase + 1, 1, cycle, phase});
+  const StartMemory &memory = starts.memory();
+  EXPECT_GT(memory.of_phase.size(), 500u);
+  EXPECT_EQ(memory.of_phase.size(), memory.drift.size());
+  EXPECT_LE((memory.of_phase.size() + memory.drift.size()) * force.size() * sizeof(double),
+            StartMemory::most_bytes);
+}
+
 TEST(Checkpoint, OfAnotherFormatIsRefused)
 {
   std::string bytes = encode(checkpoint_after(1));
@@ -177,6 +255,7 @@ TEST(Checkpoint, IsFoundByTheSameParametersOnly)
   folder.append("history.csv", "one\n");
   Checkpoint checkpoint = checkpoint_after(3);
   checkpoint.tables = folder.tables();
+  checkpoint.fields = {};
   write_checkpoint(folder, checkpoint);
   EXPECT_EQ(find_checkpoint(folder, parameters, "x.prm")->state.step, 3u);
 
