@@ -4,12 +4,16 @@
 
 #include <cholmod.h>
 #include <lapacke.h>
+#include <metis.h>
 
 #include <algorithm>
 #include <array>
+#include <csignal>
+#include <new>
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <type_traits>
 
 namespace orthocone
 {
@@ -81,19 +85,66 @@ cholmod_sparse *leading_block(const dealii::SparsityPattern &pattern,
   return block;
 }
 
-/// Fill-reducing order of the interior unknowns, followed by the others as they are.
-std::vector<int> elimination_order(const dealii::SparsityPattern &pattern, const unsigned int n_interior,
-                                   Session &session)
+/// The graph of the leading n x n block, both triangles without the diagonal, as METIS wants it.
+struct Graph
 {
+  Graph(const dealii::SparsityPattern &pattern, const unsigned int n)
+      : starts(n + 1, 0)
+  {
+    const auto for_each_edge = [&](const auto &visit)
+    {
+      for (unsigned int row = 0; row < n; ++row)
+        for (auto entry = pattern.begin(row); entry != pattern.end(row); ++entry)
+          if (entry->column() != row)
+            visit(row, static_cast<unsigned int>(entry->column()));
+    };
+    for_each_edge([this](const unsigned int a, const unsigned int b) { ++starts[a + 1], ++starts[b + 1]; });
+    std::partial_sum(starts.begin(), starts.end(), starts.begin());
+    neighbours.resize(starts.back());
+    std::vector<idx_t> next = starts;
+    for_each_edge(
+        [&](const unsigned int a, const unsigned int b)
+        {
+          neighbours[next[a]++] = static_cast<idx_t>(b);
+          neighbours[next[b]++] = static_cast<idx_t>(a);
+        });
+  }
+
+  std::vector<idx_t> starts;
+  std::vector<idx_t> neighbours;
+};
+
+/// METIS is called without CHOLMOD around it, which drops its result. METIS catches SIGTERM by a handler of
+/// its own and gives up: the signal is passed on to who should have had it.
+void order_by_metis(Graph graph, std::vector<idx_t> &order)
+{
+  auto n = static_cast<idx_t>(graph.starts.size() - 1);
+  // METIS complains on the screen where memory runs out; so this is found out before (CHOLMOD's measure).
+  delete[] new idx_t[20 * graph.neighbours.size() + 100 * graph.starts.size()];
+  std::vector<idx_t> inverse(n);
+  switch (METIS_NodeND(&n, graph.starts.data(), graph.neighbours.data(), nullptr, nullptr, order.data(),
+                       inverse.data()))
+  {
+  case METIS_OK:
+    return;
+  case METIS_ERROR_MEMORY:
+    throw std::bad_alloc();
+  case METIS_ERROR:
+    std::raise(SIGTERM);
+    [[fallthrough]];
+  default:
+    throw std::runtime_error("ordering the stiffness: METIS fails");
+  }
+}
+
+/// Fill-reducing order of the interior unknowns, followed by the others as they are.
+std::vector<int> elimination_order(const dealii::SparsityPattern &pattern, const unsigned int n_interior)
+{
+  static_assert(std::is_same<idx_t, int>::value, "CHOLMOD's indices are METIS'");
   std::vector<int> order(pattern.n_rows());
   std::iota(order.begin(), order.end(), 0);
-  if (n_interior == 0)
-    return order;
-  cholmod_sparse *interior = leading_block(pattern, nullptr, n_interior, session);
-  constexpr int postorder = 1;
-  cholmod_metis(interior, nullptr, 0, postorder, order.data(), &session.common);
-  cholmod_free_sparse(&interior, &session.common);
-  session.require_success("ordering the stiffness");
+  if (n_interior > 0)
+    order_by_metis(Graph(pattern, n_interior), order);
   return order;
 }
 
@@ -101,7 +152,7 @@ std::vector<int> elimination_order(const dealii::SparsityPattern &pattern, const
 cholmod_factor *analyze(cholmod_sparse *const all, const dealii::SparsityPattern &pattern,
                         const unsigned int n_interior, Session &session)
 {
-  std::vector<int> order = elimination_order(pattern, n_interior, session);
+  std::vector<int> order = elimination_order(pattern, n_interior);
   session.common.nmethods = 1;
   session.common.method[0].ordering = CHOLMOD_GIVEN;
   return cholmod_analyze_p(all, order.data(), nullptr, 0, &session.common);
