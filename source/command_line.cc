@@ -19,11 +19,13 @@ po::options_description visible_options()
   po::options_description options("options");
   options.add_options()("set", po::value<std::vector<std::string>>(),
                         "\"Section/Entry=value\": overrides one entry; may be repeated")(
-      "output", po::value<std::string>(), "run folder (default: output/<parameter file's stem>)")(
+      "output,o", po::value<std::string>(), "run folder (default: output/<parameter file's stem>)")(
       "check", "read everything, print the resolved model, compute nothing")(
       "resume", "continue from the checkpoint in the run folder")(
-      "defaults", "print a complete commented parameter file and stop")("quiet", "print errors only")(
-      "help", "print this text and stop")("version", "print the versions of program and libraries and stop");
+      "insist", "run even if the memory is likely not to suffice")(
+      "defaults", "print a complete commented parameter file and stop")("quiet,q", "print errors only")(
+      "help,h", "print this text and stop")("version",
+                                            "print the versions of program and libraries and stop");
   return options;
 }
 
@@ -38,6 +40,7 @@ CommandLine from(const po::variables_map &values)
     line.parameter_file = values["file"].as<std::string>();
   line.check = values.count("check") != 0;
   line.resume = values.count("resume") != 0;
+  line.insist = values.count("insist") != 0;
   line.defaults = values.count("defaults") != 0;
   line.quiet = values.count("quiet") != 0;
   line.help = values.count("help") != 0;
@@ -78,6 +81,7 @@ std::string usage()
   text << "orthocone [options] FILE.prm\n\n"
        << "Elastic body on a rigid plane under cyclic loads with orthotropic friction.\n\n"
        << visible_options()
+       << "\nexample: orthocone prm/paper/case_b.prm --set \"Mesh/Resolution=fine\" -o output/fine\n"
        << "\nexit codes: 0 done, 2 wrong command line or parameter file, 3 a load step could not "
        << "be solved or failed a check,\n            4 a file could not be read or written, 130 interrupted "
           "(--resume goes "

@@ -15,6 +15,7 @@ struct CommandLine
   std::string output_folder; ///< empty: output/<stem of the parameter file>
   bool check = false;
   bool resume = false;
+  bool insist = false; ///< runs even where memory is likely not to suffice
   bool defaults = false;
   bool quiet = false;
   bool help = false;

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""Makes one self-contained HTML page of a run: tools/report.py RUN_FOLDER [--output FILE]
+"""Makes one self-contained HTML page of a run: tools/report.py RUN_FOLDER [RUN_FOLDER...] [--output FILE]
 
-The page needs no network and no other file. Exit codes: 0 done; 2 wrong command line; 4 a file could not be read or
-written."""
+The charts of the page show the other runs over the first one. The page needs no network and no other file. Exit codes:
+0 done; 1 no Python here has NumPy and meshio; 2 wrong command line; 4 a file could not be read or written."""
 import argparse
 import os
 import pathlib
@@ -13,6 +13,7 @@ import sys
 sys.dont_write_bytecode = True  # the source tree stays clean
 TOOLS = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(TOOLS / "report"), str(TOOLS / "plots")]
+MOST_RUNS = 8  # as many colours as the page can tell apart
 
 
 class ArgumentParser(argparse.ArgumentParser):
@@ -21,11 +22,32 @@ class ArgumentParser(argparse.ArgumentParser):
 
 
 def arguments():
-    parser = ArgumentParser(prog="report", description="Makes one self-contained HTML page of a run.")
-    parser.add_argument("folder", metavar="RUN_FOLDER", type=pathlib.Path, help="where the run left its files")
+    parser = ArgumentParser(prog="report", description="Makes one self-contained HTML page of a run, or of several.")
+    parser.add_argument("folders", metavar="RUN_FOLDER", type=pathlib.Path, nargs="+",
+                        help="where a run left its files; the charts of the first one show the others, too")
     parser.add_argument("--output", metavar="FILE", type=pathlib.Path,
-                        help="the page (default: RUN_FOLDER/report.html)")
-    return parser.parse_args()
+                        help="the page (default: report.html in the first RUN_FOLDER)")
+    options = parser.parse_args()
+    if len(options.folders) > MOST_RUNS:
+        parser.error(f"{len(options.folders)} runs, and a page shows {MOST_RUNS} at most")
+    places = [folder.resolve() for folder in options.folders]
+    for k, folder in enumerate(options.folders):
+        if places[k] in places[:k]:
+            parser.error(f"{folder}: this run is named twice")
+    return options
+
+
+def load_page():
+    """The parts that need NumPy and meshio; a Python that lacks them hands over to one that has them."""
+    try:
+        import page  # not at the top: see above
+        import run_data
+    except ImportError as error:
+        if "ORTHOCONE_PYTHON_FOUND" in os.environ:
+            sys.exit(f"report: {error}")
+        launcher = str(TOOLS / "python")
+        os.execv(launcher, [launcher, "numpy,meshio", *sys.argv])
+    return page, run_data
 
 
 def check_run_folder(folder):
@@ -62,15 +84,12 @@ def one_line(error):
 
 def main():
     options = arguments()
+    page, run_data = load_page()
+    output = options.output or options.folders[0] / "report.html"
     try:
-        import page  # not at the top: it needs numpy and meshio
-        import run_data
-    except ImportError as error:
-        sys.exit(f"report: {error}; Debian's packages python3-numpy and python3-meshio have what is needed")
-    output = options.output or options.folder / "report.html"
-    try:
-        check_run_folder(options.folder)
-        text = page.make(run_data.RunData(options.folder))
+        for folder in options.folders:
+            check_run_folder(folder)
+        text = page.make([run_data.RunData(folder) for folder in options.folders])
         write_whole(output, text)
     except (OSError, run_data.BadFile) as error:
         print(f"report: {one_line(error)}", file=sys.stderr)

@@ -72,6 +72,13 @@ NodeVector ContactProblem::displacement(const NodeVector &force) const
   return d;
 }
 
+NodeVector ContactProblem::admissible(NodeVector force) const
+{
+  for (Index node = 0; node < n_nodes(); ++node)
+    force.segment<3>(3 * node) = project(laws_[node], force.segment<3>(3 * node));
+  return force;
+}
+
 NodeVector ContactProblem::natural_map(const NodeVector &force, const NodeVector &displacement) const
 {
   NodeVector map(force.size());

@@ -74,7 +74,7 @@ double critical_friction_factor(const OrthotropicFriction &law, const Matrix3d &
   const SlipResistance resistance(law, block);
   const bool is_x_held = block(0, 1) == 0 && block(1, 2) == 0;
   const bool is_y_held = block(0, 2) == 0 && block(1, 2) == 0;
-  if (is_x_held && is_y_held)
+  if ((is_x_held && is_y_held) || is_frictionless(law))
     return infinity;
   if (is_x_held)
     return resistance.along(quarter_turn);

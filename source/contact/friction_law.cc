@@ -70,8 +70,15 @@ Vector3d surface_point(const OrthotropicFriction &law, const Vector3d &tau, cons
 }
 } // namespace
 
+bool is_frictionless(const OrthotropicFriction &law)
+{
+  return law.mu_x == 0;
+}
+
 Vector2d slip_weights(const OrthotropicFriction &law)
 {
+  if (is_frictionless(law))
+    return Vector2d::Zero();
   const double x = law.p_x / law.mu_x;
   const double y = law.p_y / law.mu_y;
   return {x * x, y * y};
@@ -79,12 +86,16 @@ Vector2d slip_weights(const OrthotropicFriction &law)
 
 OrthotropicFriction normalized(const OrthotropicFriction &law)
 {
+  if (is_frictionless(law))
+    return law;
   const double scale = std::max(law.p_x / law.mu_x, law.p_y / law.mu_y);
   return {law.mu_x, law.mu_y, law.p_x / scale, law.p_y / scale};
 }
 
 double friction_norm(const OrthotropicFriction &law, const double r_x, const double r_y)
 {
+  if (is_frictionless(law))
+    return r_x == 0 && r_y == 0 ? 0 : std::numeric_limits<double>::infinity();
   const double x = r_x / law.mu_x;
   const double y = r_y / law.mu_y;
   return std::sqrt(x * x + y * y);
@@ -101,6 +112,8 @@ ConeZone cone_zone(const OrthotropicFriction &law, const Vector3d &tau)
 {
   if (dual_norm(law, tau[1], tau[2]) + tau[0] <= 0)
     return ConeZone::polar;
+  if (is_frictionless(law))
+    return ConeZone::outside;
   return friction_norm(law, tau[1], tau[2]) <= tau[0] ? ConeZone::inside : ConeZone::outside;
 }
 
@@ -115,6 +128,8 @@ Vector3d project(const OrthotropicFriction &law, const Vector3d &tau)
   case ConeZone::outside:
     break;
   }
+  if (is_frictionless(law))
+    return {tau[0], 0, 0};
   return surface_point(law, tau, multiplier(law, tau));
 }
 
@@ -126,6 +141,14 @@ Projection project_with_derivative(const OrthotropicFriction &law, const Vector3
     projection.point = tau;
   if (projection.zone != ConeZone::outside)
     return projection;
+  if (is_frictionless(law))
+  {
+    projection.point = {tau[0], 0, 0};
+    projection.ray = Vector3d::UnitX();
+    projection.side = Vector3d::UnitY();
+    projection.normal = Vector3d::UnitZ();
+    return projection;
+  }
   const double lambda = multiplier(law, tau);
   projection.point = surface_point(law, tau, lambda);
   const Vector3d &r = projection.point;

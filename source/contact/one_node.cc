@@ -194,6 +194,8 @@ Vector3d solve_one_node(const OneNodeProblem &problem, const Vector3d &q, const 
 {
   if (q[0] >= 0)
     return Vector3d::Zero();
+  if (is_frictionless(problem.law))
+    return {-q[0] / problem.compliance(0, 0), 0, 0};
   Vector3d stuck = -problem.stiffness * q;
   if (cone_zone(problem.law, stuck) == ConeZone::inside)
     return stuck;

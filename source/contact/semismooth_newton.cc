@@ -11,14 +11,6 @@ namespace orthocone
 {
 namespace
 {
-/// Forces moved into the cone, where the law wants them.
-NodeVector admissible(const ContactProblem &problem, NodeVector force)
-{
-  for (Eigen::Index node = 0; node < problem.n_nodes(); ++node)
-    force.segment<3>(3 * node) = project(problem.law(node), force.segment<3>(3 * node));
-  return force;
-}
-
 /// Forces, their displacement and what the natural map says there.
 struct Iterate
 {
@@ -100,7 +92,7 @@ double SemismoothNewton::iterate_while_it_pays(NodeVector &force, unsigned int &
     if (best.system.error() > paying_reduction * last_error)
       break;
   }
-  const NodeVector candidate = admissible(problem_, best.force);
+  const NodeVector candidate = problem_.admissible(best.force);
   const double last_residual = problem_.residual(candidate);
   if (!(last_residual < first_residual))
     return first_residual;
@@ -120,7 +112,7 @@ double SemismoothNewton::iterate_in_full(NodeVector trial, double least, NodeVec
   {
     const NewtonSystem system(problem_, trial, problem_.displacement(trial), options_.rho_factor);
     trial += system.solve(inner_, inexactness); // may leave the cone on the way
-    const NodeVector candidate = admissible(problem_, trial);
+    const NodeVector candidate = problem_.admissible(trial);
     const double residual = problem_.residual(candidate);
     if (!std::isfinite(residual))
       break;

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <array>
 #include <csignal>
+#include <limits>
 #include <new>
 #include <numeric>
 #include <stdexcept>
@@ -19,6 +20,13 @@ namespace orthocone
 {
 namespace
 {
+TooLargeError too_large()
+{
+  return TooLargeError(
+      "the factor of the stiffness has more than 2^31 entries, more than CHOLMOD can count: a coarser "
+      "mesh or a reduced Mesh/Model needs less");
+}
+
 /// CHOLMOD's settings and memory, with errors as exceptions.
 class Session
 {
@@ -42,13 +50,13 @@ public:
   {
     if (common.status == CHOLMOD_NOT_POSDEF)
       throw std::runtime_error(std::string(task) + ": the stiffness matrix is not positive definite");
+    if (common.status == CHOLMOD_OUT_OF_MEMORY)
+      throw std::bad_alloc();
+    if (common.status == CHOLMOD_TOO_LARGE)
+      throw too_large();
     if (common.status < CHOLMOD_OK)
-      throw std::runtime_error(
-          std::string(task) + ": CHOLMOD fails with status " + std::to_string(common.status) +
-          (common.status == CHOLMOD_OUT_OF_MEMORY ? " (out of memory)"
-           : common.status == CHOLMOD_TOO_LARGE
-               ? " (more than 2^31 entries: a coarser mesh or a reduced Mesh/Model needs less)"
-               : ""));
+      throw std::runtime_error(std::string(task) + ": CHOLMOD fails with status " +
+                               std::to_string(common.status));
   }
 
   cholmod_common common{};
@@ -63,6 +71,8 @@ cholmod_sparse *leading_block(const dealii::SparsityPattern &pattern,
   std::size_t n_entries = 0;
   for (unsigned int row = 0; row < n; ++row)
     n_entries += pattern.row_length(row);
+  if (n_entries > std::numeric_limits<int>::max())
+    throw too_large();
   constexpr int sorted = 0, packed = 1, upper = 1;
   cholmod_sparse *const block =
       cholmod_allocate_sparse(n, n, n_entries, sorted, packed, upper,
@@ -91,6 +101,8 @@ struct Graph
   Graph(const dealii::SparsityPattern &pattern, const unsigned int n)
       : starts(n + 1, 0)
   {
+    if (2 * pattern.n_nonzero_elements() > static_cast<std::size_t>(std::numeric_limits<idx_t>::max()))
+      throw too_large();
     const auto for_each_edge = [&](const auto &visit)
     {
       for (unsigned int row = 0; row < n; ++row)

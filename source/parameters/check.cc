@@ -103,6 +103,17 @@ void check_load(const LoadOptions &load)
                      ": allowed is one of them, the other 0 (a run that stops has nothing to jump)");
 }
 
+void check_compression(const LoadOptions &load, const double height)
+{
+  for (const auto *const legs : {&load.preload, &load.legs})
+    for (const Leg &leg : *legs)
+      if (leg.target[2] <= -height)
+        throw InputError(
+            std::string("Load program/") + (legs == &load.legs ? "Legs" : "Preload") +
+            ": u_z = " + to_text(leg.target[2]) +
+            " mm presses the body flat: allowed is more than -Geometry/Height = " + to_text(-height) + " mm");
+}
+
 void check_probes(const std::vector<Probe> &probes, const double radius)
 {
   constexpr double rounding = 1e-12;
@@ -120,6 +131,7 @@ void check_parameters(const Parameters &parameters)
   check_mesh_choice(parameters.mesh);
   check_mesh(parameters.mesh);
   check_load(parameters.load);
+  check_compression(parameters.load, parameters.geometry.height);
   check_probes(parameters.output.probes, parameters.geometry.radius);
 }
 } // namespace orthocone

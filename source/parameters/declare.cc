@@ -10,168 +10,166 @@ using namespace entries;
 
 namespace
 {
-using dealii::ParameterHandler;
-
-void declare_geometry(GeometryOptions &geometry, ParameterHandler &handler)
+void declare_geometry(GeometryOptions &geometry, EntryTable &table)
 {
-  add_entry(handler, "Shape", "cylinder",
+  table.add("Shape", "cylinder",
             Allowed("cylinder", [](const std::string &text) { return text == "cylinder"; }),
             "Shape of the body; its base z = 0 rests on the rigid plane.", [](const std::string &) {});
-  add_number(handler, "Radius", geometry.radius, positive, "Radius in mm.");
-  add_number(handler, "Height", geometry.height, positive, "Height in mm.");
+  add_number(table, "Radius", geometry.radius, positive, "Radius in mm.");
+  add_number(table, "Height", geometry.height, positive, "Height in mm.");
   add_choice(
-      handler, "Top face", geometry.top_face,
+      table, "Top face", geometry.top_face,
       "The upper face moves as a rigid plate (clamped), or has u_z prescribed and is free sideways (guided; "
       "only in a quarter or axisymmetric model, where symmetry holds the body).");
 }
 
-void declare_mesh(MeshOptions &mesh, ParameterHandler &handler)
+void declare_mesh(MeshOptions &mesh, EntryTable &table)
 {
-  add_choice(handler, "Model", mesh.model,
+  add_choice(table, "Model", mesh.model,
              "Part of the cylinder that is modelled; auto takes the smallest that is exact for the scene. "
              "axisymmetric: "
              "its section (r, z), with the cells that lie along the x axis.");
-  add_choice(handler, "Resolution", mesh.resolution,
+  add_choice(table, "Resolution", mesh.resolution,
              "paper: the mesh of the paper's figures; coarse, medium, fine: degree 3 (4 if axisymmetric) and "
              "cells that shrink "
              "towards the rim, the base and the upper face (docs/accuracy.md: what each reaches and costs); "
              "custom: the entries below. With another word than custom these stay at their defaults.");
   add_percentage(
-      handler, "Accuracy", mesh.accuracy, Range{0.01, 50, true, true},
+      table, "Accuracy", mesh.accuracy, Range{0.01, 50, true, true},
       "Largest wanted error of the largest slip, the total force, the dissipated energy and the stick area: "
       "the program refines the mesh until it estimates to have reached it; Resolution and the entries below "
       "then stay at their defaults. 0 = the mesh is given.");
-  add_count(handler, "Core cells", mesh.core_cells, 1, 200, "Cells along a side of the core block.");
-  add_count(handler, "Rings", mesh.rings, 0, 200, "Cells from core to rim; 0 = as many as core cells.");
-  add_count(handler, "Layers", mesh.layers, 1, 200, "Cells over the height.");
-  add_count(handler, "Degree", mesh.degree, 1, 4,
+  add_count(table, "Core cells", mesh.core_cells, 1, 200, "Cells along a side of the core block.");
+  add_count(table, "Rings", mesh.rings, 0, 200, "Cells from core to rim; 0 = as many as core cells.");
+  add_count(table, "Layers", mesh.layers, 1, 200, "Cells over the height.");
+  add_count(table, "Degree", mesh.degree, 1, 4,
             "Polynomial degree of the elements; 4 in the axisymmetric model only.");
-  add_count(handler, "Quadrature points", mesh.quadrature_points, 0, 10,
+  add_count(table, "Quadrature points", mesh.quadrature_points, 0, 10,
             "Gauss points per direction, more than the degree; 0 = degree + 1.");
   add_choice(
-      handler, "Volumetric quadrature", mesh.volumetric_quadrature,
+      table, "Volumetric quadrature", mesh.volumetric_quadrature,
       "reduced: the elements resist changes of volume only as far as these are polynomials of the degree "
       "- 1, as with one Gauss point fewer per direction (B-bar for degree 1); against the locking of "
       "nearly incompressible materials. May stand beside a Resolution or an Accuracy.");
-  add_number(handler, "Core ratio", mesh.core_ratio, Range{0.01, 1, true, false},
+  add_number(table, "Core ratio", mesh.core_ratio, Range{0.01, 1, true, false},
              "Distance of the core's corners from the axis / radius.");
-  add_number(handler, "Rim grading", mesh.rim_grading, Range{0, 10, false, true},
+  add_number(table, "Rim grading", mesh.rim_grading, Range{0, 10, false, true},
              "Each ring is this many times as thick as the next inner one; 1 = uniform.");
-  add_number(handler, "Layer grading", mesh.layer_grading, Range{0, 10, false, true},
+  add_number(table, "Layer grading", mesh.layer_grading, Range{0, 10, false, true},
              "Each layer is this many times as thick as its neighbour towards mid-height; 1 = uniform.");
 }
 
-void declare_material(MaterialOptions &material, ParameterHandler &handler)
+void declare_material(MaterialOptions &material, EntryTable &table)
 {
-  add_number(handler, "Young modulus", material.young_modulus, positive, "Young's modulus in MPa.");
-  add_number(handler, "Poisson ratio", material.poisson_ratio, Range{-1, 0.5}, "Poisson's ratio.");
+  add_number(table, "Young modulus", material.young_modulus, positive, "Young's modulus in MPa.");
+  add_number(table, "Poisson ratio", material.poisson_ratio, Range{-1, 0.5}, "Poisson's ratio.");
 }
 
-void declare_friction(FrictionOptions &friction, ParameterHandler &handler)
+void declare_friction(FrictionOptions &friction, EntryTable &table)
 {
-  add_pair(handler, "Coefficients", friction.mu, positive,
-           "mu_x, mu_y: semi-axes of the friction ellipse, the section of the cone at unit normal force.");
-  add_pair(
-      handler, "Slip potential", friction.p, positive,
-      "p_x, p_y: semi-axes of the slip ellipse; only their ratio matters. Proportional to the coefficients: "
-      "associated friction.");
-  add_number(handler, "Orthotropy angle", friction.angle, any_number,
+  add_coefficients(
+      table, "Coefficients", friction.mu,
+      "mu_x, mu_y: semi-axes of the friction ellipse, the section of the cone at unit normal force.");
+  add_slip_potential(
+      table, "Slip potential", friction.slip_potential,
+      "p_x, p_y: semi-axes of the slip ellipse; only their ratio matters. associated: those of the friction "
+      "ellipse, so that slip is normal to it. Equal ones: slip is along the force.");
+  add_number(table, "Orthotropy angle", friction.angle, Range{-360, 360, true, true},
              "Degrees from the x axis to the first axis of both ellipses.");
 }
 
-void declare_load(LoadOptions &load, ParameterHandler &handler)
+void declare_load(LoadOptions &load, EntryTable &table)
 {
-  add_legs(handler, "Preload", load.preload, "Legs passed through once, before the cycles.");
-  add_legs(handler, "Legs", load.legs,
+  add_legs(table, "Preload", load.preload, "Legs passed through once, before the cycles.");
+  add_legs(table, "Legs", load.legs,
            "Legs of a cycle: the upper face moves to (ux, uy, uz) in equal steps, from where it was.");
-  add_count(handler, "Cycles", load.cycles, 0, 1000000, "How many times the legs are passed through.");
+  add_count(table, "Cycles", load.cycles, 0, 1000000, "How many times the legs are passed through.");
   const Range share{0, 1, true, false};
   add_number(
-      handler, "Stop when periodic", load.stop_when_periodic, share,
+      table, "Stop when periodic", load.stop_when_periodic, share,
       "The run is complete as soon as a cycle ends as it began: nodal forces within this share of the "
       "largest one, displacements within this share of the largest motion of the upper face; 0 = never.");
   add_number(
-      handler, "Jump when periodic", load.jump_when_periodic, share,
+      table, "Jump when periodic", load.jump_when_periodic, share,
       "When a cycle ends as it began, in the same measure, the next ones are not computed: accumulated "
       "slip and dissipated energy grow as in this one; 0 = never. The last cycle is always computed.");
-  add_count(handler, "Jump cycles", load.jump_cycles, 1, 1000000,
+  add_count(table, "Jump cycles", load.jump_cycles, 1, 1000000,
             "Most cycles that are jumped before another one is computed, which shows whether the response is "
             "still periodic.");
 }
 
-void declare_contact_solver(ContactSolverOptions &solver, ParameterHandler &handler)
+void declare_contact_solver(ContactSolverOptions &solver, EntryTable &table)
 {
   add_choice(
-      handler, "Method", solver.method,
+      table, "Method", solver.method,
       "newton: semismooth Newton between exact sweeps; gauss-seidel: sweeps of exact one-node solves; uzawa: "
       "simultaneous projections with adaptive step; feng2006: the paper's Box 3, node by node. For the study "
       "of what "
       "fails (docs/stability.md): box3, the paper's Box 3 for all nodes at once; plain-newton, semismooth "
       "Newton without "
       "line search and sweeps.");
-  add_number(handler, "Tolerance", solver.tolerance, Range{1e-14, 1, true, false},
+  add_number(table, "Tolerance", solver.tolerance, Range{1e-14, 1, true, false},
              "Bound of the natural-map residual relative to the contact forces.");
-  add_count(handler, "Maximum iterations", solver.maximum_iterations, 1, 10000000,
+  add_count(table, "Maximum iterations", solver.maximum_iterations, 1, 10000000,
             "Sweeps or iterations for one load step, and for each part of one that has to be halved.");
-  add_number(handler, "Relaxation", solver.relaxation, Range{0, 2},
+  add_number(table, "Relaxation", solver.relaxation, Range{0, 2},
              "Relaxation factor of the sweeps of gauss-seidel: 1 takes the one-node solutions as they are.");
-  add_number(handler, "Rho factor", solver.rho_factor, positive,
+  add_number(table, "Rho factor", solver.rho_factor, positive,
              "Factor of the rho of newton, plain-newton (1 / the largest diagonal entry of a node's "
              "compliance), feng2006 "
              "and box3 (1 / the smallest). The residual that is reported does not depend on it.");
 }
 
-void declare_checks(CheckOptions &checks, ParameterHandler &handler)
+void declare_checks(CheckOptions &checks, EntryTable &table)
 {
   const std::string times = " Bound in multiples of Contact solver/Tolerance.";
   add_number(
-      handler, "Equilibrium", checks.equilibrium, positive,
+      table, "Equilibrium", checks.equilibrium, positive,
       "Every step is checked from its final state; one that exceeds a bound stops the run (exit code 3). "
       "Bound of the forces in the body that contact forces do not balance, relative to these, and of the "
       "difference between the displacements of body and contact surface.");
-  add_number(handler, "Penetration", checks.penetration, positive,
+  add_number(table, "Penetration", checks.penetration, positive,
              "Largest negative gap relative to the largest displacement." + times);
-  add_number(handler, "Complementarity", checks.complementarity, positive,
+  add_number(table, "Complementarity", checks.complementarity, positive,
              "Gap and normal force, each relative to its largest: the smaller of both must vanish." + times);
-  add_number(handler, "Friction cone", checks.friction_cone, positive,
+  add_number(table, "Friction cone", checks.friction_cone, positive,
              "Largest ||r_t||_m - r_n relative to the largest force." + times);
   add_number(
-      handler, "Slip rule", checks.slip_rule, positive,
+      table, "Slip rule", checks.slip_rule, positive,
       "Change of slip that is not along the normal of the slip ellipse, or not on the cone, weighted with "
       "the normal force." +
           times);
   add_number(
-      handler, "Energy identity", checks.energy_identity, positive,
+      table, "Energy identity", checks.energy_identity, positive,
       "Work of the upper face minus change of elastic energy minus work of the mean contact forces, and "
       "dissipation that these cannot do, relative to the largest energy or work of a step so far. It holds "
       "for steps of any size.");
   add_number(
-      handler, "Energy defect", checks.energy_defect, positive,
+      table, "Energy defect", checks.energy_defect, positive,
       "Work of the upper face minus change of elastic energy minus dissipation in a step, relative to the "
       "largest energy or work of a step so far. It falls with the square of the steps: a step in which all "
       "slips back reaches 1, and its loop is not to be trusted; above 0.05 there is a warning.");
 }
 
-void declare_output(OutputOptions &output, ParameterHandler &handler)
+void declare_output(OutputOptions &output, EntryTable &table)
 {
-  add_count(handler, "Contact fields", output.contact_interval, 0, 1000000,
+  add_count(table, "Contact fields", output.contact_interval, 0, 1000000,
             "Every how many steps the fields on the contact surface are written; 0 = never.");
-  add_count(handler, "Volume fields", output.volume_interval, 0, 1000000,
+  add_count(table, "Volume fields", output.volume_interval, 0, 1000000,
             "Every how many steps displacement and stress of the body are written; 0 = never.");
-  add_number(handler, "Checkpoint", output.checkpoint_seconds, Range{0, 1e9, true, true},
+  add_number(table, "Checkpoint", output.checkpoint_seconds, Range{0, 1e9, true, true},
              "Least seconds between two checkpoints, from which --resume goes on; 0 = one after every step.");
-  add_probes(handler, "Probes", output.probes,
+  add_probes(table, "Probes", output.probes,
              "Points of the contact surface whose history is written; the nearest contact node is taken.");
 }
 } // namespace
 
-void declare_parameters(Parameters &parameters, ParameterHandler &handler)
+void declare_parameters(Parameters &parameters, EntryTable &table)
 {
-  const auto section = [&handler](const char *const name, auto declare, auto &options)
+  const auto section = [&table](const char *const name, auto declare, auto &options)
   {
-    handler.enter_subsection(name);
-    declare(options, handler);
-    handler.leave_subsection();
+    table.enter(name);
+    declare(options, table);
   };
   section("Geometry", declare_geometry, parameters.geometry);
   section("Mesh", declare_mesh, parameters.mesh);

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// Binding of option structs to deal.II's ParameterHandler: name, default, range and help of an entry stand
-// together in one call.
+// Binding of option structs to the table of entries: name, default, range and help of an entry stand together
+// in one call.
 #pragma once
 
 #include <orthocone/parameters/options.h>
 
-#include <deal.II/base/parameter_handler.h>
+#include "entries.h"
 
 namespace orthocone
 {
 /// Declares all sections and binds the entries to `parameters`, whose present values are the defaults.
-/// `parameters` must outlive `handler`.
-void declare_parameters(Parameters &parameters, dealii::ParameterHandler &handler);
+/// `parameters` must outlive `table`.
+void declare_parameters(Parameters &parameters, EntryTable &table);
 } // namespace orthocone

@@ -2,9 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include "faults.h"
 
-#include "text_file.h"
-
 #include <orthocone/parameters/parameters.h>
+#include <orthocone/parameters/text.h>
 
 #include <algorithm>
 
@@ -47,42 +46,7 @@ std::string not_known(const std::string &kind, const std::string &name, const st
          "'orthocone --defaults' lists all of them";
 }
 
-/// The first bytes of `text`, at most `most`, without a part of a UTF-8 character at the end.
-std::string beginning(const std::string &text, const std::size_t most)
-{
-  constexpr std::size_t longest_character = 4;
-  std::size_t size = most;
-  while (size + longest_character > most && continues_character(text[size]))
-    --size;
-  return text.substr(0, size);
-}
-
-bool is_control(const unsigned char c)
-{
-  constexpr unsigned char blank = 0x20, del = 0x7f;
-  return c < blank || c == del;
-}
-
-/// A control character as in C and JSON, others as they are.
-std::string printable(const unsigned char c)
-{
-  constexpr const char *digits = "0123456789abcdef";
-  if (!is_control(c))
-    return {static_cast<char>(c)};
-  if (c == '\n' || c == '\t' || c == '\r')
-    return c == '\n' ? "\\n" : c == '\t' ? "\\t" : "\\r";
-  return {'\\', 'x', digits[c / 16], digits[c % 16]};
-}
 } // namespace
-
-std::string shown(const std::string &text)
-{
-  constexpr std::size_t most = 200;
-  std::string result;
-  for (const char c : text.size() <= most ? text : beginning(text, most))
-    result += printable(static_cast<unsigned char>(c));
-  return result + (text.size() <= most ? "" : "...");
-}
 
 std::string remark(const std::string &text)
 {
@@ -102,7 +66,8 @@ bool is_section(const std::string &name)
 
 std::string nearest_entry(const std::string &name)
 {
-  return nearest_name(name, entry_names());
+  const std::string meant = entry_for_word(name);
+  return meant.empty() ? nearest_name(name, entry_names()) : meant;
 }
 
 std::string not_an_entry(const std::string &name)

@@ -9,9 +9,6 @@
 
 namespace orthocone
 {
-/// A value or name as messages show it: not too long, and with escapes for what a terminal would not print.
-std::string shown(const std::string &text);
-
 /// A remark behind a text whose characters may not be what they look like, or "".
 std::string remark(const std::string &text);
 
@@ -22,6 +19,10 @@ bool is_section(const std::string &name);
 
 /// The entry that `name` ("Section/Entry" or "Entry") is most likely meant to be, or "".
 std::string nearest_entry(const std::string &name);
+
+/// The entry that stands for what other programs and papers call `name` ("Section/Word" or "Word"), such as
+/// mu, E or diameter, or "".
+std::string entry_for_word(const std::string &name);
 
 /// "NAME is not an entry", the entry that is most like it, and where all are listed.
 std::string not_an_entry(const std::string &name);

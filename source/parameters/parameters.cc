@@ -20,9 +20,7 @@ namespace orthocone
 {
 namespace
 {
-using dealii::ParameterHandler;
-
-void apply_override(const std::string &text, ParameterHandler &handler)
+void apply_override(const std::string &text, EntryTable &table)
 {
   const auto equals = text.find('=');
   const std::string name = trimmed(text.substr(0, equals));
@@ -34,7 +32,7 @@ void apply_override(const std::string &text, ParameterHandler &handler)
                      (nearest.empty() ? "" : "; is " + nearest + " meant?"));
   }
   set_entry("--set: ", trimmed(name.substr(0, slash)) + "/" + trimmed(name.substr(slash + 1)),
-            trimmed(text.substr(equals + 1)), handler);
+            trimmed(text.substr(equals + 1)), table);
 }
 } // namespace
 
@@ -46,24 +44,30 @@ bool is_json(const std::string &file_name)
   return ending == ".json";
 }
 
+ParameterFile read_parameter_file(const std::string &file_name, const std::vector<std::string> &overrides)
+{
+  ParameterFile file;
+  EntryTable table;
+  declare_parameters(file.parameters, table);
+  file.text = is_json(file_name) ? read_json(file_name, table) : read_prm(file_name, table);
+  for (const std::string &text : overrides)
+    apply_override(text, table);
+  return file;
+}
+
 Parameters read_parameters(const std::string &file_name, const std::vector<std::string> &overrides)
 {
-  Parameters parameters;
-  ParameterHandler handler;
-  declare_parameters(parameters, handler);
-  is_json(file_name) ? read_json(file_name, handler) : read_prm(file_name, handler);
-  for (const std::string &text : overrides)
-    apply_override(text, handler);
-  return parameters;
+  return read_parameter_file(file_name, overrides).parameters;
 }
 
 std::vector<std::pair<std::string, std::string>> entry_values(const Parameters &parameters)
 {
   Parameters copy = parameters;
-  ParameterHandler handler;
-  declare_parameters(copy, handler);
+  EntryTable table;
+  declare_parameters(copy, table);
   std::ostringstream text;
-  handler.print_parameters(text, ParameterHandler::ShortJSON | ParameterHandler::KeepDeclarationOrder);
+  table.handler().print_parameters(text, dealii::ParameterHandler::ShortJSON |
+                                             dealii::ParameterHandler::KeepDeclarationOrder);
   std::vector<std::pair<std::string, std::string>> values;
   const auto json = nlohmann::ordered_json::parse(text.str());
   for (const auto &[section, entries] : json.items())
@@ -76,19 +80,20 @@ Parameters with_section(const Parameters &parameters, const std::string &section
                         const std::vector<std::pair<std::string, std::string>> &values)
 {
   Parameters changed = parameters;
-  ParameterHandler handler;
-  declare_parameters(changed, handler);
+  EntryTable table;
+  declare_parameters(changed, table);
   for (const auto &[entry, value] : values)
     if (entry.compare(0, section.size() + 1, section + "/") == 0)
-      set_entry("", entry, value, handler);
+      set_entry("", entry, value, table);
   return changed;
 }
 
 void write_parameters(const Parameters &parameters, std::ostream &out)
 {
   Parameters copy = parameters;
-  ParameterHandler handler;
-  declare_parameters(copy, handler);
-  handler.print_parameters(out, ParameterHandler::PRM | ParameterHandler::KeepDeclarationOrder);
+  EntryTable table;
+  declare_parameters(copy, table);
+  table.handler().print_parameters(out, dealii::ParameterHandler::PRM |
+                                            dealii::ParameterHandler::KeepDeclarationOrder);
 }
 } // namespace orthocone

@@ -5,10 +5,12 @@
 #include "text_file.h"
 
 #include <orthocone/parameters/errors.h>
+#include <orthocone/parameters/text.h>
 
 #include <nlohmann/json.hpp>
 
 #include <set>
+#include <utility>
 
 namespace orthocone
 {
@@ -23,8 +25,8 @@ constexpr const char *form = "{\"Section\": {\"Entry\": value}}";
 class JsonCheck : public nlohmann::json_sax<Json>
 {
 public:
-  JsonCheck(const std::string &file_name, const std::string &text)
-      : file_name_(file_name),
+  JsonCheck(std::string name, const std::string &text)
+      : name_(std::move(name)),
         text_(text)
   {
   }
@@ -54,9 +56,10 @@ private:
   bool open();
   bool close();
 
-  const std::string &file_name_;
+  const std::string name_;
   const std::string &text_;
   std::vector<Level> levels_;
+  unsigned int n_names_ = 0;
 };
 
 bool JsonCheck::open()
@@ -64,7 +67,7 @@ bool JsonCheck::open()
   constexpr std::size_t deepest = 10;
   levels_.emplace_back();
   if (levels_.size() > deepest)
-    throw InputError(file_name_ + ": is nested more than " + std::to_string(deepest) + " deep; allowed is " +
+    throw InputError(name_ + ": is nested more than " + std::to_string(deepest) + " deep; allowed is " +
                      form);
   return true;
 }
@@ -77,6 +80,9 @@ bool JsonCheck::close()
 
 bool JsonCheck::key(string_t &name)
 {
+  constexpr unsigned int most = 1000; // the tree that is made of them finds a name by going through all
+  if (++n_names_ > most)
+    throw InputError(name_ + ": has more than " + std::to_string(most) + " names; allowed is " + form);
   const bool is_first = levels_.back().names.insert(name).second;
   levels_.back().last = name;
   if (is_first)
@@ -85,7 +91,7 @@ bool JsonCheck::key(string_t &name)
   for (const Level &level : levels_)
     if (!level.last.empty()) // arrays have no names
       path += (path.empty() ? "" : "/") + level.last;
-  throw InputError(file_name_ + ": " + shown(path) + " is given twice");
+  throw InputError(name_ + ": " + shown(path) + " is given twice");
 }
 
 /// `position` counts the bytes up to and with the one that does not fit, which may be the end of the text.
@@ -101,7 +107,7 @@ bool JsonCheck::parse_error(const std::size_t position, const std::string &,
     }
     else if (!continues_character(c))
       ++column;
-  throw InputError(file_name_ + ":" + std::to_string(line) + ": is not valid JSON at column " +
+  throw InputError(name_ + ":" + std::to_string(line) + ": is not valid JSON at column " +
                    std::to_string(column) + "; allowed is " + form);
 }
 
@@ -118,11 +124,13 @@ std::string wrong_section(const std::string &name, const Json &value)
 }
 } // namespace
 
-void read_json(const std::string &file_name, dealii::ParameterHandler &handler)
+std::string read_json(const std::string &file_name, EntryTable &table)
 {
-  const std::string place = file_name + ": ";
-  const std::string text = read_text_file(file_name);
-  JsonCheck check(file_name, text);
+  const std::string name = shown_path(file_name);
+  const std::string place = name + ": ";
+  std::string content = read_text_file(file_name);
+  const std::string text = with_plain_lines(content);
+  JsonCheck check(name, text);
   Json::sax_parse(text, &check);
   const Json json = Json::parse(text);
   if (!json.is_object())
@@ -134,10 +142,11 @@ void read_json(const std::string &file_name, dealii::ParameterHandler &handler)
       throw InputError(place + wrong_section(section, entries));
     for (const auto &[entry, value] : entries.items())
       set_entry(place, section + "/" + entry, value.is_string() ? value.get<std::string>() : value.dump(),
-                handler);
+                table);
     sets_anything = sets_anything || !entries.empty();
   }
   if (!sets_anything)
     throw InputError(sets_no_entry(file_name));
+  return content;
 }
 } // namespace orthocone

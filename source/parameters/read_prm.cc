@@ -5,6 +5,10 @@
 #include "statements.h"
 
 #include <orthocone/parameters/errors.h>
+#include <orthocone/parameters/text.h>
+
+#include <algorithm>
+#include <map>
 
 namespace orthocone
 {
@@ -27,32 +31,44 @@ void check_subsection(const Statement &statement, const Statement *const open)
     throw InputError(statement.place + ": " + not_a_section(open->name + "/" + statement.name));
 }
 
-void set(const Statement &statement, const Statement *const open, dealii::ParameterHandler &handler)
+/// The settings of the section that is open, to find those that are given twice.
+using Settings = std::map<std::string, const Statement *>;
+
+/// An entry may be given again in another file, to override that of an included one, but not in the same.
+void check_repetition(const Statement &statement, const Settings &settings)
+{
+  const auto earlier = settings.find(statement.name);
+  if (earlier != settings.end() && earlier->second->file == statement.file)
+    throw InputError(statement.place + ": " + shown(statement.name) +
+                     " is given twice in this section, before in " + earlier->second->place);
+}
+
+void set(const Statement &statement, const Statement *const open, EntryTable &table)
 {
   const std::string &name = statement.name;
   const std::string place = statement.place + ": ";
   if (const auto slash = name.find('/'); is_entry(name))
     throw InputError(place + name + " is set within 'subsection " + name.substr(0, slash) + "', as 'set " +
                      name.substr(slash + 1) + " = " + shown(statement.value) + "'");
-  set_entry(place, (open ? open->name + "/" : "") + name, statement.value, handler);
+  set_entry(place, (open ? open->name + "/" : "") + name, statement.value, table);
 }
-} // namespace
 
-void read_prm(const std::string &file_name, dealii::ParameterHandler &handler)
+void read_all(const std::vector<Statement> &statements, EntryTable &table)
 {
-  const auto statements = read_statements(file_name);
   const Statement *open = nullptr;
-  bool sets_anything = false;
+  Settings settings;
   for (const Statement &statement : statements)
     switch (statement.kind)
     {
     case Statement::Kind::subsection:
       check_subsection(statement, open);
       open = &statement;
+      settings.clear();
       break;
     case Statement::Kind::set:
-      set(statement, open, handler);
-      sets_anything = true;
+      set(statement, open, table);
+      check_repetition(statement, settings);
+      settings[statement.name] = &statement;
       break;
     case Statement::Kind::end:
       if (!open)
@@ -62,7 +78,16 @@ void read_prm(const std::string &file_name, dealii::ParameterHandler &handler)
     }
   if (open)
     throw InputError(open->place + ": " + quoted(*open) + " has no 'end'");
-  if (!sets_anything)
+}
+} // namespace
+
+std::string read_prm(const std::string &file_name, EntryTable &table)
+{
+  const StatementFile file = read_statements(file_name);
+  read_all(file.statements, table);
+  if (std::none_of(file.statements.begin(), file.statements.end(),
+                   [](const Statement &statement) { return statement.kind == Statement::Kind::set; }))
     throw InputError(sets_no_entry(file_name));
+  return file.text;
 }
 } // namespace orthocone

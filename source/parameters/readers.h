@@ -5,20 +5,22 @@
 // cannot be read.
 #pragma once
 
-#include <deal.II/base/parameter_handler.h>
+#include "entries.h"
 
 #include <string>
 
 namespace orthocone
 {
-void read_prm(const std::string &file_name, dealii::ParameterHandler &handler);
+/// Returns the text with the included files in it.
+std::string read_prm(const std::string &file_name, EntryTable &table);
 
 /// {"Section": {"Entry": value}}
-void read_json(const std::string &file_name, dealii::ParameterHandler &handler);
+/// Returns the text.
+std::string read_json(const std::string &file_name, EntryTable &table);
 
 /// Sets the entry `name` ("Section/Entry"); `place` tells users where it was given ("file:line: ").
 void set_entry(const std::string &place, const std::string &name, const std::string &value,
-               dealii::ParameterHandler &handler);
+               EntryTable &table);
 
 /// The fault of a file without any setting.
 std::string sets_no_entry(const std::string &file_name);

@@ -12,6 +12,7 @@
 #include <filesystem>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 namespace orthocone
 {
@@ -19,11 +20,12 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/// A line without its comment and joined with those that continue it, and "file:line" of the first of them.
+/// A line without its comment and joined with those that continue it.
 struct Line
 {
   std::string text;
-  std::string place;
+  std::string place; ///< "file:line" of the first of them
+  std::string raw;   ///< all of them as written
 };
 
 bool continues(const std::string &text)
@@ -51,11 +53,13 @@ std::vector<Line> lines_of(const std::string &content, const std::string &file_n
   unsigned int number = 0;
   for (std::string text; std::getline(stream, text);)
   {
-    const std::string place = file_name + ":" + std::to_string(++number);
+    const std::string place = shown_path(file_name) + ":" + std::to_string(++number);
+    const std::string raw = text + "\n";
     std::replace(text.begin(), text.end(), '\t', ' ');
     text = trimmed(text);
     if (!is_continued)
-      lines.push_back({"", place});
+      lines.push_back({"", place, ""});
+    lines.back().raw += raw;
     // A blank between: "0 0 1\" and "0 : 5" are not to become "0 0 10 : 5".
     lines.back().text += (is_continued ? " " : "") + content_of(text, place);
     is_continued = continues(text);
@@ -73,15 +77,15 @@ std::optional<Statement> parse(const Line &line)
 {
   using Kind = Statement::Kind;
   if (line.text == "end")
-    return Statement{Kind::end, "", "", line.place};
+    return Statement{Kind::end, "", "", line.place, ""};
   if (const std::string name = behind("subsection", line.text); !name.empty())
-    return Statement{Kind::subsection, name, "", line.place};
+    return Statement{Kind::subsection, name, "", line.place, ""};
   const std::string setting = behind("set", line.text);
   const auto equals = setting.find('=');
   const std::string name = trimmed(setting.substr(0, equals));
   if (name.empty() || equals == std::string::npos)
     return std::nullopt;
-  return Statement{Kind::set, name, trimmed(setting.substr(equals + 1)), line.place};
+  return Statement{Kind::set, name, trimmed(setting.substr(equals + 1)), line.place, ""};
 }
 
 /// Path of an included file for reading and for messages: without detours, unless these pass a symbolic link.
@@ -98,47 +102,68 @@ class Reader
 public:
   void read(const std::string &file_name, const std::string &asked_from);
 
-  std::vector<Statement> statements;
+  StatementFile result;
 
 private:
-  void check_include(const std::string &file_name, const std::string &asked_from) const;
+  void check_include(const std::string &file_name, const std::string &asked_from);
+  void include(const std::string &file_name, const Line &line);
 
   std::vector<std::string> open_files_;
+  unsigned int n_files_ = 0;
 };
 
-void Reader::check_include(const std::string &file_name, const std::string &asked_from) const
+void Reader::check_include(const std::string &file_name, const std::string &asked_from)
 {
-  constexpr std::size_t deepest = 20;
+  constexpr std::size_t deepest = 20, longest = 16000000;
+  constexpr unsigned int most = 1000;
+  const std::string name = asked_from + shown_path(file_name);
   std::error_code code;
   for (const std::string &open : open_files_)
     if (fs::equivalent(open, file_name, code))
-      throw InputError(asked_from + file_name + ": is included by itself");
+      throw InputError(name + ": is included by itself");
   if (open_files_.size() > deepest)
-    throw InputError(asked_from + file_name + ": includes are nested more than " + std::to_string(deepest) +
-                     " deep");
+    throw InputError(name + ": includes are nested more than " + std::to_string(deepest) + " deep");
+  if (++n_files_ > most || result.text.size() > longest)
+    throw InputError(name + ": is one include too many: allowed are " + std::to_string(most) +
+                     " with 16 MB in all");
+}
+
+void Reader::include(const std::string &file_name, const Line &line)
+{
+  const std::string name = included_path(file_name, behind("include", line.text));
+  result.text += "# begin of " + shown_path(name) + "\n";
+  read(name, line.place + ": ");
+  result.text += "# end of " + shown_path(name) + "\n";
 }
 
 void Reader::read(const std::string &file_name, const std::string &asked_from)
 {
   check_include(file_name, asked_from);
   open_files_.push_back(file_name);
-  for (const Line &line : lines_of(read_text_file(file_name, asked_from), file_name))
-    if (const std::string included = behind("include", line.text); !included.empty())
-      read(included_path(file_name, included), line.place + ": ");
-    else if (const auto statement = parse(line))
-      statements.push_back(*statement);
-    else if (!line.text.empty())
-      throw InputError(line.place + ": '" + shown(line.text) + "'" + remark(line.text) +
-                       " is not understood: expected is 'subsection NAME', 'set NAME = VALUE', 'end', "
-                       "'include FILE' or '# comment'");
+  for (const Line &line : lines_of(with_plain_lines(read_text_file(file_name, asked_from)), file_name))
+    if (!behind("include", line.text).empty())
+      include(file_name, line);
+    else
+    {
+      result.text += line.raw;
+      if (auto statement = parse(line))
+      {
+        statement->file = file_name;
+        result.statements.push_back(*statement);
+      }
+      else if (!line.text.empty())
+        throw InputError(line.place + ": '" + shown(line.text) + "'" + remark(line.text) +
+                         " is not understood: expected is 'subsection NAME', 'set NAME = VALUE', 'end', "
+                         "'include FILE' or '# comment'");
+    }
   open_files_.pop_back();
 }
 } // namespace
 
-std::vector<Statement> read_statements(const std::string &file_name)
+StatementFile read_statements(const std::string &file_name)
 {
   Reader reader;
   reader.read(file_name, "");
-  return reader.statements;
+  return std::move(reader.result);
 }
 } // namespace orthocone

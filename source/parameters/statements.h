@@ -20,12 +20,19 @@ struct Statement
   };
 
   Kind kind = Kind::end;
-  std::string name;  ///< of the section or entry
-  std::string value; ///< of the entry
-  std::string place; ///< "file:line" of its first line
+  std::string name;   ///< of the section or entry
+  std::string value;  ///< of the entry
+  std::string place;  ///< "file:line" of its first line
+  std::string file{}; ///< path
 };
 
-/// Statements of a .prm file, with those of included files (paths relative to the including file) in their
-/// place. Throws FileError for what cannot be read and InputError for lines that are no statements.
-std::vector<Statement> read_statements(const std::string &file_name);
+/// A .prm file with the included files (paths relative to the including file) in their place.
+struct StatementFile
+{
+  std::vector<Statement> statements;
+  std::string text; ///< as written; of included files between two comments
+};
+
+/// Throws FileError for what cannot be read and InputError for lines that are no statements.
+StatementFile read_statements(const std::string &file_name);
 } // namespace orthocone

@@ -5,12 +5,16 @@
 #include <orthocone/parameters/errors.h>
 #include <orthocone/parameters/text.h>
 
+#include <fcntl.h>
+#include <poll.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <algorithm>
+#include <array>
 #include <cerrno>
 #include <cstring>
-#include <filesystem>
-#include <fstream>
-#include <sstream>
+#include <utility>
 
 namespace orthocone
 {
@@ -35,6 +39,80 @@ std::string with_plain_line_ends(const std::string &content)
   return text;
 }
 
+/// An open file of any kind. It is opened without waiting: a pipe would wait for a writer that may never
+/// come.
+class InputFile
+{
+public:
+  /// `name` is how messages call it.
+  InputFile(const std::string &path, std::string name)
+      : name_(std::move(name)),
+        descriptor_(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC))
+  {
+    struct stat status
+    {
+    };
+    if (descriptor_ < 0 || ::fstat(descriptor_, &status) != 0)
+      fail();
+    is_pipe_ = S_ISFIFO(status.st_mode);
+    is_folder_ = S_ISDIR(status.st_mode);
+  }
+  ~InputFile() { ::close(descriptor_); }
+  InputFile(const InputFile &) = delete;
+  InputFile &operator=(const InputFile &) = delete;
+
+  std::string read()
+  {
+    constexpr std::size_t most = 4000000;
+    if (is_folder_)
+      throw FileError(name_ + ": is a folder; a parameter file (.prm or .json) is wanted");
+    std::string content;
+    std::array<char, 65536> piece{};
+    while (const std::size_t n = read_piece(piece, content.empty()))
+    {
+      content.append(piece.data(), n);
+      if (content.size() > most)
+        throw InputError(name_ + ": is larger than 4 MB; a parameter file (.prm or .json) is wanted");
+    }
+    return content;
+  }
+
+private:
+  [[noreturn]] void fail() const
+  {
+    const int cause = errno;
+    if (descriptor_ >= 0)
+      ::close(descriptor_);
+    throw FileError(name_ + ": cannot be read (" + std::strerror(cause) + ")");
+  }
+
+  /// Waits for bytes; 0 at the end.
+  std::size_t read_piece(std::array<char, 65536> &piece, const bool is_first)
+  {
+    constexpr int patience = 50, pause = 100; // times, ms
+    for (int n_empty = 0;;)
+    {
+      const ssize_t n = ::read(descriptor_, piece.data(), piece.size());
+      if (n > 0)
+        return static_cast<std::size_t>(n);
+      if (n == 0 && (!is_pipe_ || !is_first))
+        return 0;
+      if (n < 0 && errno != EAGAIN && errno != EINTR)
+        throw FileError(name_ + ": cannot be read (" + std::strerror(errno) + ")");
+      if (n == 0 && ++n_empty == patience)
+        throw FileError(name_ + ": is a pipe, and nobody has written into it for five seconds");
+      // A pipe that has a writer says EAGAIN, and may take as long as it wants.
+      pollfd poll_for{descriptor_, POLLIN, 0};
+      n == 0 ? ::poll(nullptr, 0, pause) : ::poll(&poll_for, 1, -1);
+    }
+  }
+
+  std::string name_;
+  int descriptor_;
+  bool is_pipe_ = false;
+  bool is_folder_ = false;
+};
+
 bool is_text(const std::string &content)
 {
   return std::none_of(content.begin(), content.end(),
@@ -49,21 +127,19 @@ bool continues_character(const char c)
 
 std::string read_text_file(const std::string &file_name, const std::string &asked_from)
 {
-  std::error_code code;
-  if (std::filesystem::is_directory(file_name, code))
-    throw FileError(asked_from + file_name + ": is a folder; a parameter file (.prm or .json) is wanted");
-  std::ifstream stream(file_name, std::ios::binary);
-  if (!stream)
-    throw FileError(asked_from + file_name + ": cannot be read (" + std::strerror(errno) + ")");
-  std::ostringstream content;
-  content << stream.rdbuf();
-  std::string text = with_plain_line_ends(without_byte_order_mark(content.str()));
+  const std::string name = asked_from + shown_path(file_name);
+  const std::string content = InputFile(file_name, name).read();
+  const std::string text = with_plain_lines(content);
   if (trimmed(text).empty())
-    throw InputError(asked_from + file_name +
+    throw InputError(name +
                      ": is empty; 'orthocone --defaults' prints a complete parameter file to start from");
   if (!is_text(text))
-    throw InputError(asked_from + file_name +
-                     ": is not a text file; a parameter file (.prm or .json) is wanted");
-  return text;
+    throw InputError(name + ": is not a text file; a parameter file (.prm or .json) is wanted");
+  return content;
+}
+
+std::string with_plain_lines(const std::string &content)
+{
+  return with_plain_line_ends(without_byte_order_mark(content));
 }
 } // namespace orthocone

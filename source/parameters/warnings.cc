@@ -14,10 +14,10 @@ namespace
 void warn_of_slip_ellipse(const FrictionOptions &friction, std::vector<std::string> &warnings)
 {
   constexpr double most = 20;
-  const double ratio = friction.p[0] / friction.p[1];
+  const double ratio = friction.p()[0] / friction.p()[1];
   if (std::max(ratio, 1 / ratio) > most)
     warnings.push_back(
-        "Friction/Slip potential = " + to_text(friction.p[0]) + ", " + to_text(friction.p[1]) +
+        "Friction/Slip potential = " + to_text(friction.p()[0]) + ", " + to_text(friction.p()[1]) +
         ": axes differ more than 20-fold; nodes slip along one axis only, whatever the force, and "
         "the contact solver may need many iterations");
 }
@@ -125,6 +125,17 @@ void warn_of_unresolved_period(const std::string &entry, const double bound, con
                        ": what the solver leaves may hide, or look like, a change from cycle to cycle");
 }
 
+/// Cycles that differ count as alike, which makes what is jumped or left out wrong by about as much.
+void warn_of_loose_period(const std::string &entry, const double bound, std::vector<std::string> &warnings)
+{
+  constexpr double most = 1e-3, percent = 100;
+  if (bound > most)
+    warnings.push_back("Load program/" + entry + " = " + to_text(bound) +
+                       ": cycles count as alike whose forces differ by " + to_text(percent * bound) +
+                       " % of the largest; slip and dissipation of the later ones may be as wrong, "
+                       "1e-3 and less keeps them");
+}
+
 /// Size of the elements at the rim of the base relative to the radius, divided by degree^2: what decides how
 /// well the singular slip at the rim is resolved.
 double rim_size(const GeometryOptions &geometry, const MeshOptions &mesh)
@@ -168,6 +179,8 @@ std::vector<std::string> parameter_warnings(const Parameters &parameters)
                             parameters.contact_solver.tolerance, warnings);
   warn_of_unresolved_period("Jump when periodic", parameters.load.jump_when_periodic,
                             parameters.contact_solver.tolerance, warnings);
+  warn_of_loose_period("Stop when periodic", parameters.load.stop_when_periodic, warnings);
+  warn_of_loose_period("Jump when periodic", parameters.load.jump_when_periodic, warnings);
   warn_of_coarse_rim(parameters.geometry, parameters.mesh, warnings);
   warn_of_ignored_relaxation(parameters.contact_solver, warnings);
   warn_of_ignored_rho(parameters.contact_solver, warnings);

@@ -4,8 +4,10 @@
 
 #include <orthocone/parameters/errors.h>
 #include <orthocone/parameters/parameters.h>
+#include <orthocone/parameters/text.h>
 
 #include <algorithm>
+#include <set>
 #include <sstream>
 
 namespace orthocone
@@ -14,26 +16,55 @@ namespace
 {
 constexpr const char *file_name = "checkpoint/state";
 
-/// Whether a run may go on with another value of an entry: those that change what is written or how a step is
-/// solved and judged, but not what is computed.
+/// Whether a run may go on with another value of an entry: what steps are still to come, what is written, how
+/// a step is solved and judged, but not what was computed.
 bool may_change(const std::string &entry)
 {
-  static const std::array<const char *, 5> free_entries{
-      {"Output/Checkpoint", "Contact solver/Maximum iterations", "Contact solver/Method",
-       "Contact solver/Relaxation", "Contact solver/Rho factor"}};
-  return entry.compare(0, 7, "Checks/") == 0 ||
-         std::find(free_entries.begin(), free_entries.end(), entry) != free_entries.end();
+  static const std::set<std::string> free_entries{"Contact solver/Maximum iterations",
+                                                  "Contact solver/Method",
+                                                  "Contact solver/Relaxation",
+                                                  "Contact solver/Rho factor",
+                                                  "Load program/Cycles",
+                                                  "Load program/Jump cycles",
+                                                  "Load program/Jump when periodic",
+                                                  "Load program/Stop when periodic",
+                                                  "Output/Checkpoint",
+                                                  "Output/Contact fields",
+                                                  "Output/Volume fields"};
+  return entry.compare(0, 7, "Checks/") == 0 || free_entries.count(entry) > 0;
 }
 
-void require_same_parameters(const Checkpoint &checkpoint, const Parameters &parameters,
-                             const RunFolder &folder, const std::string &file)
+/// Probes may be added to those that are there.
+bool has_all_probes(const std::string &now, const std::string &earlier)
+{
+  const auto probes = split(now, ';');
+  const auto before = split(earlier, ';');
+  return std::all_of(before.begin(), before.end(),
+                     [&](const std::string &probe)
+                     { return std::find(probes.begin(), probes.end(), probe) != probes.end(); });
+}
+
+void require_same_past(const Checkpoint &checkpoint, const Parameters &parameters, const RunFolder &folder,
+                       const std::string &file)
 {
   std::map<std::string, std::string> earlier(checkpoint.parameters.begin(), checkpoint.parameters.end());
+  const auto refuse = [&](const std::string &entry, const std::string &value, const std::string &allowed)
+  {
+    throw InputError(file + ": " + entry + " = " + value + ", but the run in " + folder.path() +
+                     " was started with " + earlier[entry] + "; allowed for --resume is " + allowed +
+                     " (or start anew, with another --output DIR)");
+  };
   for (const auto &[entry, value] : entry_values(parameters))
-    if (!may_change(entry) && earlier[entry] != value)
-      throw InputError(file + ": " + entry + " = " + value + ", but the run in " + folder.path() +
-                       " was started with " + earlier[entry] +
-                       "; allowed for --resume is the same value (or start anew, with another --output DIR)");
+    if (entry == "Output/Probes")
+    {
+      if (!has_all_probes(value, earlier[entry]))
+        refuse(entry, value, "what has these probes and perhaps more");
+    }
+    else if (!may_change(entry) && earlier[entry] != value)
+      refuse(entry, value, "the same value");
+  if (load_steps(parameters.load).size() < checkpoint.state.step)
+    refuse("Load program/Cycles", std::to_string(parameters.load.cycles),
+           "what has the " + std::to_string(checkpoint.state.step) + " load steps that are done");
 }
 } // namespace
 
@@ -63,8 +94,8 @@ std::optional<Checkpoint> find_checkpoint(const RunFolder &folder, const Paramet
   try
   {
     const Checkpoint checkpoint = decode(bytes);
-    require_same_parameters(checkpoint, parameters, folder, file);
-    folder.require_tables(checkpoint.table_sizes);
+    require_same_past(checkpoint, parameters, folder, file);
+    folder.require_tables(checkpoint.tables);
     return checkpoint;
   }
   catch (const CheckpointError &error)

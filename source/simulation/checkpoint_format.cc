@@ -1,12 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// Bytes of a checkpoint. CBOR keeps doubles to the last bit; the arrays are its byte strings in the order of
-// the machine.
-#include <orthocone/simulation/checkpoint.h>
+// Bytes of a checkpoint. CBOR keeps doubles to the last bit.
+#include "checkpoint_json.h"
 
 #include <boost/crc.hpp>
-#include <nlohmann/json.hpp>
 
 #include <sstream>
 
@@ -15,9 +13,9 @@ namespace orthocone
 namespace
 {
 using Eigen::Index;
-using Json = nlohmann::json;
+using namespace checkpoint_json;
 
-constexpr unsigned int format_version = 3;
+constexpr unsigned int format_version = 4;
 constexpr const char *magic = "orthocone-checkpoint";
 
 std::uint32_t checksum(const std::string &bytes)
@@ -25,20 +23,6 @@ std::uint32_t checksum(const std::string &bytes)
   boost::crc_32_type crc;
   crc.process_bytes(bytes.data(), bytes.size());
   return crc.checksum();
-}
-
-Json array_json(const Eigen::VectorXd &values)
-{
-  const auto *const first = reinterpret_cast<const std::uint8_t *>(values.data());
-  return Json::binary(std::vector<std::uint8_t>(first, first + values.size() * sizeof(double)));
-}
-
-Eigen::VectorXd array_from(const Json &json, const Index size)
-{
-  const auto &bytes = json.get_binary();
-  if (bytes.size() % sizeof(double) != 0 || static_cast<Index>(bytes.size() / sizeof(double)) != size)
-    throw CheckpointError("is damaged (an array has the wrong size)");
-  return Eigen::Map<const Eigen::VectorXd>(reinterpret_cast<const double *>(bytes.data()), size);
 }
 
 Json state_json(const ContactState &state)
@@ -56,10 +40,11 @@ Json state_json(const ContactState &state)
 
 ContactState state_from(const Json &json)
 {
-  const auto n = json.at("n_nodes").get<Index>();
+  const auto n = static_cast<Index>(count_from(json.at("n_nodes")));
   ContactState state(0);
-  state.step = json.at("step");
-  state.top = json.at("top");
+  state.step = count_from(json.at("step"));
+  for (unsigned int d = 0; d < 3; ++d)
+    state.top[d] = number_from(json.at("top").at(d));
   state.accumulated_slip = array_from(json.at("accumulated_slip"), n);
   state.dissipated_energy = array_from(json.at("dissipated_energy"), n);
   state.slip_at_stick = array_from(json.at("slip_at_stick"), 2 * n);
@@ -93,7 +78,7 @@ std::map<unsigned int, NodeVector> phases_from(const Json &json, const Index n)
 {
   std::map<unsigned int, NodeVector> forces;
   for (const auto &entry : json)
-    forces[entry.at(0)] = array_from(entry.at(1), n);
+    forces[count_from(entry.at(0))] = array_from(entry.at(1), n);
   return forces;
 }
 
@@ -124,12 +109,12 @@ Json row_json(const CycleRow &row)
 CycleRow row_from(const Json &json)
 {
   CycleRow row;
-  row.cycle = json.at("cycle");
-  row.last_step = json.at("last_step");
-  row.peak_force_z = json.at("peak_force_z");
-  row.max_slip = json.at("max_slip");
-  row.work = json.at("work");
-  row.iterations = json.at("iterations");
+  row.cycle = count_from(json.at("cycle"));
+  row.last_step = count_from(json.at("last_step"));
+  row.peak_force_z = number_from(json.at("peak_force_z"));
+  row.max_slip = number_from(json.at("max_slip"));
+  row.work = number_from(json.at("work"));
+  row.iterations = count_from(json.at("iterations"));
   return row;
 }
 
@@ -155,15 +140,15 @@ CycleMemory cycles_from(const Json &json, const ContactState &state)
   cycles.start = state_from(json.at("start"));
   if (cycles.start.n_nodes() != state.n_nodes())
     throw CheckpointError("is damaged (an array has the wrong size)");
-  cycles.start_dissipation = json.at("start_dissipation");
-  cycles.largest_nodal_force = json.at("largest_nodal_force");
-  cycles.largest_force = json.at("largest_force");
+  cycles.start_dissipation = number_from(json.at("start_dissipation"));
+  cycles.largest_nodal_force = number_from(json.at("largest_nodal_force"));
+  cycles.largest_force = number_from(json.at("largest_force"));
   cycles.row = row_from(json.at("row"));
-  cycles.n_completed = json.at("n_completed");
-  cycles.change = json.at("change");
-  cycles.periodic_since = json.at("periodic_since");
+  cycles.n_completed = count_from(json.at("n_completed"));
+  cycles.change = number_from(json.at("change"));
+  cycles.periodic_since = count_from(json.at("periodic_since"));
   for (const Json &range : json.at("jumped"))
-    cycles.jumped.push_back({range.at(0), range.at(1)});
+    cycles.jumped.push_back({count_from(range.at(0)), count_from(range.at(1))});
   return cycles;
 }
 
@@ -188,6 +173,7 @@ Json record_json(const RunRecord &record)
           {"largest_residual", record.largest_residual},
           {"largest_energy", record.largest_energy},
           {"energy_defect", record.energy_defect},
+          {"energies", {record.work, record.dissipation, record.missing}},
           {"peaks", {record.peaks.slip, record.peaks.pressure, record.peaks.force_z}},
           {"accuracy", accuracy_json(record.accuracy)},
           {"seconds", std::move(seconds)}};
@@ -196,10 +182,14 @@ Json record_json(const RunRecord &record)
 RunRecord record_from(const Json &json)
 {
   RunRecord record;
-  record.n_iterations = json.at("n_iterations");
-  record.largest_residual = json.at("largest_residual");
-  record.largest_energy = json.at("largest_energy");
+  record.n_iterations = count_from(json.at("n_iterations"));
+  record.largest_residual = number_from(json.at("largest_residual"));
+  record.largest_energy = number_from(json.at("largest_energy"));
   record.energy_defect = json.at("energy_defect");
+  const Json &energies = json.at("energies");
+  record.work = number_from(energies.at(0));
+  record.dissipation = number_from(energies.at(1));
+  record.missing = number_from(energies.at(2));
   const Json &peaks = json.at("peaks");
   record.peaks = {peaks.at(0), peaks.at(1), peaks.at(2)};
   record.accuracy = accuracy_from(json.at("accuracy"));
@@ -216,7 +206,8 @@ Checkpoint from_json(const Json &json)
   json.at("parameters").get_to(checkpoint.parameters);
   json.at("mesh").get_to(checkpoint.mesh);
   json.at("program").get_to(checkpoint.program);
-  json.at("table_sizes").get_to(checkpoint.table_sizes);
+  checkpoint.tables = tables_from(json.at("tables"));
+  checkpoint.fields = {steps_from(json.at("fields").at(0)), steps_from(json.at("fields").at(1))};
   checkpoint.state = state_from(json.at("state"));
   checkpoint.starts = starts_from(json.at("starts"), checkpoint.state);
   checkpoint.cycles = cycles_from(json.at("cycles"), checkpoint.state);
@@ -230,7 +221,8 @@ std::string encode(const Checkpoint &checkpoint)
   const Json json{{"parameters", checkpoint.parameters},
                   {"mesh", checkpoint.mesh},
                   {"program", checkpoint.program},
-                  {"table_sizes", checkpoint.table_sizes},
+                  {"tables", tables_json(checkpoint.tables)},
+                  {"fields", {steps_json(checkpoint.fields.contact), steps_json(checkpoint.fields.volume)}},
                   {"state", state_json(checkpoint.state)},
                   {"starts", starts_json(checkpoint.starts)},
                   {"cycles", cycles_json(checkpoint.cycles)},
@@ -263,7 +255,7 @@ Checkpoint decode(const std::string &bytes)
     throw CheckpointError("is damaged (its checksum is wrong)");
   try
   {
-    return from_json(Json::from_cbor(content));
+    return from_json(json_from_cbor(content));
   }
   catch (const Json::exception &)
   {

@@ -17,6 +17,7 @@ ContactFieldEvaluator::ContactFieldEvaluator(const ContactSurface &surface, cons
       symmetry_(symmetry),
       axes_(axes),
       law_(law),
+      shares_(symmetry.force_shares(surface)),
       stick_area_(surface, material)
 {
 }
@@ -29,9 +30,7 @@ ContactFields ContactFieldEvaluator::fields(const ContactState &state, const uns
   const Vector3d r = state.force.segment<3>(first);
   const Vector2d slip = axes_.to_global(d.tail<2>());
   const Vector2d friction = axes_.to_global(r.tail<2>());
-  // A node on a plane of symmetry carries in the model only its share of the force, a ring those of all its
-  // images.
-  const double share = static_cast<double>(symmetry_.n_images(surface_, place)) / symmetry_.n_copies();
+  const double share = shares_[node];
   ContactFields fields;
   fields.displacement << slip, d[0];
   fields.slip << slip, 0;
@@ -40,7 +39,7 @@ ContactFields ContactFieldEvaluator::fields(const ContactState &state, const uns
   fields.pressure = r[0] / place.area;
   fields.friction_traction << friction / place.area, 0;
   if (state.status[node] != NodeStatus::open)
-    fields.friction_criterion = friction_norm(law_, r[1], r[2]) / r[0] - 1;
+    fields.friction_criterion = is_frictionless(law_) ? 0 : friction_norm(law_, r[1], r[2]) / r[0] - 1;
   fields.status = state.status[node];
   fields.nodal_force << friction / share, r[0] / share;
   fields.dissipated_energy = state.dissipated_energy[node] / place.area;

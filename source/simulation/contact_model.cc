@@ -10,7 +10,7 @@ namespace
 {
 OrthotropicFriction friction_of(const FrictionOptions &options)
 {
-  return {options.mu[0], options.mu[1], options.p[0], options.p[1]};
+  return {options.mu[0], options.mu[1], options.p()[0], options.p()[1]};
 }
 
 Stiffness announced_stiffness(const Parameters &parameters, const Body &body,
@@ -34,7 +34,8 @@ ContactModel::ContactModel(const Parameters &parameters, const ModelChoice &choi
           timed(seconds_.condensation, [&] { return CondensedBody(body_.unknowns(), factor_, axes_); })),
       problem_(condensed_.compliance(),
                std::vector<OrthotropicFriction>(surface().nodes.size(), friction_of(parameters.friction))),
-      solver_(condensed_, problem_, parameters.contact_solver),
+      solver_(condensed_, problem_, opening_compliance(surface(), choice.symmetry, parameters.material),
+              parameters.contact_solver),
       evaluator_(surface(), choice.symmetry, axes_, friction_of(parameters.friction), parameters.material)
 {
 }

@@ -3,6 +3,7 @@
 #include <orthocone/simulation/contact_state.h>
 
 #include <algorithm>
+#include <cmath>
 
 namespace orthocone
 {
@@ -57,8 +58,30 @@ double slip_since_stick(const ContactState &state, const Index node)
   return (state.displacement.segment<2>(3 * node + 1) - state.slip_at_stick.segment<2>(2 * node)).norm();
 }
 
-void advance(ContactState &state, const ContactProblem &problem, const NodeVector &force,
-             const std::array<double, 3> &top)
+// A mirrored node's w_nn is that of all its images, so it would not do here.
+VectorXd opening_compliance(const ContactSurface &surface, const ModelSymmetry &symmetry,
+                            const MaterialOptions &material)
+{
+  constexpr double square = 0.7;
+  const double nu = material.poisson_ratio;
+  const VectorXd shares = symmetry.force_shares(surface);
+  VectorXd compliance(shares.size());
+  for (Index i = 0; i < shares.size(); ++i)
+  {
+    const ContactNode &node = surface.nodes[static_cast<std::size_t>(i)];
+    const double radius = node.position[0];
+    const bool is_ring = symmetry.is_axisymmetric() && radius > 0;
+    const double width = is_ring ? node.area / (2 * M_PI * radius) : 0;
+    const double side = is_ring ? width : std::sqrt(node.area / shares[i]);
+    // Of a force that a ring carries, its square of side h has h^2 / area.
+    const double share = is_ring ? node.area / (width * width) : shares[i];
+    compliance[i] = (1 - nu * nu) / (square * material.young_modulus * side) / share;
+  }
+  return compliance;
+}
+
+void advance(ContactState &state, const ContactProblem &problem, const VectorXd &opening,
+             const NodeVector &force, const std::array<double, 3> &top)
 {
   // Relative to the last step, the problem's displacement is (gap, change of slip).
   const NodeVector d = problem.displacement(force);
@@ -70,9 +93,7 @@ void advance(ContactState &state, const ContactProblem &problem, const NodeVecto
     const bool is_open = state.status[node] == NodeStatus::open;
     if (!was_open || !is_open)
       state.accumulated_slip[node] += change.norm();
-    const double share = is_open ? share_in_contact(state.force[3 * node], d[3 * node],
-                                                    problem.compliance().diagonal_block(node)(0, 0))
-                                 : 1;
+    const double share = is_open ? share_in_contact(state.force[3 * node], d[3 * node], opening[node]) : 1;
     state.dissipated_energy[node] +=
         share * dissipation(state.force.segment<2>(3 * node + 1), force.segment<2>(3 * node + 1), change);
     remember_stick(state, node, change);

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include "vtu_flags.h"
+#include "quadrilateral_vtu.h"
 
 #include <orthocone/simulation/vtu.h>
-
-#include <sstream>
 
 namespace orthocone
 {
@@ -13,53 +11,43 @@ namespace
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
 using Eigen::Vector3d;
-using Patch = dealii::DataOutBase::Patch<2, 3>;
-using VectorRanges =
-    std::vector<std::tuple<unsigned int, unsigned int, std::string,
-                           dealii::DataComponentInterpretation::DataComponentInterpretation>>;
 
-/// Names and values of the fields, in one order for all nodes.
-class FieldList
+/// Calls `use` with name and value of each field, in the order of the file.
+template<typename Use>
+void for_each_field(const ContactFields &fields, const Use &use)
 {
-public:
-  explicit FieldList(const ContactFields &fields)
-  {
-    add("displacement", fields.displacement);
-    add("slip", fields.slip);
-    add("slip_magnitude", fields.slip.norm());
-    add("accumulated_slip", fields.accumulated_slip);
-    add("gap", fields.gap);
-    add("pressure", fields.pressure);
-    add("friction_traction", fields.friction_traction);
-    add("friction_criterion", fields.friction_criterion);
-    add("status", static_cast<int>(fields.status));
-    add("nodal_force", fields.nodal_force);
-    add("dissipated_energy", fields.dissipated_energy);
-  }
+  use("displacement", fields.displacement);
+  use("slip", fields.slip);
+  use("slip_magnitude", fields.slip.norm());
+  use("accumulated_slip", fields.accumulated_slip);
+  use("gap", fields.gap);
+  use("pressure", fields.pressure);
+  use("friction_traction", fields.friction_traction);
+  use("friction_criterion", fields.friction_criterion);
+  use("status", static_cast<double>(fields.status));
+  use("nodal_force", fields.nodal_force);
+  use("dissipated_energy", fields.dissipated_energy);
+}
 
-  std::vector<std::string> names;
-  std::vector<double> values;
-  VectorRanges vectors;
+unsigned int n_components(const double)
+{
+  return 1;
+}
 
-private:
-  void add(const std::string &name, const double value)
-  {
-    names.push_back(name);
-    values.push_back(value);
-  }
+unsigned int n_components(const Vector3d &)
+{
+  return 3;
+}
 
-  void add(const std::string &name, const Vector3d &value)
-  {
-    const unsigned int first = values.size();
-    for (const double component : value)
-    {
-      names.push_back(name);
-      values.push_back(component);
-    }
-    vectors.emplace_back(first, first + 2, name,
-                         dealii::DataComponentInterpretation::component_is_part_of_vector);
-  }
-};
+void put(const double value, const Eigen::Index column, Eigen::MatrixXf &values)
+{
+  values(0, column) = static_cast<float>(value);
+}
+
+void put(const Vector3d &value, const Eigen::Index column, Eigen::MatrixXf &values)
+{
+  values.col(column) = value.cast<float>();
+}
 
 ContactFields mapped(ContactFields fields, const Matrix2d &map)
 {
@@ -69,57 +57,50 @@ ContactFields mapped(ContactFields fields, const Matrix2d &map)
   return fields;
 }
 
-/// Values of all fields at all nodes, in one image, with the positions in the last three rows.
-Eigen::MatrixXf image_values(const ContactSurface &surface, const std::vector<ContactFields> &fields,
-                             const Matrix2d &map)
+std::vector<QuadrilateralSurface::Field> empty_fields(const std::size_t n_points)
 {
-  const Eigen::Index n_rows = FieldList{ContactFields()}.values.size();
-  Eigen::MatrixXf values(n_rows + 3, fields.size());
-  for (std::size_t node = 0; node < fields.size(); ++node)
-  {
-    const FieldList list(mapped(fields[node], map));
-    const auto &place = surface.nodes[node].position;
-    const Vector2d position = map * Vector2d(place[0], place[1]);
-    values.col(node) << Eigen::Map<const Eigen::VectorXd>(list.values.data(), n_rows).cast<float>(),
-        static_cast<float>(position[0]), static_cast<float>(position[1]), 0;
-  }
-  return values;
+  std::vector<QuadrilateralSurface::Field> all;
+  for_each_field(ContactFields(),
+                 [&](const char *const name, const auto &value) {
+                   all.push_back({name, Eigen::MatrixXf(n_components(value), n_points)});
+                 });
+  return all;
 }
 
-/// A face of the whole surface. Its points are the nodes themselves.
-Patch make_patch(const unsigned int degree, const std::vector<WholeSurface::Node> &face,
-                 const std::vector<Eigen::MatrixXf> &values)
+/// The faces cut at their nodes. A cell of VTK with more points would be smooth, but VTK does not find the
+/// place in it where a sample is asked for: it interpolates elsewhere, or finds nothing.
+std::vector<std::array<std::int32_t, 4>> quadrilaterals(const WholeSurface &whole, const unsigned int degree)
 {
-  Patch patch;
-  patch.reference_cell = dealii::ReferenceCells::Quadrilateral; // its constructor leaves it invalid
-  patch.n_subdivisions = degree;
-  patch.points_are_available = true;
-  const Eigen::Index n_rows = values.front().rows();
-  patch.data.reinit(n_rows, face.size());
-  for (unsigned int i = 0; i < face.size(); ++i)
-    for (Eigen::Index row = 0; row < n_rows; ++row)
-      patch.data(row, i) = values[face[i].image](row, face[i].node);
-  return patch;
+  std::vector<std::array<std::int32_t, 4>> all;
+  for (const auto &face : whole.faces)
+    for (unsigned int j = 0; j < degree; ++j)
+      for (unsigned int i = 0; i < degree; ++i)
+      {
+        const auto node = [&](const unsigned int right, const unsigned int up)
+        { return static_cast<std::int32_t>(face[(j + up) * (degree + 1) + i + right]); };
+        all.push_back({{node(0, 0), node(1, 0), node(1, 1), node(0, 1)}});
+      }
+  return all;
 }
 } // namespace
 
 std::string contact_vtu(const ContactFieldEvaluator &evaluator, const ContactState &state)
 {
-  const auto fields = evaluator.all_fields(state);
   const ContactSurface &surface = evaluator.surface();
   const WholeSurface whole = evaluator.symmetry().whole(surface);
-  std::vector<Eigen::MatrixXf> values;
-  for (const Matrix2d &map : whole.images)
-    values.push_back(image_values(surface, fields, map));
-  std::vector<Patch> patches;
-  for (const auto &face : whole.faces)
+  const auto n_points = static_cast<Eigen::Index>(whole.nodes.size());
+  const auto fields = evaluator.all_fields(state);
+  QuadrilateralSurface drawn{surface.degree, Eigen::Matrix3Xf::Zero(3, n_points),
+                             quadrilaterals(whole, surface.degree), empty_fields(n_points)};
+  for (Eigen::Index point = 0; point < n_points; ++point)
   {
-    patches.push_back(make_patch(surface.degree, face, values));
-    patches.back().patch_index = patches.size() - 1;
+    const auto &[node, image] = whole.nodes[point];
+    const auto &place = surface.nodes[node].position;
+    drawn.points.col(point).head<2>() = (whole.images[image] * Vector2d(place[0], place[1])).cast<float>();
+    auto field = drawn.fields.begin();
+    for_each_field(mapped(fields[node], whole.images[image]),
+                   [&](const char *, const auto &value) { put(value, point, (field++)->values); });
   }
-  const FieldList list{ContactFields()};
-  std::ostringstream text;
-  dealii::DataOutBase::write_vtu(patches, list.names, list.vectors, vtu_flags(surface.degree), text);
-  return text.str();
+  return quadrilateral_vtu(drawn);
 }
 } // namespace orthocone

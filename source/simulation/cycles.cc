@@ -21,6 +21,14 @@ double largest_of_nodes(const NodeVector &vectors)
   return largest;
 }
 
+double largest_force_of_nodes(const NodeVector &forces, const Eigen::VectorXd &shares)
+{
+  double largest = 0;
+  for (Index node = 0; node < shares.size(); ++node)
+    largest = std::max(largest, forces.segment<3>(3 * node).norm() / shares[node]);
+  return largest;
+}
+
 unsigned int steps_of_cycle(const LoadOptions &load)
 {
   unsigned int n = 0;
@@ -40,14 +48,14 @@ double tolerance_of(const LoadOptions &load)
 }
 } // namespace
 
-double change_of_state(const ContactState &start, const ContactState &end, const double largest_force,
-                       const double length)
+double change_of_state(const ContactState &start, const ContactState &end, const Eigen::VectorXd &shares,
+                       const double largest_force, const double length)
 {
   double top = 0;
   for (unsigned int d = 0; d < 3; ++d)
     top = std::max(top, std::abs(end.top[d] - start.top[d]));
   const double moved = std::max(top, largest_of_nodes(end.displacement - start.displacement));
-  return std::max(relative(largest_of_nodes(end.force - start.force), largest_force),
+  return std::max(relative(largest_force_of_nodes(end.force - start.force, shares), largest_force),
                   relative(moved, length));
 }
 
@@ -71,11 +79,12 @@ unsigned int CycleMemory::n_jumped_steps() const
   return n;
 }
 
-CycleWatch::CycleWatch(const LoadOptions &load, const Index n_nodes)
+CycleWatch::CycleWatch(const LoadOptions &load, const Eigen::VectorXd &shares)
     : load_(load),
       n_steps_(steps_of_cycle(load)),
       length_(length_of(load)),
-      memory_(n_nodes)
+      shares_(shares),
+      memory_(shares.size())
 {
 }
 
@@ -83,7 +92,7 @@ void CycleWatch::begin_cycle(const LoadStep &step, const ContactState &before, c
 {
   memory_.start = before;
   memory_.start_dissipation = totals.total_dissipation;
-  memory_.largest_nodal_force = largest_of_nodes(before.force);
+  memory_.largest_nodal_force = largest_force_of_nodes(before.force, shares_);
   memory_.largest_force = 0;
   memory_.row = CycleRow();
   memory_.row.cycle = step.cycle;
@@ -98,7 +107,8 @@ std::optional<CycleRow> CycleWatch::add_step(const LoadStep &step, const Contact
     begin_cycle(step, before, solved.before);
   CycleRow &row = memory_.row;
   const Totals &totals = solved.totals;
-  memory_.largest_nodal_force = std::max(memory_.largest_nodal_force, largest_of_nodes(solved.state.force));
+  memory_.largest_nodal_force =
+      std::max(memory_.largest_nodal_force, largest_force_of_nodes(solved.state.force, shares_));
   if (totals.force.norm() > memory_.largest_force)
   {
     memory_.largest_force = totals.force.norm();
@@ -122,7 +132,7 @@ void CycleWatch::complete(const ContactState &end, const Totals &totals)
   row.accumulated_slip = (end.accumulated_slip - memory_.start.accumulated_slip).maxCoeff();
   row.total_dissipation = totals.total_dissipation;
   row.dissipation = totals.total_dissipation - memory_.start_dissipation;
-  row.change = change_of_state(memory_.start, end, memory_.largest_nodal_force, length_);
+  row.change = change_of_state(memory_.start, end, shares_, memory_.largest_nodal_force, length_);
   memory_.n_completed = row.cycle;
   memory_.change = row.change;
   const double tolerance = tolerance_of(load_);

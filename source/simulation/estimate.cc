@@ -3,13 +3,15 @@
 #include <orthocone/simulation/estimate.h>
 
 #include <orthocone/elasticity/stiffness_factor.h>
+#include <orthocone/parameters/errors.h>
+#include <orthocone/simulation/load_program.h>
+#include <orthocone/simulation/step_solver.h>
 #include <orthocone/simulation/stopwatch.h>
-
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <optional>
 #include <sstream>
 
 namespace orthocone
@@ -19,6 +21,7 @@ namespace
 constexpr double bytes_per_number = 8;
 constexpr double gigabyte = 1e9;
 constexpr double dense_matrices = 3;     // of the size of the compliance, at most at a time
+constexpr double bytes_per_step = 100;   // of the load program and the lists of files
 constexpr double memory_bandwidth = 8e9; // bytes/s that one core of a usual machine reads
 
 /// Floating point operations per second of a matrix product that fits into the cache.
@@ -36,6 +39,15 @@ double measured_flop_rate()
     best = std::max(best, 2. * n * n * n / std::max(watch.seconds(), 1e-9));
   }
   return best;
+}
+
+/// What the program keeps of its steps, bytes.
+double step_memory(const LoadOptions &load, const double n_contact)
+{
+  const auto n_steps = static_cast<double>(load_steps(load).size());
+  const double starts = 2 * n_steps / std::max(1U, load.cycles) * n_contact * bytes_per_number;
+  // Kept, and once more as text of a checkpoint.
+  return bytes_per_step * n_steps + 3 * std::min(starts, static_cast<double>(StartMemory::most_bytes));
 }
 
 double cube(const double value)
@@ -56,12 +68,6 @@ double drawn_nodes(const ContactSurface &surface, const ModelSymmetry &symmetry)
   return n;
 }
 } // namespace
-
-double machine_gigabytes()
-{
-  return static_cast<double>(sysconf(_SC_PHYS_PAGES)) * static_cast<double>(sysconf(_SC_PAGE_SIZE)) /
-         gigabyte;
-}
 
 ModelSize model_size(const MeshOptions &mesh, const ModelSymmetry &symmetry)
 {
@@ -88,8 +94,10 @@ Estimate estimate(const Parameters &parameters, const Body &body, const ModelSym
   const double n_entries = pattern.n_nonzero_elements();
   Estimate result{};
   // The program itself; the stiffness and CHOLMOD's copy of it, with their indices; the factor.
-  result.gigabytes = 0.15 + (2 * 1.5 * n_entries + cost.entries + dense_matrices * n_contact * n_contact) *
-                                bytes_per_number / gigabyte;
+  result.gigabytes = 0.15 +
+                     (2 * 1.5 * n_entries + cost.entries + dense_matrices * n_contact * n_contact) *
+                         bytes_per_number / gigabyte +
+                     step_memory(parameters.load, n_contact) / gigabyte;
   const unsigned int dim = symmetry.is_axisymmetric() ? 2 : 3;
   const double n_cell = dim * std::pow(parameters.mesh.degree + 1, dim);
   const double assembly =
@@ -109,26 +117,80 @@ Estimate estimate(const Parameters &parameters, const Body &body, const ModelSym
   return result;
 }
 
-std::string describe(const Estimate &estimate, const unsigned int n_steps)
+Estimate least_estimate(const ModelSize &size)
 {
+  const double n_contact = 3 * size.contact_nodes;
+  Estimate result{};
+  result.gigabytes = dense_matrices * n_contact * n_contact * bytes_per_number / gigabyte;
+  result.set_up_seconds = 2 * cube(n_contact) / measured_flop_rate();
+  result.step_seconds = 2 * n_contact * n_contact * bytes_per_number / 4 / memory_bandwidth;
+  return result;
+}
+
+/// What the model needs, or nothing where that is surely less than `gigabytes`. The estimate meshes the model
+/// and finds an order, so it is made only where the answer depends on it.
+static std::optional<double> needed_gigabytes(const Parameters &parameters, const ModelSymmetry &symmetry,
+                                              const double gigabytes)
+{
+  constexpr double most_per_unknown = 1e-4, program = 0.2; // far more than any model needs
+  const ModelSize size = model_size(parameters.mesh, symmetry);
+  const double steps = step_memory(parameters.load, 3 * size.contact_nodes) / gigabyte;
+  if (size.dofs * most_per_unknown + program + steps < gigabytes)
+    return std::nullopt;
+  if (const double least = least_estimate(size).gigabytes; least > gigabytes)
+    return least;
+  return estimate(parameters, Body(parameters, symmetry), symmetry).gigabytes;
+}
+
+bool is_too_large(const Parameters &parameters, const ModelSymmetry &symmetry, const double gigabytes)
+{
+  try
+  {
+    return needed_gigabytes(parameters, symmetry, gigabytes).value_or(0) > gigabytes;
+  }
+  catch (const TooLargeError &)
+  {
+    return true;
+  }
+}
+
+std::string lack_of_memory(const double needed, const MemoryLimit &limit)
+{
+  if (needed <= limit.gigabytes)
+    return {};
   std::ostringstream text;
-  text << std::setprecision(2) << "memory         about " << estimate.gigabytes << " GB; this machine has "
-       << std::round(machine_gigabytes()) << " GB\n"
-       << "time           about " << estimate.set_up_seconds + n_steps * estimate.step_seconds
+  text << std::setprecision(2) << "memory: the model needs about " << needed << " GB, and " << limit.source
+       << " " << limit.gigabytes
+       << " GB; a coarser mesh or a reduced Mesh/Model needs less, --insist runs all the same";
+  return text.str();
+}
+
+void require_memory(const Parameters &parameters, const ModelSymmetry &symmetry, const MemoryLimit &limit)
+{
+  const double needed = needed_gigabytes(parameters, symmetry, limit.gigabytes).value_or(0);
+  if (const std::string lack = lack_of_memory(needed, limit); !lack.empty())
+    throw InputError(lack);
+}
+
+std::string describe(const Estimate &estimate, const unsigned int n_steps, const MemoryLimit &limit,
+                     const bool is_least)
+{
+  const char *const about = is_least ? "more than " : "about ";
+  std::ostringstream text;
+  text << std::setprecision(2) << "memory         " << about << estimate.gigabytes << " GB; " << limit.source
+       << " " << (limit.gigabytes < 10 ? limit.gigabytes : std::round(limit.gigabytes)) << " GB\n"
+       << "time           " << about << estimate.set_up_seconds + n_steps * estimate.step_seconds
        << " s: set-up " << estimate.set_up_seconds << " s, " << n_steps << " load steps of "
-       << estimate.step_seconds << " s (to a factor of 3)";
+       << estimate.step_seconds << " s" << (is_least ? "" : " (to a factor of 3)");
   return text.str();
 }
 
 std::string describe(const ModelSize &size)
 {
-  const double n_contact = 3 * size.contact_nodes;
   std::ostringstream text;
   text << std::setprecision(2) << "mesh           about " << size.cells << " cells\n"
        << "unknowns       about " << size.dofs << "\n"
-       << "contact nodes  about " << size.contact_nodes << "\n"
-       << "memory         more than " << dense_matrices * n_contact * n_contact * bytes_per_number / gigabyte
-       << " GB; this machine has " << std::round(machine_gigabytes()) << " GB";
+       << "contact nodes  about " << size.contact_nodes;
   return text.str();
 }
 } // namespace orthocone

@@ -34,6 +34,15 @@ void FieldList::set(const std::vector<unsigned int> &steps)
   flush();
 }
 
+std::vector<unsigned int> FieldList::steps() const
+{
+  std::vector<unsigned int> steps;
+  steps.reserve(files_.size());
+  for (const auto &[step, file] : files_)
+    steps.push_back(static_cast<unsigned int>(step));
+  return steps;
+}
+
 void FieldList::add(const unsigned int step, const std::function<std::string()> &make)
 {
   write_pending();

@@ -85,11 +85,12 @@ ProbeHistories::ProbeHistories(const RunFolder &folder, const std::vector<Probe>
   }
 }
 
-void ProbeHistories::start() const
+void ProbeHistories::start(const TableMarks &there) const
 {
   for (const Place &place : places_)
-    folder_.append(place.file, "step,uz,slip_x,slip_y,accumulated_slip,force_n,force_x,force_y,pressure,"
-                               "traction_x,traction_y,status\n");
+    if (there.count(place.file) == 0)
+      folder_.append(place.file, "step,uz,slip_x,slip_y,accumulated_slip,force_n,force_x,force_y,pressure,"
+                                 "traction_x,traction_y,status\n");
 }
 
 void ProbeHistories::write(const ContactState &state) const

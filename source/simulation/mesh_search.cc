@@ -61,15 +61,6 @@ Quantities unless_negligible(Quantities errors, const Quantities &values, const 
   return errors;
 }
 
-/// Whether the model is likely to need more than so much memory.
-bool is_too_large(const Parameters &parameters, const ModelChoice &choice, const double gigabytes)
-{
-  // Far more than any model needs; the estimate itself needs a mesh and an ordering.
-  constexpr double most_per_unknown = 1e-4;
-  if (model_size(parameters.mesh, choice.symmetry).dofs * most_per_unknown < gigabytes)
-    return false;
-  return estimate(parameters, Body(parameters, choice.symmetry), choice.symmetry).gigabytes > gigabytes;
-}
 } // namespace
 
 Quantities march_first_cycle(const Parameters &parameters, ContactModel &model)
@@ -112,7 +103,7 @@ ChosenMesh find_mesh(const Parameters &parameters, const ModelChoice &choice, co
   {
     Parameters finer = parameters;
     finer.mesh = ladder_mesh(parameters.geometry, parameters.mesh, is_axisymmetric, level);
-    if (level > 0 && is_too_large(finer, choice, gigabytes))
+    if (level > 0 && is_too_large(finer, choice.symmetry, gigabytes))
     {
       tell("accuracy       level " + std::to_string(level) + " would need more memory than this machine has");
       break;
@@ -142,7 +133,7 @@ ChosenMesh mesh_of(const Checkpoint &checkpoint, const Parameters &given)
 ChosenMesh choose_mesh(const Parameters &parameters, const ModelChoice &choice, const Teller &tell)
 {
   if (parameters.mesh.accuracy != 0)
-    return find_mesh(parameters, choice, tell, machine_gigabytes());
+    return find_mesh(parameters, choice, tell, memory_limit().gigabytes);
   return {parameters.mesh,
           resolved_mesh(parameters.geometry, parameters.mesh, choice.symmetry.is_axisymmetric())};
 }

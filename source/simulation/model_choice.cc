@@ -14,7 +14,7 @@ namespace
 {
 bool is_isotropic(const FrictionOptions &friction)
 {
-  return friction.mu[0] == friction.mu[1] && friction.p[0] == friction.p[1];
+  return friction.mu[0] == friction.mu[1] && friction.p()[0] == friction.p()[1];
 }
 
 bool has_aligned_axes(const FrictionOptions &friction)
@@ -49,8 +49,8 @@ std::string obstacle_to_revolution(const Parameters &parameters)
   if (friction.mu[0] != friction.mu[1])
     return "Friction/Coefficients = " + to_text(friction.mu[0]) + ", " + to_text(friction.mu[1]) +
            " differ, which makes friction orthotropic";
-  if (friction.p[0] != friction.p[1])
-    return "Friction/Slip potential = " + to_text(friction.p[0]) + ", " + to_text(friction.p[1]) +
+  if (friction.p()[0] != friction.p()[1])
+    return "Friction/Slip potential = " + to_text(friction.p()[0]) + ", " + to_text(friction.p()[1]) +
            " differ, which makes slip orthotropic";
   for (const unsigned int direction : {0, 1})
     if (largest_motion(parameters.load, direction) > 0)

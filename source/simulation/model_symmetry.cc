@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/simulation/model_symmetry.h>
 
+#include <array>
 #include <cmath>
 
 namespace orthocone
@@ -29,21 +30,55 @@ Matrix2d turn_by_part(const unsigned int i, const unsigned int n)
                     : turn(std::cos(angle), std::sin(angle));
 }
 
+/// Numbers the nodes of a whole surface as they turn up in its faces.
+class NodeNumbers
+{
+public:
+  NodeNumbers(WholeSurface &whole, const std::size_t n_model_nodes)
+      : whole_(whole),
+        numbers_(n_model_nodes * whole.images.size(), none)
+  {
+  }
+
+  /// The same for every call with this node and image.
+  unsigned int of(const unsigned int node, const unsigned int image)
+  {
+    unsigned int &number = numbers_[node * whole_.images.size() + image];
+    if (number == none)
+    {
+      number = whole_.nodes.size();
+      whole_.nodes.push_back({node, image});
+    }
+    return number;
+  }
+
+private:
+  static constexpr unsigned int none = -1;
+
+  WholeSurface &whole_;
+  std::vector<unsigned int> numbers_;
+};
+
 /// The disc that a line of contact nodes along the x axis sweeps. Its cells at the axis are degenerate: one
-/// of their edges is the node there.
+/// of their edges is the node there, and this node is one point, all of whose images coincide.
 WholeSurface revolved(const ContactSurface &surface)
 {
   const unsigned int n_places = n_sectors * surface.degree;
   WholeSurface whole;
   for (unsigned int i = 0; i < n_places; ++i)
     whole.images.push_back(turn_by_part(i, n_places));
+  NodeNumbers numbers(whole, surface.nodes.size());
   for (unsigned int sector = 0; sector < n_sectors; ++sector)
     for (const auto &line : surface.faces)
     {
       whole.faces.emplace_back();
       for (unsigned int j = 0; j <= surface.degree; ++j)
         for (const unsigned int node : line)
-          whole.faces.back().push_back({node, (sector * surface.degree + j) % n_places});
+        {
+          const bool is_on_axis = surface.nodes[node].position[0] == 0;
+          const unsigned int image = is_on_axis ? 0 : (sector * surface.degree + j) % n_places;
+          whole.faces.back().push_back(numbers.of(node, image));
+        }
     }
   return whole;
 }
@@ -63,6 +98,15 @@ unsigned int ModelSymmetry::n_images(const ContactSurface &surface, const Contac
   return (planes_.normal_to_x && node.is_free[0] ? 2 : 1) * (planes_.normal_to_y && node.is_free[1] ? 2 : 1);
 }
 
+Eigen::VectorXd ModelSymmetry::force_shares(const ContactSurface &surface) const
+{
+  Eigen::VectorXd shares(surface.nodes.size());
+  for (std::size_t i = 0; i < surface.nodes.size(); ++i)
+    shares[static_cast<Eigen::Index>(i)] =
+        static_cast<double>(n_images(surface, surface.nodes[i])) / n_copies();
+  return shares;
+}
+
 Matrix2d ModelSymmetry::map_to(const Vector2d &position) const
 {
   if (is_axisymmetric_)
@@ -77,23 +121,29 @@ Matrix2d ModelSymmetry::map_to(const Vector2d &position) const
 
 WholeSurface ModelSymmetry::mirrored(const ContactSurface &surface) const
 {
+  // Set in the index of an image that is mirrored along x, or along y.
+  const std::array<unsigned int, 2> bit{
+      {planes_.normal_to_x ? 1u : 0u, planes_.normal_to_y ? n_copies() / 2 : 0u}};
   WholeSurface whole;
+  for (unsigned int image = 0; image < n_copies(); ++image)
+    whole.images.emplace_back(Vector2d(image & bit[0] ? -1 : 1, image & bit[1] ? -1 : 1).asDiagonal());
+  NodeNumbers numbers(whole, surface.nodes.size());
   const unsigned int n_side = surface.degree + 1;
-  for (const double x : {1., -1.})
-    for (const double y : {1., -1.})
+  for (unsigned int image = 0; image < n_copies(); ++image)
+    for (const auto &face : surface.faces)
     {
-      if ((x < 0 && !planes_.normal_to_x) || (y < 0 && !planes_.normal_to_y))
-        continue;
-      const unsigned int image = whole.images.size();
-      whole.images.emplace_back(Vector2d(x, y).asDiagonal());
       // A reflection turns a face over; running through its first direction backwards turns it back.
-      const bool is_turned = x * y < 0;
-      for (const auto &face : surface.faces)
+      const bool is_turned = whole.images[image].determinant() < 0;
+      whole.faces.emplace_back();
+      for (unsigned int i = 0; i < face.size(); ++i)
       {
-        whole.faces.emplace_back();
-        for (unsigned int i = 0; i < face.size(); ++i)
-          whole.faces.back().push_back(
-              {face[is_turned ? i - i % n_side + (n_side - 1 - i % n_side) : i], image});
+        const unsigned int node = face[is_turned ? i - i % n_side + (n_side - 1 - i % n_side) : i];
+        // A node on a plane of symmetry coincides with its mirror image.
+        unsigned int own_image = image;
+        for (unsigned int direction = 0; direction < 2; ++direction)
+          if (!surface.nodes[node].is_free[direction])
+            own_image &= ~bit[direction];
+        whole.faces.back().push_back(numbers.of(node, own_image));
       }
     }
   return whole;

@@ -3,12 +3,14 @@
 #include "posix_file.h"
 
 #include <orthocone/parameters/errors.h>
+#include <orthocone/parameters/text.h>
 
 #include <fcntl.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -22,7 +24,7 @@ constexpr mode_t readable_by_all = 0666; // but for the user's umask
 
 [[noreturn]] void fail(const std::filesystem::path &file, const char *const task, const int cause)
 {
-  throw FileError(file.string() + ": " + task + " (" + std::strerror(cause) + ")");
+  throw FileError(shown_path(file.string()) + ": " + task + " (" + std::strerror(cause) + ")");
 }
 
 /// An open file that is closed at the end of its scope.
@@ -72,18 +74,26 @@ private:
 
 void write(const std::filesystem::path &file, const std::string &content)
 {
-  Descriptor descriptor(file, O_WRONLY | O_CREAT | O_TRUNC, "cannot be written");
+  if (::unlink(file.c_str()) != 0 && errno != ENOENT)
+    fail(file, "cannot be replaced", errno);
+  Descriptor descriptor(file, O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW, "cannot be written");
   descriptor.write_all(content);
   descriptor.close();
 }
 
-void append(const std::filesystem::path &file, const std::string &content)
+std::uintmax_t append(const std::filesystem::path &file, const std::string &content,
+                      const std::optional<std::uintmax_t> size)
 {
-  Descriptor descriptor(file, O_WRONLY | O_CREAT | O_APPEND, "cannot be written");
+  if (size && ::access(file.c_str(), F_OK) != 0)
+    throw FileError(shown_path(file.string()) + ": was removed during the run");
+  Descriptor descriptor(file, O_WRONLY | O_APPEND | O_NOFOLLOW | (size ? 0 : O_CREAT), "cannot be written");
   struct stat before
   {
   };
-  const bool is_known = ::fstat(descriptor.number(), &before) == 0;
+  if (::fstat(descriptor.number(), &before) != 0)
+    fail(file, "cannot be written", errno);
+  if (size && static_cast<std::uintmax_t>(before.st_size) != *size)
+    throw FileError(shown_path(file.string()) + ": was changed during the run by something else");
   try
   {
     descriptor.write_all(content);
@@ -91,11 +101,12 @@ void append(const std::filesystem::path &file, const std::string &content)
   }
   catch (const FileError &)
   {
-    if (is_known && ::truncate(file.c_str(), before.st_size) != 0)
-      throw FileError(file.string() + ": ends with half a line, which cannot be removed (" +
+    if (::truncate(file.c_str(), before.st_size) != 0)
+      throw FileError(shown_path(file.string()) + ": ends with half a line, which cannot be removed (" +
                       std::strerror(errno) + ")");
     throw;
   }
+  return static_cast<std::uintmax_t>(before.st_size) + content.size();
 }
 
 std::string read(const std::filesystem::path &file)
@@ -107,6 +118,18 @@ std::string read(const std::filesystem::path &file)
   if (!stream)
     fail(file, "cannot be read", errno != 0 ? errno : EIO);
   return content.str();
+}
+
+std::string tail(const std::filesystem::path &file, const std::size_t size)
+{
+  errno = 0;
+  std::ifstream stream(file, std::ios::binary | std::ios::ate);
+  const auto end = static_cast<std::streamoff>(stream.tellg());
+  const auto n = std::min(end, static_cast<std::streamoff>(size));
+  std::string text(std::max<std::streamoff>(n, 0), '\0');
+  if (!stream.seekg(end - n) || !stream.read(text.data(), n))
+    fail(file, "cannot be read", errno != 0 ? errno : EIO);
+  return text;
 }
 
 void rename(const std::filesystem::path &from, const std::filesystem::path &to)

@@ -7,17 +7,23 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 
 namespace orthocone::posix
 {
-/// Creates or replaces a file.
+/// Creates a file, in place of another one if there is. A symbolic link is replaced, not followed.
 void write(const std::filesystem::path &file, const std::string &content);
 
-/// Appends; on failure the file is cut back to what it was.
-void append(const std::filesystem::path &file, const std::string &content);
+/// Appends, and returns the size after it; on failure the file is cut back to what it was. `size`: what the
+/// file must have before; without it the file is created if need be. A symbolic link is not followed.
+std::uintmax_t append(const std::filesystem::path &file, const std::string &content,
+                      std::optional<std::uintmax_t> size);
 
 std::string read(const std::filesystem::path &file);
+
+/// The last `size` bytes, or all of a shorter file.
+std::string tail(const std::filesystem::path &file, std::size_t size);
 
 void rename(const std::filesystem::path &from, const std::filesystem::path &to);
 

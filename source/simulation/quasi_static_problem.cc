@@ -10,7 +10,9 @@
 #include <orthocone/simulation/interrupt.h>
 #include <orthocone/simulation/version.h>
 
+#include <algorithm>
 #include <cmath>
+#include <new>
 #include <sstream>
 #include <utility>
 
@@ -27,8 +29,9 @@ QuasiStaticProblem::QuasiStaticProblem(const Parameters &parameters, const Model
       state_(model_.initial_state()),
       critical_friction_(critical_friction_of_model()),
       checker_(parameters_, choice.symmetry, model_.condensed(), model_.stiffness()),
-      cycles_(parameters_.load, state_.n_nodes()),
-      output_(folder_, parameters_, model_)
+      cycles_(parameters_.load, choice.symmetry.force_shares(model_.surface())),
+      output_(folder_, parameters_, model_),
+      checkpoint_pause_(parameters.output.checkpoint_seconds)
 {
   record_.accuracy = chosen_.accuracy;
   record_.critical_friction = critical_friction_;
@@ -69,10 +72,13 @@ CriticalFrictionRecord QuasiStaticProblem::critical_friction_of_model() const
   return {critical.factor, {{position[0], position[1]}}};
 }
 
-QuasiStaticProblem::Outcome QuasiStaticProblem::run(const std::optional<Checkpoint> &checkpoint)
+QuasiStaticProblem::Outcome QuasiStaticProblem::run(const std::optional<Checkpoint> &checkpoint,
+                                                    const std::function<void()> &on_resumed)
 {
   const BlasThreads threads(state_.force.size()); // also for what a resumed run computes again
   begin(checkpoint);
+  if (checkpoint && on_resumed)
+    on_resumed();
   try
   {
     const Outcome outcome = march();
@@ -81,15 +87,25 @@ QuasiStaticProblem::Outcome QuasiStaticProblem::run(const std::optional<Checkpoi
   }
   catch (const FileError &error)
   {
-    try
-    {
-      finish({ExitCode::file_error, error.what()});
-    }
-    catch (const std::exception &)
-    {
-      // The first failure is the one to tell; a disk that is full is likely to be so for the summary, too.
-    }
+    finish_if_possible({ExitCode::file_error, error.what()});
     throw;
+  }
+  catch (const std::bad_alloc &)
+  {
+    finish_if_possible({ExitCode::unsolved_step, "memory runs out"});
+    throw;
+  }
+}
+
+/// The failure before is the one to tell; a disk that is full is likely to be so for the summary, too.
+void QuasiStaticProblem::finish_if_possible(const Outcome &outcome)
+{
+  try
+  {
+    finish(outcome);
+  }
+  catch (const std::exception &)
+  {
   }
 }
 
@@ -105,8 +121,7 @@ void QuasiStaticProblem::begin(const std::optional<Checkpoint> &checkpoint)
                     " contact nodes, the model has " + std::to_string(state_.n_nodes()) +
                     "; was it written by another version of the program (" + checkpoint->program + ")?");
   cycles_.restore(checkpoint->cycles);
-  output_.return_to(checkpoint->state.step, cycles_.is_to_stop(), checkpoint->cycles.jumped,
-                    checkpoint->table_sizes);
+  output_.return_to(checkpoint->state.step, checkpoint->tables, checkpoint->fields);
   log_.line("resumed after load step " + std::to_string(checkpoint->state.step) + " of " +
             std::to_string(steps_.size()));
   if (checkpoint->program != program_version())
@@ -141,7 +156,7 @@ QuasiStaticProblem::Outcome QuasiStaticProblem::march()
     const Outcome outcome = advance_to(step);
     if (outcome.code != ExitCode::done)
       return with_checkpoint(outcome);
-    if (since_checkpoint_.seconds() >= parameters_.output.checkpoint_seconds)
+    if (since_checkpoint_.seconds() >= checkpoint_pause_)
       save_checkpoint();
   }
   save_checkpoint();
@@ -177,9 +192,9 @@ QuasiStaticProblem::Outcome QuasiStaticProblem::advance_to(const LoadStep &step)
         });
   const auto cycle = cycles_.add_step(step, state_, solved);
   model_.solver().accept(state_, next, step);
+  record_.add_step(step.number, totals_, totals, report, checks);
   state_ = std::move(next);
   totals_ = totals;
-  record_.add_step(step.number, totals, report, checks);
   if (cycle)
     timed(record_.seconds.output, [&] { end_cycle(*cycle); });
   return {};
@@ -229,10 +244,15 @@ void QuasiStaticProblem::save_checkpoint()
   Parameters given = parameters_;
   given.mesh = chosen_.requested;
   write_checkpoint(folder_,
-                   {entry_values(given), entry_values(parameters_), program_version(), folder_.table_sizes(),
-                    state_, model_.solver().memory(), cycles_.memory(), record_});
+                   {entry_values(given), entry_values(parameters_), program_version(), folder_.tables(),
+                    output_.fields(), state_, model_.solver().memory(), cycles_.memory(), record_});
   since_checkpoint_ = Stopwatch();
   record_.seconds.output += watch.seconds();
+  // A large checkpoint on a slow disk is not to take more than a twentieth of the time, unless every step was
+  // asked for.
+  constexpr double least_pause = 20; // in multiples of the time that the writing takes
+  const double asked = parameters_.output.checkpoint_seconds;
+  checkpoint_pause_ = asked == 0 ? 0 : std::max(asked, least_pause * watch.seconds());
 }
 
 void QuasiStaticProblem::finish(const Outcome &outcome)
@@ -248,6 +268,7 @@ void QuasiStaticProblem::finish(const Outcome &outcome)
   for (std::size_t i = parameter_warnings(parameters_).size() + model_warnings(record_).size();
        i < warnings.size(); ++i)
     log_.line("warning: " + warnings[i]);
+  log_.line(describe_energy(record_));
   log_.line(describe_seconds(record_) + "; files in " + folder_.path());
   output_.flush();
 }

@@ -5,8 +5,10 @@
 #include "posix_file.h"
 
 #include <orthocone/parameters/errors.h>
+#include <orthocone/parameters/text.h>
 
 #include <algorithm>
+#include <cstring>
 #include <regex>
 #include <vector>
 
@@ -16,12 +18,22 @@ namespace
 {
 namespace fs = std::filesystem;
 
-constexpr const char *marker = "parameters.prm";
+/// Tells a folder of a run from others: a name and a first line that nobody else writes. `parameters.prm`
+/// would not do, as users of deal.II call their own files so.
+constexpr const char *marker = "orthocone-run.txt";
+constexpr const char *marker_line = "orthocone run folder, made by the parameter file\n";
+constexpr const char *identity = "parameters.prm";
 constexpr const char *checkpoint_folder = "checkpoint";
+constexpr const char *table_names = "probe-.*\\.csv|(history|timing|checks|cycles)\\.csv";
+
+bool begins_with(const std::string &text, const char *const beginning)
+{
+  return text.compare(0, std::strlen(beginning), beginning) == 0;
+}
 
 [[noreturn]] void fail(const fs::path &file, const std::string &task, const std::string &cause)
 {
-  throw FileError(file.string() + ": " + task + " (" + cause + ")");
+  throw FileError(shown_path(file.string()) + ": " + task + " (" + cause + ")");
 }
 
 /// Names of the files in a folder that match a pattern, sorted.
@@ -45,15 +57,11 @@ std::vector<std::string> files_of_a_run(const fs::path &folder)
     names.push_back(std::string(checkpoint_folder) + "/" + name);
   for (const std::string &name : matching(
            folder,
-           "((contact|volume)(-\\d{4,9}\\.vtu|\\.pvd)|probe-.*\\.csv|(history|timing|checks|cycles)\\.csv|"
-           "summary\\.json|(input|parameters)\\.prm|input\\.json|log\\.txt|report\\.html)(\\.part)?"))
+           std::string("((contact|volume)(-\\d{4,9}\\.vtu|\\.pvd)|summary\\.json|(input|parameters)\\.prm|"
+                       "input\\.json|log\\.txt|report\\.html|") +
+               table_names + ")(\\.part)?"))
     names.push_back(name);
   return names;
-}
-
-std::vector<std::string> tables(const fs::path &folder)
-{
-  return matching(folder, "probe-.*\\.csv|(history|timing|checks|cycles)\\.csv");
 }
 } // namespace
 
@@ -84,26 +92,55 @@ void RunFolder::lock()
   lock_ = result.descriptor;
 }
 
-void RunFolder::start_anew(const std::string &parameters) const
+bool RunFolder::is_of_a_run() const
+{
+  // Runs of earlier versions left no marker, but a checkpoint.
+  return (has(marker) && begins_with(read(marker), marker_line)) ||
+         (has("checkpoint/state") && begins_with(read("checkpoint/state"), "orthocone-checkpoint "));
+}
+
+std::optional<std::string> RunFolder::marked_parameter_file() const
+{
+  if (!has(marker))
+    return std::nullopt;
+  const std::string text = read(marker);
+  const std::size_t first = std::min(text.size(), std::strlen(marker_line));
+  return text.substr(first, text.find('\n', first) - first);
+}
+
+void RunFolder::require_own() const
 {
   const std::vector<std::string> files = files_of_a_run(path_);
-  if (!files.empty() && !has(marker) && !has(std::string(marker) + ".part"))
+  if ((!files.empty() || has(marker)) && !is_of_a_run())
     fail(path_, "cannot be the run folder",
-         "it holds a " + files.front() + " that no run left there, for " + marker +
-             " is missing; --output DIR takes another one");
+         "it holds a " + (files.empty() ? marker : files.front()) +
+             ", and no run has left it there; --output DIR takes another one");
+}
+
+std::optional<std::string> RunFolder::start_anew(const std::string &parameters,
+                                                 const std::string &parameter_file) const
+{
+  require_own();
+  const std::vector<std::string> files = files_of_a_run(path_);
   // Before anything is removed, everything must be removable, and there must be room for the new parameters.
   for (const std::string &file : files)
     if (fs::is_directory(path_ / file))
       fail(path_ / file, "cannot be replaced", "a folder of this name is in its place");
-  const fs::path part = write_part(marker, parameters, false);
+  const auto before = marked_parameter_file();
+  if (!has(marker))
+    replace(marker, marker_line, false);
+  const fs::path part = write_part(identity, parameters, false);
+  replace(marker, marker_line + parameter_file + "\n", false);
   for (const std::string &name : files)
-    if (name.compare(0, std::string(checkpoint_folder).size(), checkpoint_folder) == 0)
+    if (begins_with(name, checkpoint_folder))
       remove(name);
   // From here on the folder is that of the new run, which has not come to a checkpoint yet.
-  posix::rename(part, path_ / marker);
+  posix::rename(part, path_ / identity);
   for (const std::string &name : files)
-    if (name != marker)
+    if (name != identity)
       remove(name);
+  growing_.clear();
+  return before && !before->empty() && *before != parameter_file ? before : std::nullopt;
 }
 
 void RunFolder::remove_fields_after(const unsigned int step) const
@@ -170,7 +207,17 @@ void RunFolder::write_durably(const std::string &name, const std::string &conten
 
 void RunFolder::append(const std::string &name, const std::string &content) const
 {
-  posix::append(path_ / name, content);
+  auto known = growing_.find(name);
+  if (known == growing_.end())
+  {
+    // Where a run goes on, log.txt is there.
+    const auto size = posix::append(path_ / name, content, std::nullopt);
+    known = growing_.emplace(name, Growing()).first;
+    known->second.size = size;
+  }
+  else
+    known->second.size = posix::append(path_ / name, content, known->second.size);
+  known->second.crc.process_bytes(content.data(), content.size());
   not_on_disk_.insert(name);
 }
 
@@ -185,6 +232,11 @@ bool RunFolder::has(const std::string &name) const
   return fs::exists(path_ / name, code);
 }
 
+bool RunFolder::ends_with(const std::string &name, const std::string &end) const
+{
+  return posix::tail(path_ / name, end.size()) == end;
+}
+
 void RunFolder::remove(const std::string &name) const
 {
   std::error_code code;
@@ -193,37 +245,48 @@ void RunFolder::remove(const std::string &name) const
     fail(path_ / name, "cannot be removed", code.message());
 }
 
-std::map<std::string, std::uintmax_t> RunFolder::table_sizes() const
+TableMarks RunFolder::tables() const
 {
-  std::map<std::string, std::uintmax_t> sizes;
-  for (const std::string &name : tables(path_))
-    sizes[name] = fs::file_size(path_ / name);
-  return sizes;
+  const std::regex expression(table_names);
+  TableMarks marks;
+  for (const auto &[name, file] : growing_)
+    if (std::regex_match(name, expression))
+      marks[name] = {file.size, file.crc.checksum()};
+  return marks;
 }
 
-void RunFolder::require_tables(const std::map<std::string, std::uintmax_t> &sizes) const
+void RunFolder::require_tables(const TableMarks &marks) const
 {
-  const auto present = table_sizes();
-  for (const auto &[name, size] : sizes)
-    if (const auto found = present.find(name); found == present.end() || found->second < size)
-      fail(path_ / name, "cannot be continued",
-           found == present.end() ? "it is missing" : "it is shorter than when the checkpoint was written");
-    else if (size > 0 && read(name)[size - 1] != '\n')
+  for (const auto &[name, mark] : marks)
+  {
+    if (!has(name))
+      fail(path_ / name, "cannot be continued", "it is missing");
+    const std::string content = read(name);
+    if (content.size() < mark.size)
+      fail(path_ / name, "cannot be continued", "it is shorter than when the checkpoint was written");
+    boost::crc_32_type crc;
+    crc.process_bytes(content.data(), mark.size);
+    if (crc.checksum() != mark.checksum)
       fail(path_ / name, "cannot be continued", "it was changed since the checkpoint was written");
+    growing_[name] = {mark.size, crc};
+  }
 }
 
-void RunFolder::cut_tables(const std::map<std::string, std::uintmax_t> &sizes) const
+void RunFolder::cut_tables(const TableMarks &marks) const
 {
-  require_tables(sizes);
-  for (const auto &[name, size] : table_sizes())
-    if (const auto kept = sizes.find(name); kept == sizes.end())
+  require_tables(marks);
+  for (const std::string &name : matching(path_, table_names))
+    if (const auto kept = marks.find(name); kept == marks.end())
+    {
       remove(name);
+      growing_.erase(name);
+    }
     else
-      posix::cut(path_ / name, kept->second);
+      posix::cut(path_ / name, kept->second.size);
 }
 
 std::string RunFolder::path(const std::string &name) const
 {
-  return name.empty() ? path_.string() : (path_ / name).string();
+  return shown_path(name.empty() ? path_.string() : (path_ / name).string());
 }
 } // namespace orthocone

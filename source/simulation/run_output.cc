@@ -5,8 +5,6 @@
 #include <orthocone/parameters/errors.h>
 #include <orthocone/simulation/vtu.h>
 
-#include <algorithm>
-
 namespace orthocone
 {
 RunOutput::RunOutput(const RunFolder &folder, const Parameters &parameters, const ContactModel &model)
@@ -26,7 +24,7 @@ RunOutput::RunOutput(const RunFolder &folder, const Parameters &parameters, cons
 void RunOutput::start() const
 {
   history_.start();
-  probes_.start();
+  probes_.start({});
   cycles_.start();
 }
 
@@ -35,41 +33,24 @@ bool RunOutput::is_due(const unsigned int interval, const unsigned int step) con
   return interval != 0 && (step % interval == 0 || step == last_step_);
 }
 
-/// Steps up to `step` that have a field file.
-std::vector<unsigned int> RunOutput::due_steps(const unsigned int interval, const unsigned int step,
-                                               const std::vector<StepRange> &jumped) const
+void RunOutput::return_to(const unsigned int step, const TableMarks &tables, const FieldSteps &fields)
 {
-  std::vector<unsigned int> steps;
-  for (unsigned int number = 1; number <= step; ++number)
-    if (is_due(interval, number))
-      steps.push_back(number);
-  for (const StepRange &range : jumped)
-    steps.erase(std::lower_bound(steps.begin(), steps.end(), range.first),
-                std::upper_bound(steps.begin(), steps.end(), range.last));
-  return steps;
-}
-
-void RunOutput::return_to(const unsigned int step, const bool is_last, const std::vector<StepRange> &jumped,
-                          const std::map<std::string, std::uintmax_t> &table_sizes)
-{
-  if (is_last)
-    last_step_ = step;
-  const auto contact = due_steps(options_.contact_interval, step, jumped);
-  const auto volume = due_steps(options_.volume_interval, step, jumped);
-  require_fields(contact_, contact);
-  require_fields(volume_, volume);
-  folder_.cut_tables(table_sizes);
-  contact_.set(contact);
-  volume_.set(volume);
+  require_fields(contact_, fields.contact);
+  require_fields(volume_, fields.volume);
+  folder_.cut_tables(tables);
+  probes_.start(tables);
+  contact_.set(fields.contact);
+  volume_.set(fields.volume);
   folder_.remove_fields_after(step);
 }
 
 void RunOutput::require_fields(const FieldList &list, const std::vector<unsigned int> &steps) const
 {
   for (const unsigned int step : steps)
-    if (!folder_.has(list.field_file(step)))
-      throw FileError(folder_.path(list.field_file(step)) +
-                      ": is missing, so that the run cannot be continued; without --resume it starts anew");
+    if (const std::string file = list.field_file(step);
+        !folder_.has(file) || !folder_.ends_with(file, "</VTKFile>\n"))
+      throw FileError(folder_.path(file) + (folder_.has(file) ? ": is cut off" : ": is missing") +
+                      ", so that the run cannot be continued; without --resume it starts anew");
 }
 
 void RunOutput::write(const SolvedStep &step)

@@ -168,7 +168,7 @@ std::string volume_vtu(const SectionDiscretization &discretization, const Materi
   dealii::DataOutBase::write_vtu(
       patches, names,
       {{0, 2, "displacement", component_is_part_of_vector}, {3, 11, "stress", component_is_part_of_tensor}},
-      vtu_flags(degree), text);
+      lagrange_vtu_flags(degree), text);
   return text.str();
 }
 } // namespace orthocone

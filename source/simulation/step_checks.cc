@@ -34,8 +34,10 @@ bool is_finite(const ContactState &state, const Totals &totals)
 /// The natural map sees slip with the weights (p/mu)^2, the slip rule without.
 double slip_amplification(const FrictionOptions &friction)
 {
-  const double x = friction.p[0] / friction.mu[0];
-  const double y = friction.p[1] / friction.mu[1];
+  if (friction.is_frictionless())
+    return 1;
+  const double x = friction.p()[0] / friction.mu[0];
+  const double y = friction.p()[1] / friction.mu[1];
   return std::max(x / y, y / x) * std::max(x / y, y / x);
 }
 

@@ -3,6 +3,7 @@
 #include <orthocone/simulation/step_solver.h>
 
 #include <limits>
+#include <utility>
 
 namespace orthocone
 {
@@ -21,6 +22,10 @@ NodeVector StartForces::best(const ContactProblem &problem, const ContactState &
     candidates.push_back(state.force + memory_.change);
   candidates.push_back(NodeVector::Zero(state.force.size())); // full unloading
   candidates.push_back(state.force);
+  // A sum of forces leaves the cone by rounding. The residual does not see that where friction is next to
+  // nothing, and a start that is good enough is the solution.
+  for (NodeVector &candidate : candidates)
+    candidate = problem.admissible(std::move(candidate));
   double least = std::numeric_limits<double>::infinity();
   std::size_t best = candidates.size() - 1;
   for (std::size_t i = 0; i < candidates.size() && least > tolerance; ++i)
@@ -37,16 +42,21 @@ void StartForces::remember(const NodeVector &before, const NodeVector &after, co
   memory_.change = after - before;
   if (step.cycle == 0)
     return;
+  const std::size_t bytes = after.size() * sizeof(double);
+  if (2 * bytes * (memory_.of_phase.size() + 1) > StartMemory::most_bytes &&
+      memory_.of_phase.count(step.phase) == 0)
+    return;
   NodeVector &of_phase = memory_.of_phase[step.phase];
   if (of_phase.size() > 0)
     memory_.drift[step.phase] = after - of_phase;
   of_phase = after;
 }
 
-StepSolver::StepSolver(const CondensedBody &body, ContactProblem &problem,
+StepSolver::StepSolver(const CondensedBody &body, ContactProblem &problem, Eigen::VectorXd opening,
                        const ContactSolverOptions &options)
     : body_(body),
       problem_(problem),
+      opening_(std::move(opening)),
       tolerance_(options.tolerance),
       solver_(make_contact_solver(problem, options))
 {
@@ -82,7 +92,7 @@ SolverReport StepSolver::solve_to(ContactState &state, const std::array<double, 
   SolverReport report = solver_->solve(force);
   if (report.converged)
   {
-    advance(state, problem_, force, top);
+    advance(state, problem_, opening_, force, top);
     return report;
   }
   if (depth == most_halvings)

@@ -2,8 +2,10 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/simulation/summary.h>
 
+#include <orthocone/contact/law_errors.h>
 #include <orthocone/parameters/parameters.h>
 #include <orthocone/parameters/text.h>
+#include <orthocone/simulation/load_program.h>
 #include <orthocone/simulation/version.h>
 
 #include <nlohmann/json.hpp>
@@ -63,6 +65,23 @@ Json accuracy_json(const AccuracyEstimate &accuracy)
   return json;
 }
 
+Json friction_json(const FrictionOptions &friction)
+{
+  return {{"mu", friction.mu},
+          {"p", friction.p()},
+          {"associated", friction.is_associated()},
+          {"collinear", friction.is_collinear()},
+          {"angle_degrees", friction.angle}};
+}
+
+Json energy_json(const RunRecord &record)
+{
+  return {{"work_Nmm", record.work},
+          {"dissipation_Nmm", record.dissipation},
+          {"missing_Nmm", record.missing},
+          {"missing_percent_of_dissipation", 100 * relative(record.missing, record.dissipation)}};
+}
+
 Json critical_friction_json(const CriticalFrictionRecord &critical)
 {
   if (!std::isfinite(critical.factor))
@@ -98,9 +117,12 @@ double PhaseSeconds::sum() const
   return sum;
 }
 
-void RunRecord::add_step(const unsigned int step, const Totals &totals, const SolverReport &report,
-                         const StepChecks &checks)
+void RunRecord::add_step(const unsigned int step, const Totals &before, const Totals &totals,
+                         const SolverReport &report, const StepChecks &checks)
 {
+  work += checks.work;
+  dissipation += totals.total_dissipation - before.total_dissipation;
+  missing += checks.energy_defect * checks.energy;
   n_iterations += report.iterations;
   largest_residual = std::max(largest_residual, report.residual);
   largest_energy = checks.energy;
@@ -113,7 +135,7 @@ std::string describe(const CriticalFrictionRecord &critical)
   std::ostringstream text;
   text << std::setprecision(3) << "critical friction ";
   if (!std::isfinite(critical.factor))
-    text << "none: normal and tangential directions are not coupled";
+    text << "none: there is no friction, or normal and tangential directions are not coupled";
   else
     text << critical.factor << " times the given one, at (" << critical.position[0] << ", "
          << critical.position[1] << ") mm";
@@ -173,6 +195,8 @@ std::string summary_json(const Summary &summary)
   json["peaks"] = {{"slip_mm", peak_json(summary.record.peaks.slip)},
                    {"pressure_MPa", peak_json(summary.record.peaks.pressure)},
                    {"force_z_N", peak_json(summary.record.peaks.force_z)}};
+  json["friction"] = friction_json(summary.parameters.friction);
+  json["energy"] = energy_json(summary.record);
   json["critical_friction"] = critical_friction_json(summary.record.critical_friction);
   if (summary.record.accuracy)
     json["accuracy"] = accuracy_json(*summary.record.accuracy);
@@ -185,13 +209,54 @@ std::string summary_json(const Summary &summary)
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+std::string summary_json_before_steps(const std::string &status, const Parameters &parameters)
+{
+  Json json;
+  json["status"] = status;
+  json["steps"] = {{"planned", load_steps(parameters.load).size()}, {"solved", 0}};
+  json["friction"] = friction_json(parameters.friction);
+  json["warnings"] = parameter_warnings(parameters);
+  for (const auto &[name, version] : versions())
+    json["versions"][name] = version;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string describe_energy(const RunRecord &record)
+{
+  std::ostringstream text;
+  text << std::setprecision(4) << "energy: work of the upper face " << record.work << " N mm, dissipated "
+       << record.dissipation << " N mm, missing " << record.missing << " N mm";
+  if (record.dissipation > 0)
+    text << " (" << std::setprecision(2) << 100 * record.missing / record.dissipation
+         << " % of the dissipated)";
+  return text.str();
+}
+
+std::string describe_model(const ModelChoice &model)
+{
+  return "model          " + model.symmetry.name() + " (" + model.reason + ")\n";
+}
+
+std::string describe_friction(const FrictionOptions &friction)
+{
+  const std::string line = "friction       ";
+  if (friction.is_frictionless())
+    return line + "none\n";
+  const std::array<double, 2> p = friction.p();
+  return line + "mu " + to_text(friction.mu[0]) + ", " + to_text(friction.mu[1]) +
+         (friction.is_associated() ? "; associated"
+                                   : "; not associated, p " + to_text(p[0]) + ", " + to_text(p[1])) +
+         (friction.is_collinear() ? ", slip collinear with the force"
+                                  : ", slip not collinear with the force") +
+         "; axes turned by " + to_text(friction.angle) + " degrees\n";
+}
+
 std::string describe_model(const Parameters &parameters, const ModelChoice &model,
                            const BodyUnknowns &unknowns, const unsigned int n_steps)
 {
   const ContactSolverOptions &solver = parameters.contact_solver;
   std::ostringstream text;
-  text << "model          " << model.symmetry.name() << " (" << model.reason << ")\n"
-       << "mesh           " << unknowns.n_cells()
+  text << describe_model(model) << "mesh           " << unknowns.n_cells()
        << (model.symmetry.is_axisymmetric() ? " quadrilaterals" : " hexahedra") << " of degree "
        << parameters.mesh.degree << ", " << parameters.mesh.n_quadrature_points()
        << " Gauss points per direction"
@@ -201,7 +266,7 @@ std::string describe_model(const Parameters &parameters, const ModelChoice &mode
        << "unknowns       " << unknowns.n_free() << " of " << unknowns.n_dofs() << " degrees of freedom\n"
        << "contact nodes  " << unknowns.contact_surface().nodes.size()
        << (model.symmetry.is_axisymmetric() ? " (rings)" : "") << "\n"
-       << "load steps     " << n_steps << "\n"
+       << describe_friction(parameters.friction) << "load steps     " << n_steps << "\n"
        << "contact solver " << to_word(solver.method) << ", tolerance " << to_text(solver.tolerance);
   return text.str();
 }

@@ -132,7 +132,7 @@ std::string volume_vtu(const Discretization &discretization, const MaterialOptio
   data.add_data_vector(values, stress);
   const unsigned int degree = discretization.fe().degree;
   data.build_patches(discretization.mapping(), degree, dealii::DataOut<3>::curved_inner_cells);
-  data.set_flags(vtu_flags(degree));
+  data.set_flags(vtu_flags());
   std::ostringstream text;
   data.write_vtu(text);
   return text.str();

@@ -28,7 +28,7 @@ SymmetryPlanes quarter()
 
 OrthotropicFriction friction(const FrictionOptions &options)
 {
-  return {options.mu[0], options.mu[1], options.p[0], options.p[1]};
+  return {options.mu[0], options.mu[1], options.p()[0], options.p()[1]};
 }
 } // namespace
 

@@ -4,7 +4,10 @@
 such browser, the tests are skipped."""
 import csv
 import os
+import pathlib
+import re
 import tempfile
+import time
 import unittest
 
 import numpy as np
@@ -19,6 +22,20 @@ except ImportError:
 
 CHROMIUM, DRIVER = "/usr/bin/chromium", "/usr/bin/chromedriver"
 LEAST_CONTRAST = 4.5
+CUT_LABELS = """
+const inside = (inner, outer) => inner.left >= outer.left - 1 && inner.right <= outer.right + 1
+  && inner.top >= outer.top - 1 && inner.bottom <= outer.bottom + 1;
+const place = element => element.getBoundingClientRect();
+const drawn = [...document.querySelectorAll("svg text")].filter(text => text.getClientRects().length);
+// What a chart draws beyond its own box is still seen, but not what is beyond its card.
+const frame = text => getComputedStyle(text.ownerSVGElement).overflow === "visible" ? text.closest("section")
+                                                                                    : text.ownerSVGElement;
+const boxes = [...document.querySelectorAll("button, .key, figcaption, .caption, summary, td, th, .tile dd, .tile dt")]
+  .filter(box => box.getClientRects().length && !box.closest(".scroll"));
+return [...drawn.filter(text => !inside(place(text), place(frame(text)))),
+        ...boxes.filter(box => box.scrollWidth > box.clientWidth + 1 && getComputedStyle(box).display !== "inline")]
+  .map(element => `${element.tagName} ${element.className}: ${element.textContent}`);
+"""
 
 COLOURS = """
 const canvas = document.createElement("canvas");  // a copy: the page's own is not made for being read
@@ -73,6 +90,10 @@ class Page(unittest.TestCase):
         options.set_capability("goog:loggingPrefs", {"browser": "ALL"})
         cls.browser = webdriver.Chrome(service=Service(DRIVER, log_path=os.devnull), options=options)
         cls.addClassCleanup(cls.browser.quit)
+        cls.downloads = pathlib.Path(profile.name) / "downloads"
+        cls.downloads.mkdir()
+        cls.browser.execute_cdp_cmd("Browser.setDownloadBehavior", {"behavior": "allow",
+                                                                    "downloadPath": str(cls.downloads)})
 
     def read(self, file):
         self.media(**{"prefers-color-scheme": "light"})
@@ -85,6 +106,37 @@ class Page(unittest.TestCase):
 
     def script(self, text, *arguments):
         return self.browser.execute_script(text, *arguments)
+
+    def save(self, menu, kind):
+        """The file that the menu of a chart saves; nothing else is in the folder of the browser."""
+        for old in self.downloads.iterdir():
+            old.unlink()
+        self.script("arguments[0].open = true; arguments[0].scrollIntoView({block: 'center'})", menu)
+        next(button for button in menu.find_elements("css selector", "button") if button.text == kind).click()
+        end = time.monotonic() + 20
+        while time.monotonic() < end:
+            files = [file for file in self.downloads.iterdir() if file.suffix == f".{kind.lower()}"]
+            if files and files[0].stat().st_size:
+                return files[0]
+            time.sleep(0.05)
+        raise AssertionError(f"no {kind} was saved")
+
+    def saved_table(self, menu):
+        with open(self.save(menu, "CSV"), encoding="utf-8") as file:
+            return list(csv.DictReader(file))
+
+    def menu(self, title):
+        return self.chart(title).find_element("css selector", ".save")
+
+    def curves(self, title):
+        """Pixels of the curves of a chart, in the order in which they are drawn."""
+        paths = self.chart(title).find_elements("css selector", "path.curve")
+        pairs = [re.findall(r"[ML]([\d.-]+),([\d.-]+)", path.get_attribute("d")) for path in paths]
+        return [np.array(one, dtype=float) for one in pairs]
+
+    def colours(self, title):
+        return self.script("return [...arguments[0].querySelectorAll('path.curve')]"
+                           ".map(path => getComputedStyle(path).stroke)", self.chart(title))
 
     def media(self, medium="", **features):
         self.browser.execute_cdp_cmd("Emulation.setEmulatedMedia", {
@@ -138,6 +190,7 @@ class Page(unittest.TestCase):
                                      {"width": 390, "height": 800, "deviceScaleFactor": 1, "mobile": True})
         self.assertLessEqual(self.script("return document.documentElement.scrollWidth"), 390)
         self.assert_sections()
+        self.assertEqual(self.script(CUT_LABELS), [])
         self.browser.execute_cdp_cmd("Emulation.clearDeviceMetricsOverride", {})
         self.media("print")
         self.assert_sections()

@@ -16,6 +16,7 @@ COARSE = ["Mesh/Core cells=2", "Mesh/Layers=1", "Mesh/Degree=1", "Output/Volume 
 
 def run(name, *settings, code=0):
     folder = pathlib.Path(SCRATCH.name) / name
+    folder.parent.mkdir(exist_ok=True)
     words = [f"--set={setting}" for setting in settings]
     done = subprocess.run([PROGRAM, CASE_B, "--quiet", "--output", folder, *words], capture_output=True, timeout=300,
                           check=False)

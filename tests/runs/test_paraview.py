@@ -23,6 +23,21 @@ SCRATCH = tempfile.TemporaryDirectory()
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 SCRIPT = ROOT / "tools/paraview/pictures.py"
 XVFB = ["xvfb-run", "-a", "-s", "-noreset"]
+PLOT_OVER_LINE = """
+import sys
+import numpy as np
+from paraview import servermanager, simple
+from vtkmodules.util.numpy_support import vtk_to_numpy
+start, end = np.reshape(list(map(float, sys.argv[2:])), (2, 3))
+reader = simple.XMLUnstructuredGridReader(FileName=[sys.argv[1]])
+place = simple.Calculator(Input=reader, ResultArrayName="place", Function="coords")
+plot = simple.PlotOverLine(Input=place, Point1=list(start), Point2=list(end))
+plot.SamplingPattern, plot.Resolution = "Sample Uniformly", 1000
+plot.UpdatePipeline()
+samples = servermanager.Fetch(plot)
+found, places = (vtk_to_numpy(samples.GetPointData().GetArray(name)) for name in ("vtkValidPointMask", "place"))
+print(len(found), found.sum(), np.abs(places - vtk_to_numpy(samples.GetPoints().GetData())).max())
+"""
 WIDTH, HEIGHT = 1600, 1200
 CENTRE_X, CENTRE_Y, RADIUS = 680, 600, 480  # of the contact surface in its pictures, in pixels
 BACKGROUND = (255, 255, 255)
@@ -51,10 +66,14 @@ def tearDownModule():
     SCRATCH.cleanup()
 
 
-def pictures(*words, launcher=tuple(XVFB), **variables):
+def pvbatch(script, *words, launcher=tuple(XVFB), **variables):
     environment = {**os.environ, "LIBGL_ALWAYS_SOFTWARE": "1", **variables}
-    return subprocess.run([*launcher, "pvbatch", SCRIPT, *words], env=environment, text=True, capture_output=True,
+    return subprocess.run([*launcher, "pvbatch", script, *words], env=environment, text=True, capture_output=True,
                           timeout=300, check=False)
+
+
+def pictures(*words, **options):
+    return pvbatch(SCRIPT, *words, **options)
 
 
 @functools.lru_cache(maxsize=None)
@@ -131,11 +150,12 @@ class PictureTest(unittest.TestCase):
         self.assertGreater(n_colours(picture("revolved", "body-0002")), 200)
 
     def test_disc_is_round_and_whole(self):
+        """To two pixels, and chords between the nodes on the rim."""
         angles = np.linspace(0, 2 * np.pi, 73)
-        for run, step, tolerance in (("quarter", 2, 0.005), ("cubic", 1, 0.04), ("pushed", 2, 0.03),
-                                    ("revolved", 2, 0.005)):
+        for run, step, half_chord in (("quarter", 2, np.pi / 32), ("cubic", 1, np.pi / 8 / 5**0.5),
+                                      ("pushed", 2, np.pi / 16), ("revolved", 2, np.pi / 64)):
             pixels = picture(run, f"pressure-{step:04d}")
-            for factor, is_inside in ((1 - tolerance, True), (1 + tolerance, False)):
+            for factor, is_inside in ((np.cos(half_chord) - 2 / RADIUS, True), (1 + 2 / RADIUS, False)):
                 rows = np.round(CENTRE_Y + factor * RADIUS * np.sin(angles)).astype(int)
                 columns = np.round(CENTRE_X + factor * RADIUS * np.cos(angles)).astype(int)
                 background = np.all(pixels[rows, columns] == BACKGROUND, axis=1)
@@ -185,6 +205,21 @@ class PictureTest(unittest.TestCase):
 
     def test_no_volume(self):
         self.assertIn("no volume.pvd (Output/Volume fields = 0)", rendered("bare")[1])
+
+
+class PlotOverLineTest(unittest.TestCase):
+    def test_every_sample_is_found_at_its_place(self):
+        """Across the contact surface, and upwards through the modelled part of the body."""
+        script = pathlib.Path(SCRATCH.name) / "plot_over_line.py"
+        script.write_text(PLOT_OVER_LINE)
+        for run, (x, y) in (("quarter", (6.5, 5)), ("cubic", (6.5, 5)), ("revolved", (9, 0))):
+            for kind, ends in (("contact", (-x, -y, 0, x, y, 0)), ("volume", (0, 0, 1, x, y, 5))):
+                with self.subTest(run=run, kind=kind):
+                    result = pvbatch(script, run_folder(run) / f"{kind}-0001.vtu", *map(str, ends))
+                    self.assertEqual(result.stderr, "")
+                    total, found, error = map(float, result.stdout.split())
+                    self.assertEqual((total, found), (1001, 1001))
+                    self.assertLess(error, 1e-5)  # mm, of single precision
 
 
 class ErrorTest(unittest.TestCase):

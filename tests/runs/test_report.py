@@ -15,11 +15,11 @@ import numpy as np
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from program import main  # noqa: E402
-from report_page import Keys, Page, Select, column, table  # noqa: E402
+from report_page import CUT_LABELS, Keys, Page, Select, column, table  # noqa: E402
 from report_run import COARSE, SCRATCH, report, run  # noqa: E402
 
 SMALL = ["Mesh/Core cells=4", "Mesh/Layers=2", "Load program/Cycles=2", "Output/Volume fields=0",
-         "Output/Probes=P: 6.72 6.72; __proto__: 3 -3; -: -6 0"]
+         "Output/Probes=P: 6.72 6.72; __proto__: 3 -3; -: -6 0; edge_of_the_surface: 9.9 0"]
 STATE_COLOURS = [(200, 200, 200), (0, 114, 178), (240, 165, 30)]  # open, stick, slip
 WARNING = "<i>beware</i> of </script><script>throw 1</script> & \"quotes\""
 
@@ -57,10 +57,10 @@ class PageTest(Page):
         self.assertEqual(self.browser.title, f"{self.folder.name} \u2013 orthocone report")
         titles = self.script("return [...document.querySelectorAll('section h2')].map(title => title.textContent)")
         self.assertEqual(titles, ["Warnings", "Model", "Parameters", "Histories", "Maps of the contact surface",
-                                  "Hysteresis loops", "Energy ledger", "Contact solver", "Time"])
+                                  "Hysteresis loops", "Cycles", "Energy ledger", "Contact solver", "Time"])
         probes = self.script("return [...document.querySelectorAll('#probe-loops h3')].map(title => title.textContent)")
         self.assertEqual(probes, ["Probe - at (-6, 0) mm", "Probe P at (6.72, 6.72) mm",
-                                  "Probe __proto__ at (3, -3) mm"])
+                                  "Probe __proto__ at (3, -3) mm", "Probe edge_of_the_surface at (9.9, 0) mm"])
         entries = self.text("#parameters")
         for section in ("Geometry", "Mesh", "Material", "Friction", "Load program", "Contact solver", "Output"):
             self.assertIn(section, entries)
@@ -177,6 +177,7 @@ class PageTest(Page):
 
     def test_looks(self):
         self.open(self.folder)
+        self.assertEqual(self.script(CUT_LABELS), [])
         self.assert_light_and_dark()
         self.open(self.folder)
         self.assert_phone_and_paper()

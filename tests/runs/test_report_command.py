@@ -8,14 +8,42 @@ import os
 import pathlib
 import re
 import shutil
+import subprocess
 import sys
 import tempfile
 import unittest
 
+import meshio
+import numpy as np
+
 sys.dont_write_bytecode = True  # the source tree stays clean
-from program import main  # noqa: E402
+from program import PROGRAM, main  # noqa: E402
 from report_page import table  # noqa: E402
 from report_run import COARSE, SCRATCH, report, run  # noqa: E402
+
+
+def payload(page):
+    return json.loads(re.search(r'id="data">(.*?)</script>', page.read_text())[1])
+
+
+def with_points(file, points, cells):
+    """The same mesh with some of its points, in this order, and other numbers of them in the cells."""
+    mesh = meshio.read(file)
+    data = {name: values[points] for name, values in mesh.point_data.items()}
+    meshio.Mesh(mesh.points[points], [(mesh.cells[0].type, cells)], data).write(file)
+
+
+def split_points(file):
+    cells = meshio.read(file).cells[0].data
+    with_points(file, cells.reshape(-1), np.arange(cells.size).reshape(cells.shape))
+
+
+def merge_points(file):
+    mesh = meshio.read(file)
+    places = np.round(mesh.points, 4) + 0.0
+    _, one, node = np.unique(places, axis=0, return_index=True, return_inverse=True)
+    order = np.random.default_rng(1).permutation(len(one))  # not the order of the cells
+    with_points(file, one[order], np.argsort(order)[node.reshape(-1)][mesh.cells[0].data])
 
 
 class CommandTest(unittest.TestCase):
@@ -31,11 +59,16 @@ class CommandTest(unittest.TestCase):
     def test_wrong_usage(self):
         self.assert_error(report(), 2, "RUN_FOLDER")
         self.assert_error(report(self.folder, "--colour"), 2, "--colour")
+        self.assert_error(report(self.folder, self.folder.parent / "command"), 2, "this run is named twice")
+        self.assert_error(report(*[self.folder.parent / str(k) for k in range(9)]), 2, "9 runs, .* 8 at most")
 
     def test_no_run_folder(self):
         self.assert_error(report(self.folder / "nothing"), 4, "nothing: no such folder")
         empty = tempfile.mkdtemp(dir=SCRATCH.name)
-        self.assert_error(report(empty), 4, "not a run folder, for history.csv and parameters.prm are missing")
+        missing = "not a run folder, for history.csv and parameters.prm are missing"
+        self.assert_error(report(empty), 4, missing)
+        self.assert_error(report(self.folder, empty), 4, missing)
+        self.assertFalse((self.folder / "report.html").exists())
 
     def test_bad_files(self):
         for name, text in (("contact-0003.vtu", "<VTKFile>"), ("history.csv", "step,ux\n1"), ("summary.json", "{"),
@@ -61,16 +94,72 @@ class CommandTest(unittest.TestCase):
         self.assert_error(report(self.folder, "--output", pipe), 4, "pipe: is no ordinary file")
         self.assert_error(report(self.folder, "--output", self.folder / "none/page.html"), 4, "none: no such folder")
 
+    def test_several_runs_go_into_the_first_folder(self):
+        first, second = run("first", *COARSE, "Load program/Cycles=1"), run("second", *COARSE, "Load program/Cycles=2")
+        self.assertEqual(report(first, second).returncode, 0)
+        self.assertEqual([(folder / "report.html").exists() for folder in (first, second)], [True, False])
+        names = [(one["name"], len(one["history"]["step"])) for one in payload(first / "report.html")["runs"]]
+        self.assertEqual(names, [("first", 15), ("second", 30)])
+
+    def test_units(self):
+        """Where the program's own description of an entry names a unit, the page shows it."""
+        words = {"mm": r"\bin mm\b", "MPa": r"\bin MPa\b", "degrees": r"^Degrees\b", "s": r"^Least seconds",
+                 "%": r"percentage", "\u00d7 tolerance": r"in multiples of Contact solver/Tolerance"}
+        folder = run("units", *COARSE, "Load program/Preload=0 0 -0.01 : 1", "Load program/Cycles=1",
+                     "Output/Probes=P: 1 2")
+        report(folder)
+        shown = dict(re.findall(r'<tr><th scope="row">([^<]*)</th><td>(.*?)</td></tr>',
+                                (folder / "report.html").read_text()))
+        defaults = subprocess.run([PROGRAM, "--defaults"], capture_output=True, text=True, check=True).stdout
+        found = 0
+        for comment, entry in re.findall(r"((?:^  #.*\n)+)  set (.+?) *=", defaults, re.MULTILINE):
+            comment = " ".join(comment.replace("#", " ").split())
+            for unit in (unit for unit, pattern in words.items() if re.search(pattern, comment)):
+                found += 1
+                self.assertRegex(shown[entry], rf'<span class="unit">[^<]*{re.escape(unit)}[^<]*</span>', entry)
+        self.assertGreaterEqual(found, 12)
+
+    def test_cells_that_share_points(self):
+        """Nodes that each cell has for itself, and nodes that neighbours share, give the same page."""
+        pages = []
+        for name, change in (("own", split_points), ("shared", merge_points)):
+            folder = pathlib.Path(tempfile.mkdtemp(dir=SCRATCH.name)) / name
+            shutil.copytree(self.folder, folder)
+            for file in folder.glob("contact-*.vtu"):
+                change(file)
+            self.assertEqual(report(folder).returncode, 0)
+            pages.append(payload(folder / "report.html")["maps"])
+        self.assertEqual(*pages)
+
+    def test_cycles_too_long_for_the_maps(self):
+        """490 steps, 40 a cycle: not even two whole cycles fit, but the turns of the load must not be left out. Of the
+        37 turns every third is on the same side of the loop: the small maps must not take those alone."""
+        folder = run("fretting", *COARSE, "Load program/Preload=0 0 -0.05 : 10", "Load program/Cycles=12",
+                     "Load program/Legs=0.01 0 -0.05 : 10; -0.01 0 -0.05 : 20; 0 0 -0.05 : 10")
+        report(folder)
+        maps = payload(folder / "report.html")["maps"]
+        steps = [frame["step"] for frame in maps["frames"]]
+        turns = [10 + 40 * cycle + end for cycle in range(12) for end in (10, 30, 40)]
+        self.assertLessEqual(len(steps), 60)
+        self.assertTrue({1, 10, *turns} <= set(steps))
+        self.assertLessEqual(np.max(np.diff(steps)), 20)  # as long as the longest leg
+        small = maps["small"]
+        self.assertEqual((small[0], small[-1]), (1, 490))
+        self.assertLessEqual(len(small), 15)
+        sides = [(step - 10) % 40 for step in small]  # of the loop
+        self.assertGreaterEqual(min(sides.count(10), sides.count(30), sides.count(0)), 3)
+
     def test_long_run(self):
         folder = run("long", *COARSE, "Load program/Cycles=70")
         self.assertEqual((report(folder).returncode, len(table(folder))), (0, 1050))
         text = (folder / "report.html").read_text()
         self.assertLess(len(text), 5e6)
         self.assertIn("The maps show 60 of the 1050 steps", text)
-        data = json.loads(re.search(r'id="data">(.*?)</script>', text)[1])
+        data = payload(folder / "report.html")
         steps = [frame["step"] for frame in data["maps"]["frames"]]
         self.assertEqual(steps[:15] + steps[-15:], [*range(1, 16), *range(1036, 1051)])
-        self.assertTrue(set(steps) <= set(data["history"]["step"]))
+        self.assertTrue({1, 5, 15, 1040, 1050} <= set(data["maps"]["small"]) <= set(steps))
+        self.assertTrue(set(steps) <= set(data["runs"][0]["history"]["step"]))
 
 
 def tearDownModule():

@@ -176,7 +176,8 @@ class RefusalTest(ResumeTest):
                             ["Mesh/Degree=2"])
         self.assert_refused(WRONG_INPUT, r".*: Friction/Coefficients = 0\.3, 0\.2, but .* with 0\.3, 0\.15; ",
                             ["Friction/Coefficients=0.3, 0.2"])
-        self.assert_refused(WRONG_INPUT, r".*: Output/Probes = , but .* with P: 6\.72 6\.72; ", ["Output/Probes="])
+        self.assert_refused(WRONG_INPUT, r".*: Output/Probes = , but .* with P: 6\.72 6\.72; allowed .* these probes and",
+                            ["Output/Probes="])
 
     def test_damaged_checkpoint(self):
         state = self.folder / "run/checkpoint/state"
@@ -185,7 +186,7 @@ class RefusalTest(ResumeTest):
         for bad, expression in ((b"", "is not a checkpoint"), (b"hello\n", "is not a checkpoint"),
                                 (good[:middle], "is cut off"), (good + b"x", "is cut off"),
                                 (good[:middle] + bytes([good[middle] ^ 1]) + good[middle + 1:], "is damaged"),
-                                (good.replace(b" 3 ", b" 4 ", 1), "has format version 4, and this program reads")):
+                                (good.replace(b" 4 ", b" 5 ", 1), "has format version 5, and this program reads")):
             state.write_bytes(bad)
             self.assert_refused(FILE_ERROR, r".*checkpoint/state: " + expression + r".*; without --resume")
 
@@ -201,7 +202,15 @@ class RefusalTest(ResumeTest):
         good = history.read_bytes()
         history.write_bytes(good.replace(b"\n", b"\r\n"))
         self.assert_refused(FILE_ERROR, r".*history\.csv: cannot be continued \(it was changed")
+        digit = good.index(b"0.0") + 2
+        history.write_bytes(good[:digit] + b"9" + good[digit + 1:])
+        self.assert_refused(FILE_ERROR, r".*history\.csv: cannot be continued \(it was changed")
         history.write_bytes(good)
+        field = self.folder / "run/contact-0010.vtu"
+        whole = field.read_bytes()
+        for part in (b"", whole[:-20]):
+            field.write_bytes(part)
+            self.assert_refused(FILE_ERROR, r".*contact-0010\.vtu: is cut off")
         (self.folder / "run/contact-0010.vtu").unlink()
         result = self.run_program("run", "--resume", settings=self.SETTINGS)
         self.assertEqual(result.returncode, FILE_ERROR)
@@ -230,6 +239,40 @@ class RefusalTest(ResumeTest):
         result = self.run_program("failed", "--resume", settings=better, file=file)
         self.assertEqual((result.returncode, result.stderr), (DONE, ""))
         self.assertEqual(len(self.rows("failed")), 2)
+
+
+class ExtensionTest(ResumeTest):
+    """What lies ahead of a run may change, what it has computed may not."""
+    SETTINGS = [*SMALL, "Load program/Legs=0 0 -0.1 : 3 ; 0 0 -0.02 : 4", "Output/Volume fields=0"]
+
+    def run_to(self, name, *settings, resume=True):
+        result = self.run_program(name, *(["--resume"] if resume else []), settings=[*self.SETTINGS, *settings])
+        self.assertEqual((result.returncode, result.stderr), (DONE, ""))
+
+    def test_more_cycles(self):
+        self.run_to("whole", "Load program/Cycles=5", resume=False)
+        self.run_to("run", "Load program/Cycles=2", resume=False)
+        self.run_to("run", "Load program/Cycles=5")
+        self.assert_same_files("whole", "run", ["history.csv", "checks.csv", "cycles.csv", "probe-P.csv", "contact.pvd",
+                                                "contact-0035.vtu", "parameters.prm"])
+        result = self.run_program("run", "--resume", settings=[*self.SETTINGS, "Load program/Cycles=4"])
+        self.assertEqual(result.returncode, WRONG_INPUT)
+        self.assertRegex(result.stderr, "Load program/Cycles = 4, but .* with 5; allowed .* the 35 load steps that are done")
+
+    def test_other_fields_and_more_probes(self):
+        self.run_to("run", "Load program/Cycles=2", "Output/Contact fields=4", resume=False)
+        later = ["Load program/Cycles=4", "Output/Contact fields=5", "Output/Volume fields=7",
+                 "Output/Probes=rim: 9 0; P: 6.72 6.72"]
+        self.run_to("run", *later)
+        names = sorted(file.name for file in (self.folder / "run").glob("*-*.vtu"))
+        self.assertEqual(names, [f"contact-{step:04d}.vtu" for step in (4, 8, 12, 14, 15, 20, 25, 28)] +
+                         [f"volume-{step:04d}.vtu" for step in (21, 28)])
+        listed = (self.folder / "run/contact.pvd").read_text()
+        self.assertEqual([name for name in names if name in listed], names[:8])
+        self.assertEqual([row["step"] for row in self.rows("run", "probe-rim.csv")], [str(step) for step in range(15, 29)])
+        self.assertEqual(len(self.rows("run", "probe-P.csv")), 28)
+        self.run_to("run", *later)  # the same again: nothing to do, nothing lost
+        self.assertEqual(sorted(file.name for file in (self.folder / "run").glob("*-*.vtu")), names)
 
 
 class FullDiskTest(ResumeTest):

@@ -17,7 +17,7 @@ import unittest
 import numpy as np
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from vtu_grid import Grid, nearest  # noqa: E402
+from vtu_grid import LAGRANGE_QUADRILATERAL, QUADRILATERAL, TRIANGLE, Grid, line, nearest  # noqa: E402
 
 PROGRAM = ""
 SCRATCH = tempfile.TemporaryDirectory()
@@ -90,31 +90,62 @@ class RevolvedTest(unittest.TestCase):
 
     @each("contact")
     def test_disc(self, data, degree, _step):
-        self.assertEqual(data.types, {9} if degree == 1 else {70})  # VTK_QUAD, VTK_LAGRANGE_QUADRILATERAL
+        self.assertEqual(data.types, {TRIANGLE, QUADRILATERAL})
+        self.assertEqual(data.degree(), degree)
         area, least_jacobian = data.size()
         self.assertGreater(least_jacobian, 0)
-        polygon = SECTORS / 2 * RADIUS**2 * math.sin(2 * math.pi / SECTORS)
-        self.assert_close(area, polygon if degree == 1 else math.pi * RADIUS**2, tolerance=2e-5)
+        n_corners = SECTORS * degree
+        self.assert_close(area, n_corners / 2 * RADIUS**2 * math.sin(2 * math.pi / n_corners))
+
+    @each("contact")
+    def test_each_node_is_one_point(self, data, degree, _step):
+        self.assertEqual(len(data.points), data.n_places())
+        self.assertEqual((len(data.points) - 1) % (SECTORS * degree), 0)  # the node on the axis, and rings
 
     @each("contact")
     def test_totals(self, data, _degree, step):
         expected = row(_degree, "history.csv", step)
-        one = data.distinct()
-        force = data["nodal_force"][one]
+        force = data["nodal_force"]
         self.assert_close(force.sum(axis=0), [0, 0, expected["force_z"]])
-        carrying = data["pressure"][one] > 0
-        area = force[carrying, 2] / data["pressure"][one][carrying]
+        carrying = data["pressure"] > 0
+        area = force[carrying, 2] / data["pressure"][carrying]
         if carrying.all():
             self.assert_close(area.sum(), math.pi * RADIUS**2)
-            self.assert_close((area * data["dissipated_energy"][one]).sum(), expected["total_dissipation"])
-        radii = np.hypot(*data.points[one, :2].T)
-        stuck, slips = data["status"][one] == 1, data["status"][one] == 2
+            self.assert_close((area * data["dissipated_energy"]).sum(), expected["total_dissipation"])
+        radii = np.hypot(*data.points[:, :2].T)
+        stuck, slips = data["status"] == 1, data["status"] == 2
         inner, outer = radii[stuck].max(initial=0), radii[slips].min(initial=RADIUS)
         self.assertTrue(inner < outer or step > 2)  # unloading: slip may begin inside
         if inner < outer:  # the stick zone is a disc, whose border runs between nodes
             self.assertLessEqual(math.pi * inner**2, (1 + SINGLE) * expected["stick_area"])
             self.assertLessEqual(expected["stick_area"], (1 + SINGLE) * math.pi * outer**2)
         self.assert_close(data["slip_magnitude"].max(), expected["max_slip"])
+
+    def assert_sampled(self, data, places):
+        """VTK finds every sample, and takes it from the place where it was asked for."""
+        fields, found = data.samples(places)
+        self.assertEqual(np.sum(~found), 0)
+        self.assert_close(fields["place"], places, RADIUS)
+        return fields
+
+    @each("contact")
+    def test_samples_on_diameters(self, data, degree, _step):
+        nodes = np.flatnonzero(np.abs(data.points[:, 1]) < SINGLE)
+        nodes = nodes[np.argsort(data.points[nodes, 0])]
+        for angle in np.radians([0, 7.3, 45, 90, 101.3]):
+            end = np.array([math.cos(angle), math.sin(angle), 0])
+            end *= RADIUS if np.isclose(math.sin(4 * angle), 0) else RADIUS * math.cos(math.pi / SECTORS / degree)
+            for n_samples in (1000, 1001):  # beside the axis and on it
+                pressure = self.assert_sampled(data, line(-end, end, n_samples))["pressure"]
+                if angle == 0:
+                    radii = np.linspace(-RADIUS, RADIUS, n_samples)
+                    expected = np.interp(radii, data.points[nodes, 0], data["pressure"][nodes])
+                    self.assert_close(pressure, expected, tolerance=1e-3)  # VTK's reach beyond a cell
+
+    @each("volume")
+    def test_samples_in_the_section(self, data, _degree, _step):
+        for start, end in (((0, 0), (RADIUS, 0)), ((0, HEIGHT), (RADIUS, 0)), ((3.3, 0), (3.3, HEIGHT))):
+            self.assert_sampled(data, line((start[0], 0, start[1]), (end[0], 0, end[1])))
 
     @each("contact")
     def test_vectors_are_radial(self, data, _degree, _step):
@@ -142,7 +173,7 @@ class RevolvedTest(unittest.TestCase):
 
     @each("volume")
     def test_section(self, data, degree, step):
-        self.assertEqual(data.types, {9} if degree == 1 else {70})
+        self.assertEqual(data.types, {QUADRILATERAL if degree == 1 else LAGRANGE_QUADRILATERAL})
         x, y, z = data.points.T
         self.assertEqual((x.min(), x.max(), np.abs(y).max(), z.min(), z.max()), (0, RADIUS, 0, 0, HEIGHT))
         top = row(degree, "history.csv", step)

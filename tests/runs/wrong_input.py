@@ -16,7 +16,7 @@ end
 LEGS = SCENE.split("end\n")[1] + "end\n"
 
 POSITIVE = "a number > 0"
-PAIR = "two numbers > 0 separated by a comma"
+PAIR = "two numbers > 0 (or both 0: no friction) separated by a comma"
 LEG = "legs \"ux uy uz : steps\""
 PROBE = "probes \"name: x y\""
 
@@ -27,8 +27,8 @@ WRONG_VALUES = [
     ("Material", "Young modulus", POSITIVE, ["0", "-1", "nan", "inf", "1e999", "2 GPa"]),
     ("Material", "Poisson ratio", "a number > -1 and < 0.5", ["0.5", "-1", "0.7", "steel"]),
     ("Friction", "Coefficients", PAIR, ["0, 0.1", "0.1, -0.1", "0.3", "0.3 0.1", "0.3, inf"]),
-    ("Friction", "Slip potential", PAIR, ["0, 1", "1, -1"]),
-    ("Friction", "Orthotropy angle", "a number", ["nan"]),
+    ("Friction", "Slip potential", "associated, or two numbers > 0 separated by a comma", ["0, 1", "1, -1"]),
+    ("Friction", "Orthotropy angle", "a number >= -360 and <= 360", ["nan", "360.1", "-1e300"]),
     ("Mesh", "Model", "auto | full | half | quarter | axisymmetric", ["eighth"]),
     ("Mesh", "Layers", "a whole number from 1 to 200", ["-1", "0", "2.5", "two", "99999999999"]),
     ("Mesh", "Degree", "a whole number from 1 to 4", ["9", "0"]),

@@ -60,7 +60,11 @@ class Grid:
         self.radius = np.hypot(self.points[:, 0], self.points[:, 1]).max()
         # Across the contact surface, or across the section of an axisymmetric body; None in a solid.
         self.flat_axis = next((axis for axis in (2, 1) if not self.points[:, axis].any()), None)
-        self.cells = vtk_to_numpy(self.data.GetCells().GetConnectivityArray()).reshape(self.data.GetNumberOfCells(), -1)
+        starts = vtk_to_numpy(self.data.GetCells().GetOffsetsArray())
+        sizes = np.diff(starts)[:, None]
+        # A triangle among quadrilaterals is one whose last point is its first.
+        places = starts[:-1, None] + np.arange(sizes.max()) % sizes
+        self.cells = vtk_to_numpy(self.data.GetCells().GetConnectivityArray())[places]
 
     def __getitem__(self, name):
         field = self.data.GetPointData().GetArray(name)
@@ -172,7 +176,7 @@ def show_field(source, view, name, unit, preset, upper, **properties):
 
 
 def surface_of(source, grid):
-    """Triangles that follow the curved cells and the fields in them, fewer in each where there are many cells."""
+    """Triangles. Those in the Lagrange cells of a section follow the fields, fewer in each where cells are many."""
     level = 1 if len(grid.cells) > 3000 else 2 if len(grid.cells) > 200 else 3
     return simple.ExtractSurface(Input=source, NonlinearSubdivisionLevel=level)
 
@@ -202,10 +206,7 @@ def draw_pressure(run, view, surface, _radius):
 
 def draw_friction(_run, view, surface, radius):
     """Zones that slip or are open have colours of their own, the ends of the legend."""
-    # Between nodes that stick and nodes that slip, interpolation goes beyond -1 and 0.
-    within = simple.Calculator(Input=surface, ResultArrayName="criterion",
-                               Function="max(-1, min(0, friction_criterion))")
-    colours, legend = show_field(within, view, "criterion", "", "Viridis (matplotlib)", 1, **UNLIT)
+    colours, legend = show_field(surface, view, "friction_criterion", "", "Viridis (matplotlib)", 1, **UNLIT)
     colours.RGBPoints = [-1.08, *OPEN, -1.002, *OPEN, *STICKING, 0.002, *SLIPPING, 0.08, *SLIPPING]
     colours.ColorSpace, colours.NumberOfTableValues = "Lab", 1024
     colours.Annotations = ["-1.04", "open", "0.04", "slip"]

@@ -16,18 +16,17 @@ LINES = ("#0072b2", "#d55e00", "#009e73", "#555555")
 
 
 class Surface:
-    """The contact surface at one step: every node once, and quadrilaterals between them."""
+    """The contact surface at one step: nodes, and quadrilaterals between them."""
 
     def __init__(self, run, step):
         contact = run.contact(step)
-        places = np.round(contact.points[:, :2], 6) + 0.0  # no negative zeros
-        self.points, self._first, node = np.unique(places, axis=0, return_index=True, return_inverse=True)
+        self.points = contact.points[:, :2]
         self._data = contact.data
-        self.quadrilaterals = node.ravel()[contact.quadrilaterals()]
-        self.corners = node.ravel()[contact.cells[:, :4]]
+        self.quadrilaterals = contact.quadrilaterals()
+        self.corners = contact.cells[:, :4]
 
     def __getitem__(self, name):
-        return self._data[name][self._first]
+        return self._data[name]
 
     @property
     def nodal_force(self):

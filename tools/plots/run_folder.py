@@ -27,20 +27,26 @@ def read_csv(path):
 
 
 class ContactFile:
-    """Fields of a contact-NNNN.vtu file at its points; the cells do not share points."""
+    """Fields of a contact-NNNN.vtu file at its points, which are the contact nodes of the whole body; in older run
+    folders each element has points of its own."""
 
     def __init__(self, path):
         mesh = meshio.read(path)
         self.points = mesh.points
         self.data = mesh.point_data
-        self.cells = mesh.cells[0].data  # corners first, then VTK's order of Lagrange cells
+        if "degree" in mesh.field_data:
+            self.degree = int(mesh.field_data["degree"][0])
+            # A triangle (at the axis of an axisymmetric model) is a quadrilateral whose last point is its first.
+            self._quadrilaterals = np.concatenate([block.data[:, [0, 1, 2, 3 % block.data.shape[1]]]
+                                                   for block in mesh.cells])
+            self.cells = self._elements()  # corners first, then VTK's order of Lagrange cells
+        else:
+            self.cells = mesh.cells[0].data  # in that order already
+            self.degree = int(round(np.sqrt(self.cells.shape[1]))) - 1
+            self._quadrilaterals = self._cut()
 
     def __getitem__(self, name):
         return self.data[name]
-
-    @property
-    def degree(self):
-        return int(round(np.sqrt(self.cells.shape[1]))) - 1
 
     def lattice(self):
         """Place of the point (i, j) of a cell among its points."""
@@ -48,16 +54,33 @@ class ContactFile:
 
     def quadrilaterals(self):
         """The cells cut into quadrilaterals between all their points."""
+        return self._quadrilaterals
+
+    def triangles(self):
+        """The cells cut into triangles between all their points."""
+        quads = self.quadrilaterals()
+        return np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
+
+    def _cut(self):
+        """The quadrilaterals of Lagrange cells."""
         n = self.degree + 1
         grid = self.lattice()
         quads = [(grid[i, j], grid[i + 1, j], grid[i + 1, j + 1], grid[i, j + 1])
                  for i in range(n - 1) for j in range(n - 1)]
         return np.concatenate([self.cells[:, quad] for quad in quads])
 
-    def triangles(self):
-        """The cells cut into triangles between all their points."""
-        quads = self.quadrilaterals()
-        return np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
+    def _elements(self):
+        """The points of each element, whose quadrilaterals follow each other in the file, the first index fastest."""
+        n = self.degree
+        pieces = self._quadrilaterals.reshape(-1, n, n, 4).swapaxes(1, 2)
+        points = np.empty((len(pieces), n + 1, n + 1), dtype=int)
+        points[:, :n, :n] = pieces[:, :, :, 0]
+        points[:, n, :n] = pieces[:, -1, :, 1]
+        points[:, n, n] = pieces[:, -1, -1, 2]
+        points[:, :n, n] = pieces[:, :, -1, 3]
+        cells = np.empty((len(pieces), (n + 1)**2), dtype=int)
+        cells[:, self.lattice()] = points
+        return cells
 
 
 def _lattice(degree):
@@ -94,6 +117,11 @@ class RunFolder:
     def checks(self):
         """Independent checks of every step; {} for a run that wrote none."""
         file = self.path / "checks.csv"
+        return read_csv(file) if file.exists() else {}
+
+    def cycles(self):
+        """One row a cycle, or one for several that were jumped; {} before the first cycle has ended."""
+        file = self.path / "cycles.csv"
         return read_csv(file) if file.exists() else {}
 
     def summary(self):

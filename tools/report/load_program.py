@@ -3,16 +3,22 @@
 """The load program as the parameter file states it, and which steps stand for a long run."""
 import bisect
 import dataclasses
+import itertools
 
 import numpy as np
 
 
 @dataclasses.dataclass
 class Block:
-    """The preload, or a cycle: steps first..last."""
-    name: str
+    """The preload (cycle 0), or a cycle: steps first..last, and the last step of each of its legs."""
+    cycle: int
     first: int
     last: int
+    ends: list
+
+    @property
+    def name(self):
+        return f"cycle {self.cycle}" if self.cycle else "preload"
 
     def part_of(self, steps):
         """Those of the ascending steps that belong to it."""
@@ -28,22 +34,32 @@ def parse_legs(text):
     return legs
 
 
+def block_of(cycle, before, legs):
+    """The block of these legs, which begins after the step `before`."""
+    ends = [before + n for n in itertools.accumulate(n for _, n in legs)]
+    return Block(cycle, before + 1, ends[-1], ends)
+
+
 class LoadProgram:
     def __init__(self, entries):
         self.preload = parse_legs(entries.get("Preload", ""))
         self.legs = parse_legs(entries.get("Legs", ""))
         self.cycles = int(entries.get("Cycles", 1))
+        self.preload_steps = sum(n for _, n in self.preload)
+        self.cycle_steps = sum(n for _, n in self.legs)
 
     @property
     def n_steps(self):
-        return sum(n for _, n in self.preload) + self.cycles * sum(n for _, n in self.legs)
+        return self.preload_steps + self.cycles * self.cycle_steps
 
-    def blocks(self):
-        first = 1 + sum(n for _, n in self.preload)
-        blocks = [Block("preload", 1, first - 1)] if first > 1 else []
-        length = sum(n for _, n in self.legs)
-        for cycle in range(self.cycles if length else 0):
-            blocks.append(Block(f"cycle {cycle + 1}", first + cycle * length, first + (cycle + 1) * length - 1))
+    def blocks(self, steps):
+        """Those that have any of the ascending steps; most cycles of a run that jumps have none."""
+        steps = np.asarray(steps, dtype=int)
+        blocks = [block_of(0, 0, self.preload)] if np.any(steps <= self.preload_steps) else []
+        if self.cycle_steps:
+            cycles = np.unique((steps[steps > self.preload_steps] - self.preload_steps - 1) // self.cycle_steps)
+            blocks += [block_of(cycle + 1, self.preload_steps + cycle * self.cycle_steps, self.legs)
+                       for cycle in cycles.tolist()]
         return blocks
 
     def extremes(self):
@@ -53,15 +69,38 @@ class LoadProgram:
 
 
 def choose_steps(steps, limit, blocks):
-    """At most `limit` of the steps: whole cycles, evenly chosen, so that loops stay loops; evenly spaced steps where
-    not even two cycles fit."""
+    """At most `limit` of the steps: whole cycles, evenly chosen, so that loops stay loops; where not even two cycles
+    fit, steps of the whole run."""
     if len(steps) <= limit:
         return steps
     groups = [part for part in (block.part_of(steps) for block in blocks) if part]
     fitting = limit // max(map(len, groups)) if groups else 0
     if fitting < 2 or len(groups) < 2:
-        return [steps[k] for k in evenly(len(steps), limit)]
+        return spread_steps(steps, limit, blocks)
     return [step for k in evenly(len(groups), fitting) for step in groups[k]]
+
+
+def spread_steps(steps, limit, blocks):
+    """At most `limit` of the steps, over the whole run: the first and the last, ends of legs, where loads turn, and
+    evenly spaced ones between them."""
+    if len(steps) <= limit:
+        return steps
+    room = limit - 2
+    groups = [sorted({nearest(steps, end) for end in block.ends if end <= steps[-1]}) for block in blocks]
+    groups = [group for group in groups if group]
+    turns = [step for group in groups for step in group]
+    if len(turns) > room:
+        fitting = room // max(map(len, groups))
+        # All ends of few cycles: every n-th end of all of them might always be the same side of the loop.
+        turns = ([step for k in evenly(len(groups), fitting) for step in groups[k]] if fitting > 1
+                 else [turns[k] for k in evenly(len(turns), room)])
+    chosen = {steps[0], steps[-1], *turns}
+    return sorted(chosen | {steps[k] for k in evenly(len(steps), limit - len(chosen))})
+
+
+def nearest(steps, wanted):
+    at = bisect.bisect_left(steps, wanted)
+    return min(steps[max(0, at - 1):at + 1], key=lambda step: abs(step - wanted))
 
 
 def evenly(n, limit):

@@ -6,9 +6,11 @@ import contextlib
 import io
 
 import numpy as np
-from load_program import choose_steps
+from lines import QUANTITIES, Line, fields_of
+from load_program import choose_steps, spread_steps
 
 MOST_FRAMES = 60
+MOST_SMALL_MAPS = 15
 MOST_VALUES = 375_000  # nodes times frames: six bytes each keep the page below some 3 MB
 FIELDS = ("slip_magnitude", "pressure", "friction_criterion", "accumulated_slip", "dissipated_energy")
 
@@ -34,7 +36,7 @@ class Maps:
         return self.data.read(f"contact-{step:04d}.vtu", contact)
 
     def distinct(self, points):
-        """One point of each node (the cells do not share points), and the node of each point."""
+        """One point of each node (cells may have points of their own), and the node of each point."""
         places = np.round(points / (1e-6 * self.data.radius)).astype(np.int64)
         _, one, node = np.unique(places, axis=0, return_index=True, return_inverse=True)
         return one, node.reshape(-1)
@@ -50,8 +52,12 @@ class Maps:
         return chosen
 
     def frame(self, step):
-        file = self.file(step)
-        frame = {"step": step, "status": packed(file["status"][self.nodes].astype(np.uint8))}
+        return self.data.read(f"contact-{step:04d}.vtu", lambda: self.fields(step, self.file(step)))
+
+    def fields(self, step, file):
+        fields = fields_of(file, self.nodes)
+        frame = {"step": step, "lines": [line.values(fields) for line in self.lines],
+                 "status": packed(file["status"][self.nodes].astype(np.uint8))}
         for name in FIELDS:
             values = file[name][self.nodes].astype(float)
             low, high = float(values.min()), float(values.max())
@@ -63,7 +69,11 @@ class Maps:
         if not steps:
             return None
         index = np.uint16 if len(self.nodes) < 2**16 else np.uint32
-        return {"x": packed(self.mesh.points[self.nodes, 0].astype(np.float32)),
-                "y": packed(self.mesh.points[self.nodes, 1].astype(np.float32)),
-                "quads": packed(self.node_of_point[self.mesh.quadrilaterals()].astype(index)),
-                "index_bytes": index().nbytes, "frames": [self.frame(step) for step in steps]}
+        places = self.mesh.points[self.nodes, :2]
+        quads = self.node_of_point[self.mesh.quadrilaterals()]
+        self.lines = [Line(places, quads, axis) for axis in (0, 1)]
+        return {"x": packed(places[:, 0].astype(np.float32)), "y": packed(places[:, 1].astype(np.float32)),
+                "quads": packed(quads.astype(index)), "index_bytes": index().nbytes,
+                "small": spread_steps(steps, MOST_SMALL_MAPS, self.data.blocks),
+                "line_places": [line.payload for line in self.lines], "line_quantities": QUANTITIES,
+                "frames": [self.frame(step) for step in steps]}

@@ -8,6 +8,11 @@ import svg
 
 WIDTH, HEIGHT = 360, 330
 MOST_DRAWN_CELLS = 5000
+MOST_LETTERS = 24
+
+
+def shortened(name):
+    return name if len(name) <= MOST_LETTERS else name[:MOST_LETTERS - 1] + "\u2026"
 
 
 def turned(points, degrees):
@@ -93,7 +98,9 @@ def surface(data):
     for name, place in data.probe_places.items():
         x, y = frame(*place)
         out += svg.element("circle", cx=x, cy=y, r=4, css="probe")
-        out += svg.text((x + 7, y - 6), name, "label halo", "start")
+        # On the side of the centre there is room for it.
+        side, anchor = (-7, "end") if x > WIDTH / 2 else (7, "start")
+        out += svg.text((x + side, y - 6), shortened(name), "label halo", anchor)
     out += svg.text((WIDTH / 2, HEIGHT - 4), f"{note}; radius {data.radius:g} mm", "small")
     return svg.picture(WIDTH, HEIGHT, out, "Contact surface from above, with mesh, axes and probes")
 
@@ -118,7 +125,7 @@ def ellipses(data):
     factor = 1 if same_scale else largest_mu / largest_p
     p = (data.p[0] * factor, data.p[1] * factor)
     reach = max(largest_mu, max(p))
-    frame = Frame(108 / reach, (WIDTH / 2, HEIGHT / 2 - 18))
+    frame = Frame(106 / reach, (WIDTH / 2, HEIGHT / 2 - 15))
     out = axis_lines(frame, 1.24 * reach, data.angle)
     out += svg.polyline(frame.all(turned(ellipse(*p), data.angle)), "slip-ellipse", closed=True)
     out += svg.polyline(frame.all(turned(ellipse(*data.mu), data.angle)), "friction-ellipse", closed=True)
@@ -184,7 +191,7 @@ def side_view(data):
     out += hatched((left - 40, base), (right + 40, base), "plate")
     out += load_arrows(data, left, right, top - 8)
     out += svg.text((middle, base - high / 2 + 4), f"{mesh.get('Layers', '?')} layers", "label halo")
-    out += svg.text((right + 8, top + high / 2 + 4), f"H = {data.height:g} mm", "label", "start")
+    out += svg.text((right + 8, top + high / 2 + 4), f"H = {data.height:.5g} mm", "label", "start")
     out += svg.text((middle, base + 24), f"2R = {2 * data.radius:g} mm; rigid plane, \u03bc = ({data.mu[0]:g}, "
                     f"{data.mu[1]:g})", "label")
     top_face = "guided: free sideways" if guided else "clamped: a rigid plate"

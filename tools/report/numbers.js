@@ -38,6 +38,13 @@ function linearTicks(low, high, n) {
   return ticks;
 }
 
+/** As many digits as it takes to tell neighbours apart, four at least. */
+function tickDigits(ticks) {
+  if (ticks.length < 2) return 4;
+  const most = Math.max(...ticks.map(Math.abs)), step = ticks[1] - ticks[0];
+  return Math.max(4, Math.min(8, Math.ceil(Math.log10(most / step) + 1e-9) + 1));
+}
+
 /** Powers of ten between low and high, at most about six. */
 function decadeTicks(low, high) {
   const first = Math.ceil(Math.log10(low) - 1e-9), last = Math.floor(Math.log10(high) + 1e-9);

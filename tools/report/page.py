@@ -8,9 +8,13 @@ import re
 
 import model_picture
 import numpy as np
+from payload import payload_of, run_names
+from units import unit_of
 
 HERE = pathlib.Path(__file__).resolve().parent
-SCRIPTS = ("numbers.js", "charts.js", "maps.js", "player.js", "report.js")
+SCRIPTS = ("numbers.js", "elements.js", "scales.js", "charts.js", "reading.js", "save.js", "maps.js", "lines.js",
+           "player.js", "map_picture.js",
+           "specs.js", "loops.js", "cycles.js", "report.js")
 MOST_LEDGER_ROWS = 12
 
 
@@ -72,7 +76,9 @@ def tiles(data):
 def facts(data):
     """Model, mesh, solver and versions; what only the summary knows is missing without it."""
     summary, given = data.summary, data.parameters
-    rows = [("model", given["Mesh"].get("Model")), ("load steps", f"{data.n_solved} of {data.n_planned}"),
+    jumped = summary.get("cycles", {}).get("jumped_steps", 0)
+    steps = f"{data.n_solved} of {data.n_planned}" + (f", {jumped} jumped" if jumped else "")
+    rows = [("model", given["Mesh"].get("Model")), ("load steps", steps),
             ("contact solver", given["Contact solver"].get("Method"))]
     if summary:
         model, solver = summary["model"], summary["contact_solver"]
@@ -121,10 +127,18 @@ def model(data):
     return element("div", figures, "figures") + element("p", escape(words), "hint")
 
 
+def entry_table(section, entries):
+    rows = ""
+    for entry, value in entries.items():
+        unit = unit_of(section, entry, value)
+        cell = escape(value) + (" " + element("span", escape(unit), "unit") if unit else "")
+        rows += element("tr", element("th", escape(entry), more=' scope="row"') + element("td", cell))
+    return element("table", element("tbody", rows), "entries")
+
+
 def parameters(data):
-    groups = "".join(
-        element("div", element("h3", escape(section)) + table((), list(entries.items()), "entries"), "group")
-        for section, entries in data.parameters.items())
+    groups = "".join(element("div", element("h3", escape(section)) + entry_table(section, entries), "group")
+                     for section, entries in data.parameters.items())
     given = next((data.path / name for name in ("input.prm", "input.json") if (data.path / name).is_file()), None)
     details = ""
     if given:
@@ -145,7 +159,8 @@ def ledger(data):
         blocks = blocks[:half] + blocks[-half:]
     rows = []
     for block in blocks:
-        first, last = block.first - 1, min(block.last, data.n_solved)
+        end = min(block.last, int(data.steps[-1]))
+        first, last = np.searchsorted(data.steps, (block.first, block.last + 1))
         elastic = energy["elastic"]
         change = elastic[last - 1] - (elastic[first - 1] if first else 0)
         part = slice(first, last)
@@ -154,12 +169,14 @@ def ledger(data):
         dissipation = energy["step_dissipation"][part].sum()
         absolute = (energy["step_work"][part].sum(), change, dissipation, defect)
         relative = (abs(defect) / energy["scale"], abs(defect) / dissipation if dissipation > 0 else None)
-        rows.append((f"{block.name} (steps {block.first}\u2013{last})", *(f"{value:.5g}" for value in absolute),
+        rows.append((f"{block.name} (steps {block.first}\u2013{end})", *(f"{value:.5g}" for value in absolute),
                      *(fallback(value, "{:.3%}") for value in relative)))
     head = ("N mm", "work of the top", "change of elastic energy", "dissipation", "defect",
             "defect / largest energy", "defect / dissipation")
     source = ("recorded by the program" if len(data.checks.get("work", ())) == data.n_solved
               else "trapezoidal rule for force and motion of the top")
+    if np.any(np.diff(data.steps, prepend=0) > 1):
+        source += "; cycles that were jumped are not among the rows"
     hint = (f"Work: {source}. Defect = work \u2212 change of elastic energy \u2212 dissipation; it falls with smaller "
             "steps. Largest energy: stored or dissipated.")
     return table(head, rows, "ledger") + note + element("p", hint, "hint")
@@ -191,10 +208,23 @@ def safe_json(value):
     return text.replace("<", "\\u003c").replace(">", "\\u003e").replace("&", "\\u0026")
 
 
-def make(data):
+def run_list(runs):
+    """The names of the runs that lie over each other in the charts, with their colours; nothing of a single run."""
+    if len(runs) == 1:
+        return ""
+    items = "".join(element("li", element("span", "", "chip", f' style="background: var(--r{k + 1})"') + escape(name))
+                    for k, name in enumerate(run_names(runs)))
+    hint = ("The charts of histories, loops and cycles show these runs, one colour each. Everything else on this page "
+            "is of the first.")
+    return element("ul", items, "runs", ' id="runs"') + element("p", hint, "hint")
+
+
+def make(runs):
+    """The page of the first run, with the others over it in the charts."""
+    data = runs[0]
     name = data.path.resolve().name
-    payload = data.payload()  # first: it notes what the page leaves out
-    parts = {"title": escape(name), "status": status(data), "tiles": tiles(data), 
+    payload = payload_of(runs)  # first: it notes what the page leaves out
+    parts = {"title": escape(name), "status": status(data), "tiles": tiles(data), "runs": run_list(runs),
              "facts": data.read("summary.json", lambda: facts(data)),
              "warnings": warnings(data), "model": model(data), "parameters": parameters(data), "ledger": ledger(data),
              "phases": phases(data), "data": safe_json(payload), "style": (HERE / "report.css").read_text(),

@@ -3,12 +3,13 @@
 "use strict";
 // The map with its slider, field, colours and small pictures.
 
-const MAP_SIZE = 660, MAP_MARGIN = 34, THUMB_SIZE = 150, MOST_THUMBS = 15;
+const MAP_SIZE = 660, MAP_MARGIN = 34, THUMB_SIZE = 150, MOST_LETTERS = 28;
 
 class Player {
-  constructor({maps, history, probes, blocks, radius}) {
+  constructor({maps, runs: [{history, blocks}], probes, radius}) {
     this.history = history;
     this.blocks = blocks;
+    this.lines = new LineCharts(maps);
     this.mesh = new ContactMesh(maps, radius);
     this.frames = maps.frames.map(packed => new MapFrame(packed));
     this.raster = new Raster(this.mesh, MAP_SIZE, MAP_MARGIN);
@@ -17,6 +18,8 @@ class Player {
     this.timer = null;
     for (const [field, {name}] of Object.entries(FIELDS)) htmlElement(byId("field"), "option", {value: field}, name);
     this.drawOverlay(radius, probes);
+    this.addThumbs(maps.small);
+    addMapSaving(this);
     this.listen();
     this.show(this.startFrame());
     this.refresh();
@@ -39,39 +42,35 @@ class Player {
     svgElement(overlay, "circle", {class: "disc", cx: centre, cy: centre, r: reach});
     svgElement(overlay, "text", {x: MAP_SIZE - 16, y: centre + 6, "text-anchor": "middle"}, "x");
     svgElement(overlay, "text", {x: centre, y: 24, "text-anchor": "middle"}, "y");
-    for (const {name, place} of probes) {
-      if (!place) continue;
-      const x = centre + place[0] / radius * reach, y = centre - place[1] / radius * reach;
-      svgElement(overlay, "circle", {class: "probe", cx: x, cy: y, r: 6});
-      svgElement(overlay, "text", {class: "halo", x: x + 9, y: y - 9}, name);
-    }
+    for (const {name, place} of probes) if (place) this.drawProbe(overlay, name, place.map(u => u / radius * reach));
     const bar = 2 * 10 ** Math.floor(Math.log10(radius / 2)), length = bar / radius * reach;
     svgElement(overlay, "line", {class: "plate", x1: 14, x2: 14 + length, y1: MAP_SIZE - 12, y2: MAP_SIZE - 12});
     svgElement(overlay, "text", {x: 14, y: MAP_SIZE - 20}, `${numberText(bar)} mm`);
   }
 
-  // --- small maps of the cycle ---
+  /** The name stands on the side of the centre, where there is room for it. */
+  drawProbe(overlay, name, [right, up]) {
+    const x = MAP_SIZE / 2 + right, y = MAP_SIZE / 2 - up, side = right > 0 ? -1 : 1;
+    svgElement(overlay, "circle", {class: "probe", cx: x, cy: y, r: 6});
+    svgElement(overlay, "text", {class: "halo", x: x + 9 * side, y: y - 9, "text-anchor": right > 0 ? "end" : "start"},
+               shortened(name, MOST_LETTERS));
+  }
+
+  // --- small maps of the whole run ---
 
   blockOf({step}) {
     return this.blocks.find(([, first, last]) => first <= step && step <= last);
   }
 
-  /** Those of the cycle on show, at most fifteen. */
-  addThumbs(block) {
-    const mine = [...this.frames.keys()].filter(index => this.blockOf(this.frames[index]) === block);
-    const n = Math.min(MOST_THUMBS, mine.length);
-    const stride = (mine.length - 1) / Math.max(1, n - 1);
-    const chosen = Array.from({length: n}, (_, k) => mine[Math.round(k * stride)]);
-    this.block = block;
-    byId("thumbs").replaceChildren();
-    this.thumbs = chosen.map(index => {
+  /** The first and the last step, and ends of legs, where the load turns. */
+  addThumbs(steps) {
+    this.thumbs = steps.map(step => this.frames.findIndex(frame => frame.step === step)).map(index => {
       const button = htmlElement(byId("thumbs"), "button", {type: "button"});
       const canvas = htmlElement(button, "canvas", {width: THUMB_SIZE, height: THUMB_SIZE, "aria-hidden": "true"});
       button.append(`step ${this.frames[index].step}`);
       button.addEventListener("click", () => this.show(index));
       return {index, button, canvas};
     });
-    this.drawThumbs();
   }
 
   drawThumbs() {
@@ -121,11 +120,11 @@ class Player {
     byId("step").value = this.index;
     byId("step").setAttribute("aria-valuetext", `step ${frame.step}`);
     for (const chart of charts) chart.mark(frame.step);
-    if (!this.thumbs || this.blockOf(frame) !== this.block) this.addThumbs(this.blockOf(frame));
     for (const thumb of this.thumbs)
       thumb.button.setAttribute("aria-current", String(thumb.index === this.index));
     this.describe(frame);
     this.drawMap();
+    this.lines.show(this.index, frame.step);
   }
 
   /** A new field or scale: the small maps change, too. */
@@ -133,6 +132,10 @@ class Player {
     this.drawThumbs();
     byId("own-scale-label").hidden = this.field === "status" || Boolean(FIELDS[this.field].range);
     this.drawMap();
+  }
+
+  get frame() {
+    return this.frames[this.index];
   }
 
   range(index) {

@@ -3,7 +3,7 @@
 """Fields of contact files between their nodes, as the polynomials that they are, and norms of their differences.
 
 A cell of a solid model is the image of the unit square under the polynomial through its nodes, which stand at the
-Gauss-Lobatto points (VTK believes that they are equidistant). An axisymmetric model has polynomials of the radius
+Gauss-Lobatto points (the files have bilinear pieces between them). An axisymmetric model has polynomials of the radius
 through the nodes themselves, wherever they stand (those of the cell on the axis are other points)."""
 import numpy as np
 

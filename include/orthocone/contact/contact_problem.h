@@ -52,6 +52,9 @@ public:
   /// d = q + W r.
   NodeVector displacement(const NodeVector &force) const;
 
+  /// Forces moved to the nearest ones in the cone, where the law wants them.
+  NodeVector admissible(NodeVector force) const;
+
   /// Natural map r - project(r - rho G(d)) of all nodes; it vanishes at the solution.
   NodeVector natural_map(const NodeVector &force, const NodeVector &displacement) const;
 

@@ -11,7 +11,8 @@
 
 namespace orthocone
 {
-/// Semi-axes of the friction ellipse (mu) and of the slip ellipse (p).
+/// Semi-axes of the friction ellipse (mu) and of the slip ellipse (p). With mu_x = mu_y = 0 there is no
+/// friction: the cone is the half-line r_t = 0, r_n >= 0, every node in contact slips, and p means nothing.
 struct OrthotropicFriction
 {
   double mu_x;
@@ -20,8 +21,11 @@ struct OrthotropicFriction
   double p_y;
 };
 
+/// Whether there is none.
+bool is_frictionless(const OrthotropicFriction &law);
+
 /// Weights (p_x/mu_x)^2, (p_y/mu_y)^2 by which the slip rule leaves the normal of the cone; both 1 if
-/// associated. This is Q^2 of the paper.
+/// associated, 0 without friction. This is Q^2 of the paper.
 Eigen::Vector2d slip_weights(const OrthotropicFriction &law);
 
 /// The same law with p scaled so that the larger slip weight is 1. The law does not depend on the length of
@@ -38,7 +42,7 @@ double dual_norm(const OrthotropicFriction &law, double v_x, double v_y);
 enum class ConeZone
 {
   polar,   ///< projects on the apex: the node is open
-  inside,  ///< projects on itself: the node sticks
+  inside,  ///< projects on itself: the node sticks (never without friction)
   outside, ///< projects on the surface: the node slips
 };
 
@@ -57,7 +61,7 @@ struct Projection
   Eigen::Vector3d ray = Eigen::Vector3d::Zero();
   Eigen::Vector3d side = Eigen::Vector3d::Zero();
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  double stiffness = 0; ///< in (0, 1]
+  double stiffness = 0; ///< in (0, 1]; 0 without friction
 
   Eigen::Matrix3d derivative() const;
 };

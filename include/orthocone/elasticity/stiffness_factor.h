@@ -7,10 +7,17 @@
 #include <Eigen/Dense>
 
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 namespace orthocone
 {
+/// The matrix or its factor has more entries than CHOLMOD's 32-bit indices can count, whatever the memory.
+struct TooLargeError : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
 /// What a factorization costs, found without computing it.
 struct FactorizationCost
 {
@@ -19,7 +26,7 @@ struct FactorizationCost
 };
 
 /// Cost of the factorization that StiffnessFactor does of a matrix with these entries on and below the
-/// diagonal.
+/// diagonal. Throws TooLargeError.
 FactorizationCost factorization_cost(const dealii::SparsityPattern &pattern, unsigned int n_interior);
 
 /// Sparse Cholesky factorization (CHOLMOD, supernodal) of a symmetric positive definite matrix whose last
@@ -29,7 +36,8 @@ class StiffnessFactor
 {
 public:
   /// `matrix` holds the entries on and below the diagonal; unknowns from `n_interior` on come last. Throws
-  /// std::runtime_error if the matrix is not positive definite or memory runs out.
+  /// std::runtime_error if the matrix is not positive definite, std::bad_alloc if memory runs out,
+  /// TooLargeError.
   StiffnessFactor(const dealii::SparseMatrix<double> &matrix, unsigned int n_interior);
   ~StiffnessFactor();
   StiffnessFactor(const StiffnessFactor &) = delete;

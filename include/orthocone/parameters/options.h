@@ -6,6 +6,8 @@
 #pragma once
 
 #include <array>
+#include <cmath>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -96,9 +98,23 @@ struct MaterialOptions
 /// turned by `angle` degrees from x to y.
 struct FrictionOptions
 {
-  std::array<double, 2> mu{{0.3, 0.15}};
-  std::array<double, 2> p{{0.3, 0.15}};
+  std::array<double, 2> mu{{0.3, 0.15}};                 ///< both 0: no friction
+  std::optional<std::array<double, 2>> slip_potential{}; ///< p; without it p = mu, associated friction
   double angle = 0;
+
+  bool is_frictionless() const { return mu[0] == 0; }
+
+  /// Semi-axes of the slip ellipse; (1, 1), which means nothing, without friction.
+  std::array<double, 2> p() const
+  {
+    return is_frictionless() ? std::array<double, 2>{{1, 1}} : slip_potential.value_or(mu);
+  }
+  bool is_associated() const
+  {
+    constexpr double rounding = 1e-12;
+    return is_frictionless() || std::abs(p()[0] * mu[1] / (p()[1] * mu[0]) - 1) <= rounding;
+  }
+  bool is_collinear() const { return p()[0] == p()[1]; }
 };
 
 /// One leg of the load program: the top moves on a straight line to `target` (ux, uy, uz in mm) in equal

@@ -11,9 +11,19 @@
 
 namespace orthocone
 {
+/// A parameter file as it was read.
+struct ParameterFile
+{
+  Parameters parameters;
+  std::string text; ///< as written, with the included files in their place: it can be read from any folder
+};
+
 /// Reads a .prm or .json file and then the overrides "Section/Entry=value" in their order. A line `include
 /// FILE` of a .prm file reads FILE, relative to the folder of the including file, in its place. Throws
-/// InputError (one sentence: file and line, entry, value given, what is allowed) or FileError.
+/// InputError (one sentence: file and line, entry, value given, what is allowed) or FileError. The file is
+/// read once, so it may be a pipe.
+ParameterFile read_parameter_file(const std::string &file_name,
+                                  const std::vector<std::string> &overrides = {});
 Parameters read_parameters(const std::string &file_name, const std::vector<std::string> &overrides = {});
 
 /// Whether a parameter file is one of JSON, by the ending of its name.

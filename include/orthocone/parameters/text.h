@@ -101,6 +101,11 @@ std::string all_words()
 /// Shortest text that reads back as the same number.
 std::string to_text(double value);
 
+/// A value, name or path as messages show it: not too long, and with escapes for what a terminal would not
+/// print. Of a long path the end is shown.
+std::string shown(const std::string &text);
+std::string shown_path(const std::string &path);
+
 /// Text without white space at both ends.
 std::string trimmed(const std::string &text);
 

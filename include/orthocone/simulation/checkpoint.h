@@ -4,6 +4,7 @@
 
 #include <orthocone/simulation/contact_state.h>
 #include <orthocone/simulation/cycles.h>
+#include <orthocone/simulation/field_list.h>
 #include <orthocone/simulation/run_folder.h>
 #include <orthocone/simulation/step_solver.h>
 #include <orthocone/simulation/summary.h>
@@ -19,7 +20,8 @@ struct Checkpoint
   std::vector<std::pair<std::string, std::string>> parameters; ///< entry_values() as given
   std::vector<std::pair<std::string, std::string>> mesh;       ///< entry_values() of the mesh that was chosen
   std::string program;                                         ///< version and revision that wrote it
-  std::map<std::string, std::uintmax_t> table_sizes;           ///< of the CSV files, bytes
+  TableMarks tables;                                           ///< the CSV files
+  FieldSteps fields;                                           ///< that have a field file
   ContactState state{0};
   StartMemory starts;
   CycleMemory cycles;
@@ -48,8 +50,8 @@ void require_nothing_to_lose(const RunFolder &folder, const Parameters &paramete
 
 /// The checkpoint from which a run with these parameters goes on; nothing if it has to start from the
 /// beginning because the earlier run had not come to its first. Throws InputError (told with `file`, the
-/// parameter file) if the earlier run had other parameters, FileError for a checkpoint that cannot be used.
-/// Only reads.
+/// parameter file) if the earlier run had parameters with which its steps would have been others, FileError
+/// for a checkpoint that cannot be used. Only reads.
 std::optional<Checkpoint> find_checkpoint(const RunFolder &folder, const Parameters &parameters,
                                           const std::string &file);
 } // namespace orthocone

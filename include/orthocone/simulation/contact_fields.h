@@ -18,7 +18,7 @@ struct ContactFields
   double gap = 0;                                              ///< mm, > 0 open
   double pressure = 0;                                         ///< MPa
   Eigen::Vector3d friction_traction = Eigen::Vector3d::Zero(); ///< MPa, of the plane on the body
-  double friction_criterion = -1;                              ///< ||r_t||_m / r_n - 1; -1 without pressure
+  double friction_criterion = -1; ///< ||r_t||_m / r_n - 1; -1 without pressure, 0 without friction
   NodeStatus status = NodeStatus::open;
   Eigen::Vector3d nodal_force = Eigen::Vector3d::Zero(); ///< N, of one node of the whole surface
   double dissipated_energy = 0;                          ///< N/mm, accumulated, per area
@@ -45,6 +45,7 @@ private:
   ModelSymmetry symmetry_;
   SurfaceAxes axes_;
   OrthotropicFriction law_;
+  Eigen::VectorXd shares_; ///< ModelSymmetry::force_shares()
   StickArea stick_area_;
 };
 } // namespace orthocone

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <orthocone/contact/contact_problem.h>
+#include <orthocone/simulation/model_symmetry.h>
 
 namespace orthocone
 {
@@ -32,9 +33,16 @@ double slip_since_stick(const ContactState &state, Eigen::Index node);
 double dissipation(const Eigen::Vector2d &before, const Eigen::Vector2d &after,
                    const Eigen::Vector2d &change);
 
+/// Compliance (mm/N) of each node of the model by which a gap at the end of a step tells when the node has
+/// lifted off: (1 - nu^2) / (0.7 E h), that of a half-space under a square of side h, divided by the share of
+/// the force that the model's node carries. h^2 is the area of a node of the whole body, h the width of a
+/// ring: the same for every model.
+Eigen::VectorXd opening_compliance(const ContactSurface &surface, const ModelSymmetry &symmetry,
+                                   const MaterialOptions &material);
+
 /// Enters the solution of a step into the state: displacement, status, accumulated slip and dissipation,
 /// which is the work of the mean friction force, or of the final one where the slip reverses or the node
-/// lifts off.
-void advance(ContactState &state, const ContactProblem &problem, const NodeVector &force,
-             const std::array<double, 3> &top);
+/// lifts off. `opening`: opening_compliance().
+void advance(ContactState &state, const ContactProblem &problem, const Eigen::VectorXd &opening,
+             const NodeVector &force, const std::array<double, 3> &top);
 } // namespace orthocone

@@ -12,10 +12,11 @@
 namespace orthocone
 {
 /// Largest difference between the states at both ends of a cycle: of nodal forces relative to `largest_force`
-/// (N), of displacements of nodes and top relative to `length` (mm). The law knows no rate and the state is
-/// its whole memory: a cycle that ends as it began is repeated by all that follow.
-double change_of_state(const ContactState &start, const ContactState &end, double largest_force,
-                       double length);
+/// (N), of displacements of nodes and top relative to `length` (mm). Nodal forces are those of single nodes
+/// of the whole body, whatever part is modelled (`shares`: ModelSymmetry::force_shares()). The law knows no
+/// rate and the state is its whole memory: a cycle that ends as it began is repeated by all that follow.
+double change_of_state(const ContactState &start, const ContactState &end, const Eigen::VectorXd &shares,
+                       double largest_force, double length);
 
 /// What jumping over `n` cycles like the one from `start` to `state` does: accumulated slip and dissipation
 /// grow as in that cycle, the step number by `n_steps` a cycle. Nothing else changes.
@@ -75,7 +76,7 @@ struct CycleMemory
 class CycleWatch
 {
 public:
-  CycleWatch(const LoadOptions &load, Eigen::Index n_nodes);
+  CycleWatch(const LoadOptions &load, const Eigen::VectorXd &shares);
 
   /// To be called with every accepted step; `before` is the state before it. Returns the row of a cycle that
   /// this step completes.
@@ -99,8 +100,9 @@ private:
   void complete(const ContactState &end, const Totals &totals);
 
   const LoadOptions load_;
-  const unsigned int n_steps_; ///< of a cycle
-  const double length_;        ///< largest motion of the upper face, mm
+  const unsigned int n_steps_;   ///< of a cycle
+  const double length_;          ///< largest motion of the upper face, mm
+  const Eigen::VectorXd shares_; ///< ModelSymmetry::force_shares()
   CycleMemory memory_;
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <orthocone/simulation/body.h>
+#include <orthocone/simulation/memory.h>
 
 #include <string>
 
@@ -29,12 +30,23 @@ struct Estimate
 /// From a symbolic factorization and the speed of a small matrix product on this machine.
 Estimate estimate(const Parameters &parameters, const Body &body, const ModelSymmetry &symmetry);
 
-/// Memory of this machine.
-double machine_gigabytes();
+/// Estimate for a model of which nothing but its size is known: what its dense compliance alone takes.
+Estimate least_estimate(const ModelSize &size);
 
-/// The estimate in two lines, with the memory of this machine.
-std::string describe(const Estimate &estimate, unsigned int n_steps);
+/// Whether the model is likely to need more memory than there is. Meshes it and finds its order only where
+/// that depends on it.
+bool is_too_large(const Parameters &parameters, const ModelSymmetry &symmetry, double gigabytes);
 
-/// What can be said of a model that is too large to be meshed for an estimate: its dense compliance alone.
+/// The sentence on a model that needs `needed` GB, which are more than the limit; "" if they are not.
+std::string lack_of_memory(double needed, const MemoryLimit &limit);
+
+/// Throws InputError if the model is likely to need more memory than the limit. `parameters` have the
+/// resolved mesh.
+void require_memory(const Parameters &parameters, const ModelSymmetry &symmetry, const MemoryLimit &limit);
+
+/// The estimate in two lines, with the memory that there is. `is_least`: it is a bound from below.
+std::string describe(const Estimate &estimate, unsigned int n_steps, const MemoryLimit &limit, bool is_least);
+
+/// Cells, unknowns and contact nodes in lines.
 std::string describe(const ModelSize &size);
 } // namespace orthocone

@@ -13,6 +13,13 @@
 
 namespace orthocone
 {
+/// Numbers of the steps that have a field file, in their order.
+struct FieldSteps
+{
+  std::vector<unsigned int> contact;
+  std::vector<unsigned int> volume;
+};
+
 /// The field files of a run and the .pvd file that names them. The content of a file is made on a thread of
 /// its own, while the next step is solved, and written when the next one comes. The .pvd file can only be
 /// replaced as a whole, which would cost more and more from step to step: it is written when the last time
@@ -30,6 +37,9 @@ public:
 
   /// Begins to make the field file of a step. `make` returns its content, and must not write anything else.
   void add(unsigned int step, const std::function<std::string()> &make);
+
+  /// Steps whose files are written.
+  std::vector<unsigned int> steps() const;
 
   /// Whether `step` or a later one has been added.
   bool has(unsigned int step) const;

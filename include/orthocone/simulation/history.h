@@ -46,7 +46,8 @@ public:
   ProbeHistories(const RunFolder &folder, const std::vector<Probe> &probes,
                  const ContactFieldEvaluator &evaluator);
 
-  void start() const;
+  /// Starts the tables that are not there yet.
+  void start(const TableMarks &there) const;
   void write(const ContactState &state) const;
 
 private:

@@ -21,8 +21,10 @@ struct WholeSurface
     unsigned int image; ///< index in `images`
   };
 
-  std::vector<Eigen::Matrix2d> images;  ///< orthogonal maps of the plane, from the model to its images
-  std::vector<std::vector<Node>> faces; ///< (degree + 1)^2 nodes a face, lexicographic, anticlockwise
+  std::vector<Eigen::Matrix2d> images; ///< orthogonal maps of the plane, from the model to its images
+  std::vector<Node> nodes;             ///< no two at one place
+  std::vector<std::vector<unsigned int>>
+      faces; ///< (degree + 1)^2 `nodes` a face, lexicographic, anticlockwise
 };
 
 /// How the model makes the whole body: by copies mirrored about planes of symmetry, or by revolution.
@@ -49,6 +51,10 @@ public:
 
   /// Number of nodes of the whole surface that a node of the model stands for.
   unsigned int n_images(const ContactSurface &surface, const ContactNode &node) const;
+
+  /// Forces of the model's nodes relative to those of single nodes of the whole surface: a node on a plane of
+  /// symmetry carries in the model only its part of the force, a ring those of all its images.
+  Eigen::VectorXd force_shares(const ContactSurface &surface) const;
 
   /// Number of contact nodes in the counts of users: nodes of the whole body, or rings.
   unsigned int n_counted(const ContactSurface &surface, const ContactNode &node) const

@@ -28,8 +28,8 @@ public:
                      Log &log, ChosenMesh chosen);
 
   /// Solves all steps and writes the run folder, from the start or from a checkpoint on. The files of solved
-  /// steps stay if one fails.
-  Outcome run(const std::optional<Checkpoint> &checkpoint);
+  /// steps stay if one fails. `on_resumed` is called once the files are what they were at the checkpoint.
+  Outcome run(const std::optional<Checkpoint> &checkpoint, const std::function<void()> &on_resumed = {});
 
 private:
   ChosenMesh with_model(ChosenMesh chosen, const ModelChoice &choice) const;
@@ -42,6 +42,7 @@ private:
   Outcome with_checkpoint(Outcome outcome);
   void save_checkpoint();
   void finish(const Outcome &outcome);
+  void finish_if_possible(const Outcome &outcome);
   Outcome failure(const LoadStep &step, const SolverReport &report) const;
   Outcome violation(const LoadStep &step, const std::string &which) const;
 
@@ -60,6 +61,7 @@ private:
   CycleWatch cycles_;
   RunOutput output_;
   Stopwatch since_checkpoint_;
+  double checkpoint_pause_;   ///< least seconds to the next one
   double seconds_before_ = 0; ///< wall time of the runs before the checkpoint
 };
 } // namespace orthocone

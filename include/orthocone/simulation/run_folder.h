@@ -2,14 +2,29 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
+#include <boost/crc.hpp>
+
 #include <cstdint>
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <set>
 #include <string>
 
 namespace orthocone
 {
+/// What a CSV file was at a moment, from its first byte on.
+struct TableMark
+{
+  std::uintmax_t size = 0;    ///< bytes
+  std::uint32_t checksum = 0; ///< CRC-32
+
+  bool operator==(const TableMark &other) const { return size == other.size && checksum == other.checksum; }
+};
+
+/// Marks of the CSV files by their names.
+using TableMarks = std::map<std::string, TableMark>;
+
 /// Folder that receives the files of one run. All writing throws FileError, naming file and cause, and leaves
 /// what was written before as it was.
 class RunFolder
@@ -22,9 +37,14 @@ public:
   RunFolder(const RunFolder &) = delete;
   RunFolder &operator=(const RunFolder &) = delete;
 
+  /// Throws FileError where files of a run's names lie in the folder that no run has made.
+  void require_own() const;
+
   /// Removes the files that an earlier run left; whatever else lies there stays. `parameters` becomes the
-  /// content of parameters.prm, which marks the folder as one of a run, and as one of this run.
-  void start_anew(const std::string &parameters) const;
+  /// content of parameters.prm, which tells the run from others. `parameter_file` is kept, too; returns that
+  /// of the earlier run, if it was another one.
+  std::optional<std::string> start_anew(const std::string &parameters,
+                                        const std::string &parameter_file) const;
 
   /// Removes the field files of steps after `step`.
   void remove_fields_after(unsigned int step) const;
@@ -35,33 +55,47 @@ public:
   /// The same, and the file is on the disk, as are all that were written before, when this returns.
   void write_durably(const std::string &name, const std::string &content) const;
 
-  /// Appends in one piece.
+  /// Appends in one piece. Throws FileError if the file is not what this run has left.
   void append(const std::string &name, const std::string &content) const;
 
   /// Content of a file. Throws FileError.
   std::string read(const std::string &name) const;
 
   bool has(const std::string &name) const;
+
+  /// Whether the file is there and its last bytes are these.
+  bool ends_with(const std::string &name, const std::string &end) const;
   void remove(const std::string &name) const;
 
-  /// Sizes of the CSV files, which grow from step to step.
-  std::map<std::string, std::uintmax_t> table_sizes() const;
+  /// Marks of the CSV files that this run has written or gone on with.
+  TableMarks tables() const;
 
-  /// Throws FileError if a CSV file is missing, shorter than this, or has no line that ends there.
-  void require_tables(const std::map<std::string, std::uintmax_t> &sizes) const;
+  /// Throws FileError if a CSV file is missing or does not begin with what it was.
+  void require_tables(const TableMarks &marks) const;
 
-  /// Cuts the CSV files back to these sizes, if all are long enough, and removes the others.
-  void cut_tables(const std::map<std::string, std::uintmax_t> &sizes) const;
+  /// Cuts the CSV files back to these marks, which they must fit, and removes the others.
+  void cut_tables(const TableMarks &marks) const;
 
+  /// The folder, or a file in it, as messages show it.
   std::string path(const std::string &name = "") const;
 
 private:
+  /// A file that grows.
+  struct Growing
+  {
+    std::uintmax_t size = 0;
+    boost::crc_32_type crc{};
+  };
+
   void lock();
+  bool is_of_a_run() const;
+  std::optional<std::string> marked_parameter_file() const;
   std::filesystem::path write_part(const std::string &name, const std::string &content, bool durably) const;
   void replace(const std::string &name, const std::string &content, bool durably) const;
 
   std::filesystem::path path_;
-  int lock_ = -1;                             ///< descriptor of the folder itself
-  mutable std::set<std::string> not_on_disk_; ///< files written since the last write_durably()
+  int lock_ = -1;                                  ///< descriptor of the folder itself
+  mutable std::set<std::string> not_on_disk_;      ///< files written since the last write_durably()
+  mutable std::map<std::string, Growing> growing_; ///< files that append() has written
 };
 } // namespace orthocone

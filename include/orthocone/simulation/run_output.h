@@ -21,10 +21,9 @@ public:
   /// Starts the tables.
   void start() const;
 
-  /// Brings the files back to what they were after `step`, when the tables had these sizes. `is_last`: the
-  /// run ended there. Throws FileError before it touches anything, if they cannot be.
-  void return_to(unsigned int step, bool is_last, const std::vector<StepRange> &jumped,
-                 const std::map<std::string, std::uintmax_t> &table_sizes);
+  /// Brings the files back to what they were after `step`, with these tables and fields; probes that are new
+  /// since then get tables that begin here. Throws FileError before it touches anything, if they cannot be.
+  void return_to(unsigned int step, const TableMarks &tables, const FieldSteps &fields);
 
   void write(const SolvedStep &step);
   void write(const CycleRow &row) const { cycles_.write(row); }
@@ -32,13 +31,14 @@ public:
   /// Writes what is still due after the last step of a run that ends before its program does.
   void end_with(const ContactState &state);
 
+  /// Steps whose field files are written; complete after flush().
+  FieldSteps fields() const { return {contact_.steps(), volume_.steps()}; }
+
   /// Writes the field files that are still being made, and brings the .pvd files up to date.
   void flush();
 
 private:
   bool is_due(unsigned int interval, unsigned int step) const;
-  std::vector<unsigned int> due_steps(unsigned int interval, unsigned int step,
-                                      const std::vector<StepRange> &jumped) const;
   void require_fields(const FieldList &list, const std::vector<unsigned int> &steps) const;
   void write_fields(const ContactState &state, const Eigen::VectorXd &volume);
 

@@ -17,6 +17,10 @@ struct StartMemory
   NodeVector change;                           ///< of the forces in the last step
   std::map<unsigned int, NodeVector> of_phase; ///< forces at each phase of the last cycle
   std::map<unsigned int, NodeVector> drift;    ///< their change from the cycle before that
+
+  /// Most that both maps may hold. A cycle of so many steps that they would hold more starts its later phases
+  /// from the step before.
+  static constexpr std::size_t most_bytes = 32000000;
 };
 
 /// Chooses the forces from which a step starts: those of the last step, their extrapolation along the leg
@@ -45,7 +49,9 @@ private:
 class StepSolver
 {
 public:
-  StepSolver(const CondensedBody &body, ContactProblem &problem, const ContactSolverOptions &options);
+  /// `opening`: opening_compliance().
+  StepSolver(const CondensedBody &body, ContactProblem &problem, Eigen::VectorXd opening,
+             const ContactSolverOptions &options);
 
   /// Advances `state` to the end of `step`. On failure (report.converged is false) `state` is as before.
   SolverReport solve(ContactState &state, const LoadStep &step) const;
@@ -64,6 +70,7 @@ private:
 
   const CondensedBody &body_;
   ContactProblem &problem_;
+  Eigen::VectorXd opening_;
   double tolerance_;
   std::unique_ptr<ContactSolver> solver_;
   StartForces starts_;

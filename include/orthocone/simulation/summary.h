@@ -64,7 +64,8 @@ struct CriticalFrictionRecord
 /// What adds up from step to step, also over interruptions, and what is known before the first step.
 struct RunRecord
 {
-  void add_step(unsigned int step, const Totals &totals, const SolverReport &report,
+  /// `before`: of the step before.
+  void add_step(unsigned int step, const Totals &before, const Totals &totals, const SolverReport &report,
                 const StepChecks &checks);
 
   unsigned int n_iterations = 0;
@@ -73,8 +74,11 @@ struct RunRecord
   double largest_energy = 0;            ///< StepChecks::energy, N mm
   Peaks peaks{};
   std::pair<double, unsigned int> energy_defect{0, 0}; ///< the largest, and its step
-  std::optional<AccuracyEstimate> accuracy{};          ///< where Mesh/Accuracy chose the mesh
-  CriticalFrictionRecord critical_friction{};          ///< of the model, not kept in checkpoints
+  double work = 0;                                     ///< of the upper face in all computed steps, N mm
+  double dissipation = 0;                              ///< in all computed steps, N mm
+  double missing = 0; ///< sum of |work - change of elastic energy - dissipation| of all computed steps, N mm
+  std::optional<AccuracyEstimate> accuracy{}; ///< where Mesh/Accuracy chose the mesh
+  CriticalFrictionRecord critical_friction{}; ///< of the model, not kept in checkpoints
   PhaseSeconds seconds{};
   double total_seconds = 0;
 };
@@ -96,8 +100,15 @@ struct Summary
 /// Text of summary.json.
 std::string summary_json(const Summary &summary);
 
+/// The same of a run that failed before its first step.
+std::string summary_json_before_steps(const std::string &status, const Parameters &parameters);
+
 /// What the model gives reason to warn of before the first step, besides parameter_warnings().
 std::vector<std::string> model_warnings(const RunRecord &record);
+
+/// What the load steps leave of the energy balance, in a line: an error of work and dissipation that more
+/// steps lower.
+std::string describe_energy(const RunRecord &record);
 
 /// "critical friction 7.21 times the given one, at (9.95, 0.98) mm".
 std::string describe(const CriticalFrictionRecord &critical);
@@ -107,6 +118,11 @@ std::vector<std::string> all_warnings(const Parameters &parameters, const RunRec
 
 /// Wall times of the phases in a line.
 std::string describe_seconds(const RunRecord &record);
+
+/// "model          quarter (why)" and the line of friction: "associated", "collinear", both or neither, and
+/// its angle.
+std::string describe_model(const ModelChoice &model);
+std::string describe_friction(const FrictionOptions &friction);
 
 /// The resolved model in a few lines: kind, cells, unknowns, contact nodes, steps.
 std::string describe_model(const Parameters &parameters, const ModelChoice &model,

@@ -10,14 +10,17 @@
 namespace orthocone
 {
 /// VTU text of the contact surface of the whole body: the modelled part and its images, so that pictures
-/// do not depend on the model. Lagrange cells for degree > 1.
+/// do not depend on the model. Each contact node of the whole body is one point; faces are cut at their nodes
+/// into bilinear quadrilaterals (triangles on the axis).
 std::string contact_vtu(const ContactFieldEvaluator &evaluator, const ContactState &state);
 
-/// VTU text of the modelled part of the body: displacement (mm), stress and von Mises stress (MPa).
+/// VTU text of the modelled part of the body: displacement (mm), stress and von Mises stress (MPa). Each
+/// element has points of its own, because stress jumps between elements, and trilinear hexahedra between
+/// them.
 std::string volume_vtu(const Discretization &discretization, const MaterialOptions &material,
                        const Eigen::VectorXd &displacement);
 
-/// VTU text of a section, in the plane y = 0.
+/// VTU text of a section, in the plane y = 0. One Lagrange cell an element.
 std::string volume_vtu(const SectionDiscretization &discretization, const MaterialOptions &material,
                        const Eigen::VectorXd &displacement);
 } // namespace orthocone

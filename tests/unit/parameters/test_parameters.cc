@@ -27,7 +27,7 @@ Parameters unusual_parameters()
   parameters.mesh = {ModelKind::quarter,     6,  5, 3, 3, 5, VolumetricQuadrature::reduced, 0.37, 0.4, 1.5,
                      MeshResolution::coarse, 2.5};
   parameters.material = {1. / 3, -0.25};
-  parameters.friction = {{{0.1, 1e-3}}, {{2, 3}}, -12.5};
+  parameters.friction = {{{0.1, 1e-3}}, std::array<double, 2>{{2, 3}}, -12.5};
   parameters.load = {{Leg{{{0, 0, -0.01}}, 2}}, {Leg{{{1e-3, -2, -0.1}}, 3}, Leg{{{0, 0, 0}}, 4}}, 7};
   parameters.contact_solver = {ContactMethod::gauss_seidel, 1e-7, 17, 1.2, 0.7};
   parameters.checks = {1e-7, 2, 3, 4.5, 6, 1e-9, 0.25};

@@ -25,9 +25,21 @@ bool warned(const std::function<void(Parameters &)> &change, const std::string &
 TEST(Warnings, AreGivenForWhatIsLegalButSuspicious)
 {
   EXPECT_TRUE(parameter_warnings(Parameters()).empty());
-  EXPECT_TRUE(warned([](Parameters &p) { p.friction.p = {{1, 20.1}}; }, "Friction/Slip potential"));
-  EXPECT_TRUE(warned([](Parameters &p) { p.friction.p = {{20.1, 1}}; }, "Friction/Slip potential"));
-  EXPECT_FALSE(warned([](Parameters &p) { p.friction.p = {{20, 1}}; }, "Friction"));
+  EXPECT_TRUE(warned(
+      [](Parameters &p) {
+        p.friction.slip_potential = std::array<double, 2>{{1, 20.1}};
+      },
+      "Friction/Slip potential"));
+  EXPECT_TRUE(warned(
+      [](Parameters &p) {
+        p.friction.slip_potential = std::array<double, 2>{{20.1, 1}};
+      },
+      "Friction/Slip potential"));
+  EXPECT_FALSE(warned(
+      [](Parameters &p) {
+        p.friction.slip_potential = std::array<double, 2>{{20, 1}};
+      },
+      "Friction"));
   EXPECT_TRUE(warned([](Parameters &p) { p.load.legs = {Leg{{{0, 0, -0.51}}, 1}}; }, "Load program"));
   // The body shears only as far as friction holds it.
   const auto sideways = [](const double mu, const double motion)

@@ -40,6 +40,8 @@ public:
         discretization(model.body().unknowns()),
         condensed(model.condensed()),
         evaluator(model.evaluator()),
+        shares(symmetry.force_shares(discretization.contact_surface())),
+        opening(opening_compliance(discretization.contact_surface(), symmetry, parameters.material)),
         problem(condensed.compliance(), laws()),
         state(model.initial_state())
   {
@@ -50,7 +52,7 @@ public:
 
   void march(const Watcher &on_step = {})
   {
-    StepSolver solver(condensed, problem, parameters.contact_solver);
+    StepSolver solver(condensed, problem, opening, parameters.contact_solver);
     for (const LoadStep &step : load_steps(parameters.load))
     {
       const ContactState before = state;
@@ -70,6 +72,8 @@ public:
   const BodyUnknowns &discretization;
   const CondensedBody &condensed;
   const ContactFieldEvaluator &evaluator;
+  const Eigen::VectorXd shares;
+  const Eigen::VectorXd opening;
   ContactProblem problem; ///< not the model's, so that several solvers can work on it
   ContactState state;
 
@@ -77,8 +81,8 @@ private:
   std::vector<OrthotropicFriction> laws() const
   {
     const FrictionOptions &friction = parameters.friction;
-    return std::vector<OrthotropicFriction>(condensed.compliance().n_nodes(),
-                                            {friction.mu[0], friction.mu[1], friction.p[0], friction.p[1]});
+    return std::vector<OrthotropicFriction>(
+        condensed.compliance().n_nodes(), {friction.mu[0], friction.mu[1], friction.p()[0], friction.p()[1]});
   }
 };
 

@@ -57,7 +57,7 @@ struct CellSizes
 std::array<double, 2> unloading_of_case_a(const MeshOptions &mesh)
 {
   Parameters parameters;
-  parameters.friction.mu = parameters.friction.p = {{0.2, 0.2}};
+  parameters.friction.mu = {{0.2, 0.2}};
   parameters.mesh = mesh;
   ContactModel model(parameters, choose_model(parameters));
   ContactState state = model.initial_state();

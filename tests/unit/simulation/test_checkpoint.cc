@@ -20,22 +20,24 @@ namespace fs = std::filesystem;
 Checkpoint checkpoint_after(const unsigned int number, const Parameters &parameters = small_scene())
 {
   Scene scene(parameters);
-  StepSolver solver(scene.condensed, scene.problem, parameters.contact_solver);
+  StepSolver solver(scene.condensed, scene.problem, scene.opening, parameters.contact_solver);
   Checkpoint checkpoint;
   for (const LoadStep &step : load_steps(parameters.load))
     if (step.number <= number)
     {
       const ContactState before = scene.state;
+      const Totals totals = scene.totals();
       const SolverReport report = solver.solve(scene.state, step);
       EXPECT_TRUE(report.converged);
       solver.accept(before, scene.state, step);
-      checkpoint.record.add_step(step.number, scene.totals(), report, {});
+      checkpoint.record.add_step(step.number, totals, scene.totals(), report, {});
     }
   checkpoint.parameters = entry_values(parameters);
   checkpoint.mesh = entry_values(parameters);
   checkpoint.record.accuracy = AccuracyEstimate{1, {{1, 2, 3, 4}}, {{0.1, 0.2, 0.3, 0.4}}};
   checkpoint.program = "1.2.3 (abc)";
-  checkpoint.table_sizes = {{"history.csv", 1234}, {"probe-P.csv", 5}};
+  checkpoint.tables = {{"history.csv", {1234, 0xfedcba98}}, {"probe-P.csv", {5, 7}}};
+  checkpoint.fields = {{1, 2, 3, 5, 10, 15, 16}, {}};
   checkpoint.state = scene.state;
   checkpoint.starts = solver.memory();
   checkpoint.cycles = CycleMemory(scene.state.n_nodes());
@@ -50,6 +52,7 @@ Checkpoint checkpoint_after(const unsigned int number, const Parameters &paramet
   checkpoint.cycles.periodic_since = 1;
   checkpoint.cycles.jumped = {{16, 30}, {46, 60}};
   checkpoint.record.energy_defect = {0.7, 2};
+  checkpoint.record.missing = 1. / 11;
   checkpoint.record.seconds.contact = 0.1;
   checkpoint.record.total_seconds = 2. / 3;
   return checkpoint;
@@ -99,7 +102,10 @@ TEST(Checkpoint, KeepsEverythingToTheLastBit)
   const Checkpoint after = decode(encode(before));
   EXPECT_EQ(after.parameters, before.parameters);
   EXPECT_EQ(after.program, before.program);
-  EXPECT_EQ(after.table_sizes, before.table_sizes);
+  EXPECT_EQ(after.tables, before.tables);
+  EXPECT_EQ(after.fields.contact, before.fields.contact);
+  EXPECT_EQ(after.fields.volume, before.fields.volume);
+  EXPECT_EQ(after.record.missing, before.record.missing);
   EXPECT_EQ(after.state.step, 7u);
   EXPECT_EQ(after.state.top, before.state.top);
   EXPECT_EQ(after.state.force, before.state.force);
@@ -157,9 +163,9 @@ TEST(Checkpoint, OfAnotherFormatIsRefused)
 {
   std::string bytes = encode(checkpoint_after(1));
   const std::size_t place = bytes.find(' ') + 1;
-  ASSERT_EQ(bytes[place], '3');
+  ASSERT_EQ(bytes[place], '4');
   bytes[place] = '7';
-  EXPECT_EQ(complaint(bytes), "has format version 7, and this program reads version 3");
+  EXPECT_EQ(complaint(bytes), "has format version 7, and this program reads version 4");
 }
 
 TEST(Checkpoint, IsFoundByTheSameParametersOnly)
@@ -170,7 +176,7 @@ TEST(Checkpoint, IsFoundByTheSameParametersOnly)
   EXPECT_FALSE(find_checkpoint(folder, parameters, "x.prm"));
   folder.append("history.csv", "one\n");
   Checkpoint checkpoint = checkpoint_after(3);
-  checkpoint.table_sizes = folder.table_sizes();
+  checkpoint.tables = folder.tables();
   write_checkpoint(folder, checkpoint);
   EXPECT_EQ(find_checkpoint(folder, parameters, "x.prm")->state.step, 3u);
 
@@ -225,16 +231,17 @@ TEST(RunFolder, TablesAreCutBackOrLeftAlone)
   const RunFolder folder(scratch.path);
   folder.append("history.csv", "one\n");
   folder.append("probe-P.csv", "one\n");
-  const auto sizes = folder.table_sizes();
+  const auto marks = folder.tables();
   folder.append("history.csv", "two\nthr");
   folder.append("timing.csv", "later\n");
-  auto too_large = sizes;
-  too_large["probe-P.csv"] = 100;
+  auto too_large = marks;
+  too_large["probe-P.csv"].size = 100;
   EXPECT_THROW(folder.require_tables(too_large), FileError);
   EXPECT_THROW(folder.cut_tables(too_large), FileError);
   EXPECT_EQ(folder.read("history.csv"), "one\ntwo\nthr");
-  folder.cut_tables(sizes);
+  folder.cut_tables(marks);
   EXPECT_EQ(folder.read("history.csv"), "one\n");
-  EXPECT_EQ(folder.table_sizes(), sizes);
+  EXPECT_EQ(folder.tables(), marks);
+  EXPECT_FALSE(folder.has("timing.csv"));
 }
 } // namespace orthocone::test

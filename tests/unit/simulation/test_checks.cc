@@ -55,7 +55,7 @@ TEST(StepChecks, PassWhatIsSolved)
     for (const unsigned int n_steps : {1, 5})
     {
       Parameters parameters = small_scene(2);
-      parameters.friction.p = p;
+      parameters.friction.slip_potential = p;
       parameters.load.legs = {Leg{{{0, 0, -0.1}}, n_steps}, Leg{{{0, 0, -0.01}}, n_steps},
                               Leg{{{0.01, 0, -0.05}}, n_steps}, Leg{{{0, 0, 0}}, n_steps}};
       CheckedScene scene(parameters);

@@ -22,7 +22,7 @@ TEST(History, FrictionNeverDrives)
     for (const auto &p : slip_ellipses)
     {
       Parameters parameters = small_scene(degree);
-      parameters.friction.p = p;
+      parameters.friction.slip_potential = p;
       parameters.load.legs.push_back(Leg{{{0, 0, -0.1}}, 1});
       parameters.load.legs.push_back(Leg{{{0.1, 0.05, -0.1}}, 2});
       parameters.load.legs.push_back(Leg{{{-0.1, 0, -0.02}}, 2});
@@ -51,7 +51,7 @@ namespace
 double energy_defect(const std::array<double, 2> &p, const unsigned int refinement)
 {
   Parameters parameters = small_scene(1);
-  parameters.friction.p = p;
+  parameters.friction.slip_potential = p;
   parameters.load.legs = {Leg{{{0, 0, -0.1}}, 2 * refinement}, Leg{{{0.004, 0.003, -0.08}}, 3 * refinement},
                           Leg{{{0, 0, -0.03}}, 4 * refinement}};
   Scene scene(parameters);
@@ -89,7 +89,7 @@ TEST(History, FullUnloadingErasesTheHistory)
   for (const auto &p : slip_ellipses)
   {
     Parameters parameters = small_scene(1);
-    parameters.friction.p = p;
+    parameters.friction.slip_potential = p;
     parameters.load.cycles = 2;
     Scene scene(parameters);
     std::vector<NodeVector> forces;
@@ -120,12 +120,12 @@ namespace
 SolverReport solve_last_step(Scene &scene, const unsigned int most_iterations)
 {
   const std::vector<LoadStep> steps = load_steps(scene.parameters.load);
-  StepSolver patient(scene.condensed, scene.problem, scene.parameters.contact_solver);
+  StepSolver patient(scene.condensed, scene.problem, scene.opening, scene.parameters.contact_solver);
   for (std::size_t i = 0; i + 1 < steps.size(); ++i)
     EXPECT_TRUE(patient.solve(scene.state, steps[i]).converged);
   ContactSolverOptions options = scene.parameters.contact_solver;
   options.maximum_iterations = most_iterations;
-  return StepSolver(scene.condensed, scene.problem, options).solve(scene.state, steps.back());
+  return StepSolver(scene.condensed, scene.problem, scene.opening, options).solve(scene.state, steps.back());
 }
 } // namespace
 
@@ -159,7 +159,7 @@ Parameters with_ends_of_last_leg(Parameters parameters, const std::vector<double
 TEST(History, AFailedStepIsHalvedWithItsSlipHistoryRolledBack)
 {
   Parameters parameters = small_scene(1);
-  parameters.friction.p = {{0.05, 0.2}};
+  parameters.friction.slip_potential = std::array<double, 2>{{0.05, 0.2}};
   parameters.contact_solver.method = ContactMethod::gauss_seidel;
   parameters.load.legs = {Leg{{{0, 0, -0.1}}, 1}, Leg{{{0, 0, -0.05}}, 1}, Leg{{{0.005, 0.01, -0.09}}, 1}};
   Scene failed(parameters);
@@ -221,7 +221,7 @@ double dissipated(const Vector3d &force_before, const Vector3d &force_after, con
   state.status = {NodeStatus::slip};
   problem.set_step(Vector3d(gap, 0.1, 0) - force_after,
                    Vector3d::Zero()); // so that the displacement is (gap, 0.1, 0)
-  advance(state, problem, force_after, {{0, 0, 0}});
+  advance(state, problem, Eigen::VectorXd::Ones(1), force_after, {{0, 0, 0}});
   return state.dissipated_energy[0];
 }
 } // namespace

@@ -16,7 +16,7 @@ constexpr double tolerance = 1e-8;
 Parameters loaded_in(const unsigned int n_steps, const std::array<double, 2> &p)
 {
   Parameters parameters = small_scene(1);
-  parameters.friction.p = p;
+  parameters.friction.slip_potential = p;
   parameters.load.legs = {Leg{{{0, 0, -0.1}}, n_steps}};
   return parameters;
 }
@@ -38,14 +38,14 @@ TEST(Physics, PressureIsUniformWithoutFriction)
     parameters.mesh.rim_grading = 0.6;
     parameters.mesh.layer_grading = 0.7;
     parameters.load.legs = {Leg{{{0, 0, -0.1}}, 1}};
-    parameters.friction.mu = parameters.friction.p = {{1e-9, 1e-9}};
+    parameters.friction.mu = {{1e-9, 1e-9}};
     parameters.geometry.top_face = TopFace::guided;
     Scene guided(parameters);
     guided.march();
     expect_uniform_pressure(guided);
     parameters.geometry.top_face = TopFace::clamped;
     parameters.material.poisson_ratio = 0; // nothing wants to slip
-    parameters.friction.mu = parameters.friction.p = {{0.3, 0.1}};
+    parameters.friction.mu = {{0.3, 0.1}};
     Scene clamped(parameters);
     clamped.march();
     expect_uniform_pressure(clamped);
@@ -57,7 +57,7 @@ TEST(Physics, PressureIsUniformWithoutFriction)
 TEST(Physics, StickingEverywhereIsClampedAtTheBase)
 {
   Parameters parameters = small_scene(2);
-  parameters.friction.mu = parameters.friction.p = {{50, 30}};
+  parameters.friction.mu = {{50, 30}};
   parameters.load.legs = {Leg{{{0.01, 0.02, -0.1}}, 2}};
   Scene scene(parameters);
   scene.march();
@@ -139,7 +139,7 @@ TEST(Physics, GrossSlidingHasTheResultantOfTheSlipRule)
   {
     Parameters parameters = small_scene(1);
     parameters.friction.mu = {{0.8, 0.4}};
-    parameters.friction.p = p;
+    parameters.friction.slip_potential = p;
     parameters.load.legs = {Leg{{{0, 0, -0.01}}, 1}, Leg{{{1, 1, -0.01}}, 20}};
     Scene scene(parameters);
     scene.march();

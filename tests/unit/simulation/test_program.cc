@@ -64,8 +64,9 @@ TEST(ModelChoice, TakesTheSmallestExactModel)
   parameters.friction.angle = 30;
   EXPECT_EQ(chosen(parameters), "full");
   parameters.friction.mu = {{0.2, 0.2}};
+  parameters.friction.slip_potential = std::array<double, 2>{{0.3, 0.15}};
   EXPECT_EQ(chosen(parameters), "full"); // the slip ellipse is still turned
-  parameters.friction.p = {{0.7, 0.7}};
+  parameters.friction.slip_potential = std::array<double, 2>{{0.7, 0.7}};
   parameters.mesh.core_cells = 3;
   EXPECT_EQ(chosen(parameters), "axisymmetric");
   parameters.mesh.core_cells = 4;
@@ -102,7 +103,7 @@ TEST(ModelChoice, RejectsWhatIsNotExactAndSaysWhatIs)
   EXPECT_EQ(chosen(parameters), "quarter");
   parameters.mesh.model = ModelKind::full;
   EXPECT_THROW(choose_model(parameters), InputError);
-  parameters.friction.mu = parameters.friction.p = {{0.2, 0.2}};
+  parameters.friction.mu = {{0.2, 0.2}};
   EXPECT_THROW(choose_model(parameters), InputError);
   parameters.mesh.model = ModelKind::automatic;
   EXPECT_EQ(chosen(parameters), "axisymmetric");
@@ -113,7 +114,7 @@ TEST(ModelChoice, RevolvesOnlyWhatIsTheSameAllAround)
   const auto complaint = [](const std::function<void(Parameters &)> &spoil)
   {
     Parameters parameters = scene();
-    parameters.friction.mu = parameters.friction.p = {{0.2, 0.2}};
+    parameters.friction.mu = {{0.2, 0.2}};
     parameters.mesh.model = ModelKind::axisymmetric;
     parameters.mesh.degree = 4;
     spoil(parameters);
@@ -132,7 +133,10 @@ TEST(ModelChoice, RevolvesOnlyWhatIsTheSameAllAround)
       "Mesh/Model = axisymmetric is not possible: Friction/Coefficients = 0.2, 0.21 differ, which makes "
       "friction orthotropic; possible models are full, half, quarter");
   EXPECT_EQ(
-      complaint([](Parameters &p) { p.friction.p[1] = 0.21; }),
+      complaint(
+          [](Parameters &p) {
+            p.friction.slip_potential = std::array<double, 2>{{0.2, 0.21}};
+          }),
       "Mesh/Model = axisymmetric is not possible: Friction/Slip potential = 0.2, 0.21 differ, which makes "
       "slip orthotropic; possible models are full, half, quarter");
   EXPECT_EQ(

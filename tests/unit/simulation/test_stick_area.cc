@@ -143,7 +143,7 @@ TEST(StickArea, DoesNotDependOnTheStepsOfAProportionalLoad)
 TEST(StickArea, IsNearlyThatOfAFinerMeshWhereASumOverNodesIsNot)
 {
   Parameters parameters;
-  parameters.friction.mu = parameters.friction.p = {{0.2, 0.2}};
+  parameters.friction.mu = {{0.2, 0.2}};
   parameters.load.legs = {Leg{{{0, 0, -0.1}}, 1}};
   parameters.mesh.layer_grading = 0.6;
   parameters.mesh.model = ModelKind::quarter;
@@ -166,7 +166,7 @@ TEST(StickArea, IsNearlyThatOfAFinerMeshWhereASumOverNodesIsNot)
 TEST(StickArea, OfASectionIsThatOfTheSolidBody)
 {
   Parameters parameters;
-  parameters.friction.mu = parameters.friction.p = {{0.2, 0.2}};
+  parameters.friction.mu = {{0.2, 0.2}};
   parameters.load.legs = {Leg{{{0, 0, -0.1}}, 1}};
   std::array<double, 2> areas{};
   for (const ModelKind model : {ModelKind::quarter, ModelKind::axisymmetric})

@@ -2,11 +2,20 @@
 // Copyright (C) 2026 the orthocone authors
 #include "scenes.h"
 
+#include <set>
+
 namespace orthocone::test
 {
 namespace
 {
 constexpr double tolerance = 1e-8;
+
+Eigen::Vector3d mapped(const Eigen::Matrix2d &map, const Eigen::Vector3d &vector)
+{
+  Eigen::Vector3d result = vector;
+  result.head<2>() = map * vector.head<2>();
+  return result;
+}
 
 Parameters with_model(Parameters parameters, const ModelKind model)
 {
@@ -36,7 +45,7 @@ TEST(Symmetry, ReducedModelsGiveTheAnswersOfTheFullOne)
          {std::array<double, 2>{{0.3, 0.15}}, std::array<double, 2>{{0.05, 0.2}}})
     {
       Parameters parameters = small_scene(degree);
-      parameters.friction.p = p;
+      parameters.friction.slip_potential = p;
       parameters.load.legs = {Leg{{{0, 0, -0.1}}, 1}, Leg{{{0, 0, -0.05}}, 3}};
       Scene whole(with_model(parameters, ModelKind::full));
       whole.march();
@@ -48,6 +57,31 @@ TEST(Symmetry, ReducedModelsGiveTheAnswersOfTheFullOne)
         expect_same_totals(part.totals(), whole.totals());
       }
     }
+}
+
+// Nodes that leave the plane count for a share of their step, which must be that of their images in the whole
+// body.
+TEST(Symmetry, NodesThatLiftOffDissipateAlikeInEveryModel)
+{
+  for (const unsigned int degree : {1, 2})
+  {
+    Parameters parameters = small_scene(degree);
+    parameters.friction.mu = {{0.4, 0.2}};
+    parameters.friction.slip_potential = std::array<double, 2>{{0.3, 0.25}};
+    parameters.load.legs = {Leg{{{0, 0, -0.05}}, 2}, Leg{{{0.03, 0, -0.05}}, 3}, Leg{{{0.03, 0, 0.01}}, 1}};
+    Scene whole(with_model(parameters, ModelKind::full));
+    Scene half(with_model(parameters, ModelKind::half));
+    whole.march();
+    half.march();
+    EXPECT_EQ(whole.totals().n_stick + whole.totals().n_slip, 0u);
+    expect_same_totals(half.totals(), whole.totals());
+    parameters.load.legs = {Leg{{{0, 0, -0.05}}, 2}, Leg{{{0, 0, 0.01}}, 1}};
+    Scene uncut(with_model(parameters, ModelKind::full));
+    Scene quarter(with_model(parameters, ModelKind::quarter));
+    uncut.march();
+    quarter.march();
+    expect_same_totals(quarter.totals(), uncut.totals());
+  }
 }
 
 TEST(Symmetry, HalfFollowsATangentialLeg)
@@ -69,17 +103,50 @@ TEST(Symmetry, HalfFollowsATangentialLeg)
   }
 }
 
+// Points of the contact files: no place twice, every image of every node, forces that add up to the total.
+TEST(Symmetry, EachNodeOfTheWholeBodyIsOnePlace)
+{
+  for (const unsigned int degree : {1, 2, 3})
+    for (const ModelKind kind :
+         {ModelKind::full, ModelKind::half, ModelKind::quarter, ModelKind::axisymmetric})
+    {
+      Parameters parameters = with_model(small_scene(degree), kind);
+      if (kind == ModelKind::axisymmetric)
+        parameters.friction.mu = parameters.friction.p = {{0.2, 0.2}};
+      parameters.load.legs = {Leg{{{0, 0, -0.1}}, 1}};
+      Scene scene(parameters);
+      scene.march();
+      const ContactSurface &surface = scene.discretization.contact_surface();
+      const WholeSurface whole = scene.symmetry.whole(surface);
+      std::set<std::pair<long, long>> places;
+      std::vector<unsigned int> n_images(surface.nodes.size(), 0);
+      Eigen::Vector3d force = Eigen::Vector3d::Zero();
+      for (const auto &[node, image] : whole.nodes)
+      {
+        const auto &position = surface.nodes[node].position;
+        const Eigen::Vector3d place = mapped(whole.images[image], {position[0], position[1], 0});
+        places.emplace(std::lround(1e6 * place[0]), std::lround(1e6 * place[1]));
+        ++n_images[node];
+        force += mapped(whole.images[image], scene.evaluator.fields(scene.state, node).nodal_force);
+      }
+      EXPECT_EQ(places.size(), whole.nodes.size());
+      for (unsigned int node = 0; node < n_images.size(); ++node)
+        EXPECT_EQ(n_images[node], scene.symmetry.n_images(surface, surface.nodes[node]));
+      EXPECT_LE((force - scene.totals().force).norm(), 1e-9 * scene.totals().force[2]);
+    }
+}
+
 // The scene turned by 90 degrees: friction along x and y changed places, fields turned.
 TEST(Symmetry, FieldsTurnWithTheScene)
 {
   Parameters parameters = small_scene(1);
-  parameters.friction.p = {{0.05, 0.2}};
+  parameters.friction.slip_potential = std::array<double, 2>{{0.05, 0.2}};
   parameters.load.legs = {Leg{{{0, 0, -0.1}}, 1}, Leg{{{0, 0, -0.06}}, 2}};
   Scene original(parameters);
   original.march();
   Parameters swapped = parameters;
   std::swap(swapped.friction.mu[0], swapped.friction.mu[1]);
-  std::swap(swapped.friction.p[0], swapped.friction.p[1]);
+  std::swap((*swapped.friction.slip_potential)[0], (*swapped.friction.slip_potential)[1]);
   Scene exchanged(swapped);
   exchanged.march();
   parameters.friction.angle = 90;
@@ -100,7 +167,7 @@ TEST(Symmetry, FieldsTurnWithTheScene)
 TEST(Symmetry, AxesDoNotMatterToIsotropicFriction)
 {
   Parameters parameters = small_scene(1);
-  parameters.friction.mu = parameters.friction.p = {{0.2, 0.2}};
+  parameters.friction.mu = {{0.2, 0.2}};
   parameters.mesh.model = ModelKind::full;
   parameters.load.legs = {Leg{{{0, 0, -0.1}}, 1}, Leg{{{0, 0, -0.06}}, 2}};
   Scene straight(parameters);

@@ -1,0 +1,146 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""Values beyond what is allowed, and allowed ones at the ends of it."""
+from bench import Row
+from promises import DONE, UNSOLVED, WRONG_INPUT
+
+# Refused values of each entry; beside tests/errors/values and tests/runs/wrong_input.py.
+REFUSED = {
+    "Geometry/Shape": ["Cylinder", "cylinder cylinder", ""],
+    "Geometry/Radius": ["-0", "0x10", "1.2.3", "1e", "5 %", "10mm", "1e-400", "infinity", "--5", "1/2", "(10)", "1_0",
+                        "10 10"],
+    "Geometry/Height": ["-1e-300", "1,000.5", "e5", ".", "+", "-", "10d0"],
+    "Geometry/Top face": ["Clamped", "clamped | guided", "0"],
+    "Mesh/Model": ["AUTO", "quarter half", "1/4"], "Mesh/Resolution": ["Coarse", "medium,fine"],
+    "Mesh/Accuracy": ["1 % %", "%", "nan %", "0.009 %", "50.1 %", "1e-2", "-0 %x", "1 percent"],
+    "Mesh/Core cells": ["+5", "0x8", "8 cells", "1e1", "4294967304", "-4294967288", "2 2"],
+    "Mesh/Rings": ["-0", "1e2", "1.0"],
+    "Mesh/Layers": ["0.5", "2e2", "18446744073709551618"], "Mesh/Degree": ["-1", "4.0", "1-4"],
+    "Mesh/Quadrature points": ["-0", "2.", "three"],
+    "Mesh/Volumetric quadrature": ["Reduced", "full reduced"],
+    "Mesh/Core ratio": ["0.00999999", "1.0000000001", "-0.5", "1e0x"],
+    "Mesh/Rim grading": ["10.000001", "-1", "-0", "nan"], "Mesh/Layer grading": ["1e2", "-1e-9", "1:2"],
+    "Material/Young modulus": ["-0", "210 000", "2.1e5MPa", "2.1*10^5", "1e309"],
+    "Material/Poisson ratio": ["-1.0000001", "1", "inf", "1/3"],
+    "Friction/Coefficients": ["0.3, 0.15, 0.1", "0.3; 0.15", "(0.3, 0.15)", "0.3,", ",0.3", "0.3, nan", "0.3,-0", ", "],
+    "Friction/Slip potential": ["1", "1, inf", "1, 2, 3", "1 : 2"],
+    "Friction/Orthotropy angle": ["", "1e400", "90 90"],
+    "Load program/Preload": ["0 0 -0.1 : 1 : 1", "0 0 -0.1 : +1", "0 0 -0.1 : 0x1"],
+    "Load program/Legs": ["0 0 -0.1 : 4294967297", "0 0 -0.1 : 1e3", "0 0 -1e400 : 1", "0 0 inf : 1", ";", ":",
+                          "0 0 -0.1 5", "0 0 0 0 : 1",
+                          "(0 0 -0.1) : 1", "0 0 -0.1 : 1 ; 0 0", "0 0 0x1 : 1", "uz -0.1 mm : 1"],
+    "Load program/Cycles": ["+1", "1.5", "1e6", ""],
+    "Load program/Stop when periodic": ["-1e-300", "1.0", "nan", "never"],
+    "Load program/Jump when periodic": ["1", "inf", ""], "Load program/Jump cycles": ["-1", "1000001", "1.5"],
+    "Contact solver/Method": ["NEWTON", "newton newton", "gauss_seidel", ""],
+    "Contact solver/Tolerance": ["1e-15", "1.0", "-1e-10", "nan", "1e-10 N"],
+    "Contact solver/Maximum iterations": ["-1", "1e6", "5 000"], "Contact solver/Relaxation": ["-0", "2.0", "1e400"],
+    "Contact solver/Rho factor": ["-1", "-0", "nan"], "Checks/Equilibrium": ["-1e-8", "inf", "off"],
+    "Checks/Penetration": ["0", "nan"],
+    "Checks/Complementarity": ["-0", "inf"], "Checks/Friction cone": ["0", "1 %"], "Checks/Slip rule": ["0", "-inf"],
+    "Checks/Energy identity": ["0", "nan"], "Checks/Energy defect": ["0", "-2"],
+    "Output/Contact fields": ["1.0", "1000001x", "+1"],
+    "Output/Volume fields": ["0.5", "-0", "all"], "Output/Checkpoint": ["-1e-9", "1.1e9", "2 s", "nan"],
+    "Output/Probes": ["P: 1e400 0", "P: nan 0", ";", "P 1 0", "P: 0 0; p: 0", "P/Q: 0 0", "P.csv: 0 0", "P: 0,0",
+                      "\u00b5: 0 0", "P:: 0 0"],
+}
+# Settings of one run each that must go well.
+DONE_WITH = [
+    ["Geometry/Radius=1e-9", "Geometry/Height=1e-9", "Load program/Legs=0 0 -1e-11 : 2", "Output/Probes="],
+    ["Geometry/Radius=1e6", "Geometry/Height=1e6", "Load program/Legs=0 0 -1e4 : 2"], ["Geometry/Radius=1e3"],
+    ["Geometry/Height=1e3"],
+    ["Material/Young modulus=1e-9"], ["Material/Young modulus=1e12"], ["Material/Young modulus=+210000"],
+    ["Material/Young modulus=2.1E5"],
+    ["Material/Poisson ratio=0"], ["Material/Poisson ratio=-0"], ["Material/Poisson ratio=-0.99"],
+    ["Material/Poisson ratio=0.4999"],
+    ["Material/Poisson ratio=0.4999", "Mesh/Volumetric quadrature=reduced"], ["Material/Poisson ratio=1e-320"],
+    ["Mesh/Resolution=coarse", "Material/Poisson ratio=0.499999"],
+    ["Mesh/Resolution=paper", "Material/Poisson ratio=-0.5"],
+    ["Friction/Coefficients=0.01,0.01"], ["Friction/Coefficients=10,0.1"], ["Friction/Coefficients=10,10"],
+    ["Friction/Slip potential=3e50,1.5e50"],
+    ["Friction/Slip potential=3e99,1.5e99"], ["Friction/Slip potential=3e-99,1.5e-99"],
+    ["Friction/Slip potential=0.01,1"],
+    ["Friction/Orthotropy angle=-360"], ["Friction/Orthotropy angle=1e-300"], ["Friction/Orthotropy angle=45"],
+    ["Mesh/Core cells=1", "Mesh/Rings=1", "Mesh/Layers=1"], ["Mesh/Core cells=1", "Mesh/Rings=200", "Mesh/Layers=1"],
+    ["Mesh/Layers=1"], ["Mesh/Layers=60"],
+    ["Mesh/Degree=3", "Mesh/Quadrature points=10", "Mesh/Layers=1"],
+    ["Mesh/Degree=3", "Mesh/Quadrature points=4", "Mesh/Volumetric quadrature=reduced"],
+    ["Mesh/Core ratio=0.01"], ["Mesh/Core ratio=0.9999999999"], ["Mesh/Rim grading=10"], ["Mesh/Rim grading=0.1"],
+    ["Mesh/Layer grading=10", "Mesh/Layers=8"],
+    ["Mesh/Layer grading=0.1", "Mesh/Layers=8"], ["Mesh/Model=full"], ["Mesh/Model=half"],
+    ["Mesh/Resolution=custom", "Mesh/Accuracy=0"],
+    ["Friction/Coefficients=0.2,0.2", "Friction/Slip potential=5,5", "Mesh/Degree=4",
+     "Output/Probes=A: 0 0; B: 0 0; C: 10 0; D: 0 -10; E: -0 -0"],
+    ["Geometry/Top face=guided"], ["Geometry/Top face=guided", "Friction/Coefficients=1,1",
+                                   "Friction/Slip potential=1,1"],
+    ["Load program/Legs=0 0 0 : 2"], ["Load program/Legs=0 0 0.1 : 2 ; 0 0 0 : 2"],
+    ["Load program/Legs=0.1 0 0 : 2 ; 0 0 0 : 2"],
+    ["Load program/Legs=0 0 -0.1 : 1 ; 0 0 -0.1 : 3 ; 0 0 -0.1 : 1"], ["Load program/Legs=0 0 1e10 : 1 ; 0 0 -0.1 : 1"],
+    ["Load program/Legs=0 0 -1e-15 : 2"],
+    ["Load program/Legs=0 0 -1e-100 : 2"], ["Load program/Legs=1000 0 -0.1 : 2"], ["Load program/Legs=1e6 0 -0.1 : 2"],
+    ["Load program/Legs=1e9 0 -0.1 : 2"], ["Load program/Legs=1e12 0 -0.1 : 2"], ["Load program/Legs=0 0 -9.9 : 1"],
+    ["Load program/Legs=0 0 -0.1 : 500", "Output/Contact fields=0"],
+    ["Load program/Preload=0 0 -0.1 : 2", "Load program/Legs=", "Load program/Cycles=9"],
+    ["Load program/Preload=0 0 -0.1 : 2", "Load program/Cycles=0"],
+    ["Load program/Legs=0 0 0 : 2", "Load program/Cycles=4", "Load program/Stop when periodic=0.9"],
+    ["Load program/Legs=0 0 0.1 : 2", "Load program/Cycles=5", "Load program/Jump when periodic=1e-6"],
+    ["Load program/Cycles=1000000", "Load program/Legs=0 0 -0.1 : 1", "Load program/Jump when periodic=0.01",
+     "Load program/Jump cycles=1000000",
+     "Output/Contact fields=0"],
+    ["Contact solver/Tolerance=1e-14"], ["Contact solver/Tolerance=1e-3"], ["Contact solver/Rho factor=1e-300"],
+    ["Contact solver/Rho factor=1e3"],
+    ["Contact solver/Method=gauss-seidel", "Contact solver/Relaxation=1.9"],
+    ["Contact solver/Method=gauss-seidel", "Contact solver/Relaxation=0.05"],
+    ["Contact solver/Method=uzawa"], ["Contact solver/Method=feng2006"], ["Contact solver/Method=plain-newton"],
+    ["Checks/Equilibrium=1e9", "Checks/Penetration=1e9", "Checks/Energy defect=1e9"],
+    ["Output/Contact fields=1000000", "Output/Volume fields=1000000"],
+    ["Output/Contact fields=0", "Output/Checkpoint=1e9"], ["Output/Checkpoint=0", "Output/Volume fields=1"],
+    ["Output/Probes=" + "; ".join(f"P{i}: 0 0" for i in range(300))], ["Output/Probes=" + "P" * 100 + ": 1e-320 -0"],
+    ["Output/Probes=-: 0 0; _: 1 1"],
+]
+# Settings of a run that cannot be solved, and what is said.
+UNSOLVED_WITH = [
+    (["Geometry/Height=1e-300"], "load step 1 of 4"), (["Material/Young modulus=1e-300"], "load step 1 of 4"),
+    (["Material/Young modulus=1e-320"], "load step 1"),
+    (["Material/Poisson ratio=0.49999999999999994"], "stiffness|Poisson"),
+    (["Load program/Legs=0 0 -1e-320 : 2"], "load step 1 of 2"),
+    (["Contact solver/Maximum iterations=1"], "Maximum iterations"),
+    (["Contact solver/Maximum iterations=1", "Contact solver/Method=uzawa"], "uzawa"),
+    (["Contact solver/Method=box3"], "box3"),
+    (["Contact solver/Method=feng2006", "Contact solver/Rho factor=1e-300"], "feng2006"),
+    (["Contact solver/Method=gauss-seidel", "Contact solver/Relaxation=1e-300"], "gauss-seidel"),
+    (["Contact solver/Tolerance=0.999"], "Checks/"),
+    (["Checks/Equilibrium=1e-300"], "Checks/Equilibrium: .* exceeds the bound 1e-300"),
+    (["Checks/Energy identity=1e-300", "Checks/Energy defect=1e-300"], "Checks/Energy"),
+    (["Mesh/Accuracy=50 %", "Contact solver/Maximum iterations=1"], "Mesh/Accuracy: load step 1"),
+]
+DEFAULT_MESH = ["Mesh/Core cells=8", "Mesh/Layers=4", "Mesh/Degree=2"]  # where the program chooses the mesh
+
+
+def refused(number, entry, value):
+    """Every other one in a file."""
+    section, name = entry.split("/")
+    says = f"{entry} (is empty|= .*): allowed" if value.strip() else f"{entry} is empty: allowed"
+    row = Row(f"{entry} = {value}"[:90], ["s.prm", f"--set={entry}={value}"], WRONG_INPUT, says)
+    if number % 2:
+        row.arguments = ["case.prm"]
+        row.files = {"case.prm": f"include s.prm\nsubsection {section}\n  set {name} = {value}\nend\n"}
+        row.says = "case.prm:3: " + says
+    return row
+
+
+def settings(values):
+    chosen = values[0] in ("Mesh/Accuracy=50 %", "Mesh/Resolution=coarse", "Mesh/Resolution=paper")
+    return ["s.prm", "--quiet", *[f"--set={value}" for value in [*values, *(DEFAULT_MESH if chosen else [])]]]
+
+
+def name_of(values):
+    return ", ".join(values)[:90]
+
+
+PAIRS = [(entry, value) for entry, values in REFUSED.items() for value in values]
+ROWS = [
+    *[refused(number, entry, value) for number, (entry, value) in enumerate(PAIRS)],
+    *[Row(name_of(values), settings(values), DONE) for values in DONE_WITH],
+    *[Row(name_of(values), settings(values), UNSOLVED, says) for values, says in UNSOLVED_WITH],
+]

@@ -1,0 +1,253 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""Charts of a fretting scene on the page of tools/report.py: loops, cycles, lines through the contact surface, several
+runs, and what is saved of them. Read in a real browser (Chromium without a window).
+
+Usage: test_report_charts.py PROGRAM [unittest options]"""
+import re
+import sys
+import xml.etree.ElementTree
+
+import meshio
+import numpy as np
+from matplotlib.image import imread
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+from program import main  # noqa: E402
+from report_page import CUT_LABELS, Page, Select, column, table  # noqa: E402
+from report_run import COARSE, SCRATCH, report, run  # noqa: E402
+
+FRETTING = [*COARSE, "Mesh/Core cells=4", "Load program/Preload=0 0 -0.05 : 5", "Load program/Cycles=4",
+            "Load program/Legs=0.01 0 -0.05 : 10; -0.01 0 -0.05 : 20; 0 0 -0.05 : 10"]
+JUMPING = [*FRETTING, "Mesh/Core cells=2", "Load program/Cycles=100", "Load program/Jump when periodic=1e-5",
+           "Load program/Jump cycles=20", "Output/Contact fields=0"]
+BOX = (318, 182)  # of the curves, in pixels of the drawing
+BEYOND_THE_PICTURE = """
+const picture = new DOMParser().parseFromString(arguments[0], "image/svg+xml").documentElement;
+const host = document.createElement("div");
+host.attachShadow({mode: "open"}).append(picture);  // where the styles of the page do not reach
+document.body.append(host);
+const whole = picture.getBoundingClientRect();
+const cut = [...picture.querySelectorAll("text")].filter(text => {
+  const place = text.getBoundingClientRect(), room = (whole.right - whole.left) / 400 / 2;
+  return place.left < whole.left - room || place.right > whole.right + room || place.bottom > whole.bottom + room;
+}).map(text => text.textContent);
+host.remove();
+return cut;
+"""
+LOOP = "F_x over u_x, without the elastic part"
+
+
+def area(points):
+    x, y = np.transpose(points)
+    return abs(np.sum(x * np.roll(y, 1) - y * np.roll(x, 1))) / 2
+
+
+class ChartsTest(Page):
+    @classmethod
+    def setUpClass(cls):
+        super().setUpClass()
+        cls.folder = run("fretting", *FRETTING)
+        cls.rows = table(cls.folder)
+        cls.cycles = table(cls.folder, "cycles.csv")
+
+    def open(self, *folders):
+        result = report(*folders)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.read(folders[0] / "report.html")
+
+    # --- loops ---
+
+    def test_loop_is_open_and_its_area_is_the_work(self):
+        self.open(self.folder)
+        saved = self.saved_table(self.menu(LOOP))
+        self.assertEqual(len(saved), 165)
+        for cycle in range(4):
+            part = saved[4 + 40 * cycle:45 + 40 * cycle]
+            motion, force = column(part, "u_x (mm)"), column(part, "F_x \u2212 line (N)")
+            work = -np.sum((force[1:] + force[:-1]) / 2 * np.diff(motion))  # of the top, against the plane
+            self.assertAlmostEqual(work / float(self.cycles[cycle]["work"]), 1, delta=1e-3)
+        Select(self.find("#window")).select_by_visible_text("cycle 4 (steps 126\u2013165)")
+        drawn = {title: area(np.concatenate(self.curves(title))) / np.prod(BOX) for title in (LOOP, "F_x over u_x of")}
+        self.assertGreater(drawn[LOOP], 0.1)
+        self.assertLess(drawn["F_x over u_x of"], 0.01)  # why the other chart is there
+
+    def test_line_that_is_taken_away(self):
+        self.open(self.folder)
+        motion, force = column(self.rows[125:], "ux"), column(self.rows[125:], "force_x")
+        stiffness = np.sum((motion - motion.mean()) * (force - force.mean())) / np.sum((motion - motion.mean())**2)
+        caption = self.chart(LOOP).find_element("css selector", ".caption").text
+        self.assertRegex(caption, r"\(cycle 4\)")
+        number = caption.split("F_x = ")[1].split(" N/mm")[0].replace("\u2212", "-")
+        self.assertAlmostEqual(float(number) / stiffness, 1, delta=1e-4)
+        titles = self.script("return [...document.querySelectorAll('#body-loops figcaption')]"
+                             ".map(caption => caption.firstChild.data)")
+        # In the cycles u_z rests, so that there is no loop to see.
+        self.assertEqual(titles, ["F_x over u_x of the top", LOOP, "F_z over u_z of the top"])
+
+    def test_loops_of_every_driven_component(self):
+        folder = run("three_ways", *COARSE, "Load program/Preload=", "Load program/Cycles=2",
+                     "Load program/Legs=0.01 0.005 -0.05 : 4; -0.01 0 -0.03 : 4; 0 0 -0.05 : 4")
+        self.open(folder)
+        for axis in "xyz":
+            self.assertTrue(self.chart(f"F_{axis} over u_{axis}, without the elastic part").is_displayed())
+
+    def test_cycles_have_colours_from_first_to_last(self):
+        self.open(self.folder)
+        ends = self.script("return ['first', 'last'].map(end => { const e = document.createElement('i');"
+                           "e.style.color = `var(--cycle-${end})`; document.body.append(e);"
+                           "return getComputedStyle(e).color.match(/[0-9]+/g).map(Number); })")
+        colours = [[round(255 * float(part)) for part in colour[11:-1].split()] for colour in self.colours(LOOP)[1:]]
+        self.assertEqual((len(colours), colours[0], colours[-1]), (4, *ends))
+        self.assertEqual(len(set(map(tuple, colours))), 4)
+        self.assertEqual(self.chart(LOOP).find_element("css selector", ".keys").text.split(),
+                         ["preload", "cycle", "1", "4"])
+
+    # --- cycles ---
+
+    def test_cycles_are_the_table(self):
+        self.open(self.folder)
+        saved = self.saved_table(self.menu("Slip since the start"))
+        for name, expected in (("largest slip (mm)", "max_slip"),
+                               ("largest accumulated slip (mm)", "max_accumulated_slip")):
+            np.testing.assert_allclose(column(saved, name), column(self.cycles, expected), rtol=1e-6)
+        pixels = self.curves("Change of the state in a cycle")[0]
+        values = np.log10(column(self.cycles, "change"))
+        line = np.polyfit(values, pixels[:, 1], 1)
+        self.assertLess(np.max(np.abs(np.polyval(line, values) - pixels[:, 1])), 0.02)
+
+    def test_jumped_cycles(self):
+        folder = run("jumping", *JUMPING)
+        self.open(folder)
+        cycles, solved = table(folder, "cycles.csv"), {row["step"] for row in table(folder)}
+        jumped = np.array([row["last_step"] not in solved for row in cycles])
+        self.assertGreater(jumped.sum(), 2)
+        energy = self.chart("Energy of a cycle")
+        self.assertEqual(len(energy.find_elements("css selector", ".band")), jumped.sum())
+        self.assertEqual(len(energy.find_elements("css selector", ".hollow")), 2 * jumped.sum())
+        saved = self.saved_table(self.menu("Energy of a cycle"))
+        np.testing.assert_allclose(column(saved, "dissipation (N mm)"),
+                                   column(cycles, "dissipation") / column(cycles, "n_cycles"), rtol=1e-6)
+        self.assertTrue(self.find("#jumped-hint").is_displayed())
+        self.assertEqual(len(self.colours(LOOP)), 1 + (~jumped).sum())  # the preload and every computed cycle
+        steps = self.chart("Force of the plane").find_element("css selector", "path.curve").get_attribute("d")
+        self.assertEqual(steps.count("M"), 1 + jumped.sum())
+        # The ledger has every computed cycle, whatever its number.
+        self.assertIn("cycle 100 (steps 3966\u20134005)", self.text(".ledger"))
+        ledger = self.saved_table(self.menu("Energies since the start"))
+        total = float(table(folder)[-1]["total_dissipation"])
+        self.assertAlmostEqual(float(ledger[-1]["dissipation (N mm)"]) / total, 1, delta=1e-6)
+
+    # --- small maps, lines ---
+
+    def test_small_maps_are_those_where_the_load_turns(self):
+        self.open(self.folder)
+        words = self.script("return [...document.querySelectorAll('#thumbs button')].map(button => button.textContent)")
+        steps = [int(word.split()[1]) for word in words]
+        self.assertEqual(steps, [1, 5, *(45 + 40 * cycle + turn for cycle in range(4) for turn in (-30, -10, 0))])
+        buttons = self.browser.find_elements("css selector", "#thumbs button")
+        buttons[-1].click()
+        self.assertRegex(self.text("#step-text"), "^step 165, cycle 4")
+        buttons[0].click()
+        self.assertRegex(self.text("#step-text"), "^step 1, preload")
+
+    def test_tractions_along_a_line(self):
+        """Turned ellipses and an oblique motion have no symmetry that could hide a line that is turned or mirrored."""
+        folder = run("oblique", *COARSE, "Mesh/Core cells=4", "Friction/Orthotropy angle=30", "Load program/Cycles=1",
+                     "Load program/Legs=0.02 0.01 -0.05 : 3; -0.01 0 -0.05 : 3")
+        self.open(folder)
+        for axis, along in enumerate("xy"):
+            Select(self.find("#line")).select_by_value(str(axis))
+            for step in (3, 5):
+                self.go_to(step)
+                file = meshio.read(folder / f"contact-{step:04d}.vtu")
+                on = np.flatnonzero(np.abs(file.points[:, 1 - axis]) < 1e-4)
+                place, one = np.unique(np.round(file.points[on, axis], 4), return_index=True)
+                on = on[one]
+                self.assert_line(f"Pressure along {along}, step {step}", place, {"pressure (MPa)":
+                                                                               file.point_data["pressure"][on]})
+                friction = file.point_data["friction_traction"][on]
+                saved = self.assert_line(f"Friction traction along {along}, step {step}", place,
+                                         {"q_x (MPa)": friction[:, 0], "q_y (MPa)": friction[:, 1]})
+                self.assert_limit(saved, place, file.point_data["friction_criterion"][on])
+                self.assert_line(f"Slip along {along}, step {step}", place,
+                                 {"slip_x (mm)": file.point_data["slip"][on, 0],
+                                  "slip_y (mm)": file.point_data["slip"][on, 1]})
+
+    def assert_line(self, title, place, expected):
+        saved = self.saved_table(self.menu(title))
+        at = column(saved, next(iter(saved[0])))
+        self.assertGreaterEqual(len(place), 5)
+        for name, values in expected.items():
+            scale = np.max(np.abs(values)) or 1
+            np.testing.assert_allclose(np.interp(place, at, column(saved, name)), values, atol=1e-4 * scale)
+        return saved
+
+    def assert_limit(self, saved, place, criterion):
+        """Below the limit where a node sticks by as much as the field of the program says, at it where it slips."""
+        saved = [row for row in saved if row["limit: \u03bc p along q (MPa)"]]  # none without a direction
+        at = column(saved, next(iter(saved[0])))
+        share = column(saved, "size |q| (MPa)") / column(saved, "limit: \u03bc p along q (MPa)")
+        known = np.min(np.abs(place[:, None] - at), axis=1) < 1e-3
+        self.assertGreaterEqual(known.sum(), 5)
+        np.testing.assert_allclose(np.interp(place, at, share)[known] - 1, criterion[known], atol=2e-3)
+
+    # --- several runs ---
+
+    def test_runs_over_each_other(self):
+        other = run("elsewhere/fretting", *FRETTING, "Load program/Cycles=2", "Friction/Coefficients=0.1, 0.1",
+                    "Load program/Legs=0.008 0.004 -0.05 : 6; 0 0 -0.05 : 6", "Output/Contact fields=0")
+        self.open(self.folder, other)
+        names = self.script("return [...document.querySelectorAll('#runs li')].map(item => item.textContent)")
+        self.assertEqual(names, [f"{SCRATCH.name.split('/')[-1]}/fretting", "elsewhere/fretting"])
+        for title, paths in (("Largest slip", 4), (LOOP, 2), ("Change of the state in a cycle", 2)):
+            with self.subTest(title):
+                self.assertEqual((len(self.colours(title)), len(set(self.colours(title)))), (paths, 2))
+                keys = self.chart(title).find_element("css selector", ".keys").text
+                self.assertIn(names[0], keys)
+                self.assertIn(names[1], keys)
+        saved = self.saved_table(self.menu("Dissipation"))
+        drawn = [row[f"since the start, {names[1]} (N mm)"] for row in saved]
+        expected = column(table(other), "total_dissipation")
+        np.testing.assert_allclose([float(value) for value in drawn if value], expected, rtol=1e-6)
+        self.assertEqual(len(drawn), 165)
+        self.assertEqual(self.text("h1"), "fretting")
+        self.assert_phone_and_paper()
+
+    # --- files ---
+
+    def test_saved_pictures_stand_alone(self):
+        self.open(self.folder)
+        self.media(**{"prefers-color-scheme": "dark"})
+        for title, menu in ((LOOP, self.menu(LOOP)), ("Energy of a cycle", self.menu("Energy of a cycle")),
+                            ("status: open, stick, slip", self.find("#map-save .save"))):
+            with self.subTest(title):
+                file = self.save(menu, "SVG")
+                self.assertTrue(file.name.startswith("fretting-"), file.name)
+                text = file.read_text(encoding="utf-8")
+                for word in ("var(", "color-mix", "color(", "class=", "style="):
+                    self.assertNotIn(word, text)
+                words = [element for element in xml.etree.ElementTree.fromstring(text).iter() if element.text]
+                self.assertIn(title, [element.text for element in words])
+                for element in words:  # dark on white, whatever the page looks like
+                    self.assertLess(max(map(int, re.findall(r"\d+", element.get("fill")))), 128, element.text)
+                self.assertEqual(self.script(BEYOND_THE_PICTURE, text), [])
+                picture = imread(self.save(menu, "PNG"))[..., :3]
+                self.assertEqual(picture.shape[1], 1200)
+                self.assertEqual(picture[0, 0].tolist(), [1, 1, 1])
+                self.assertTrue(0.01 < np.mean(np.any(picture < 0.9, axis=2)) < 0.8)
+        self.assert_quiet()
+
+    def test_no_label_is_cut(self):
+        probes = f"edge: 9.9 0; {'a' * 60}: -9.9 0; {'b' * 60}: 9.9 0.1; top: 0 9.9; bottom_of_it: 0 -9.9"
+        self.open(run("labels", *FRETTING, "Load program/Cycles=1", "Output/Contact fields=5", f"Output/Probes={probes}"))
+        self.assertEqual(self.script(CUT_LABELS), [])
+        self.assert_phone_and_paper()
+
+
+def tearDownModule():
+    SCRATCH.cleanup()
+
+
+if __name__ == "__main__":
+    main()

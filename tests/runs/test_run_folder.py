@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""The run folder: whose files it may replace, and what becomes of files that something else touches.
+
+Usage: test_run_folder.py PROGRAM [unittest options]"""
+import os
+import subprocess
+import sys
+import time
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+from program import PROGRAM, RunTest, SMALL, main  # noqa: E402
+
+DONE, FILE_ERROR = 0, 4
+SCENE = """subsection Mesh
+  set Core cells = 2
+  set Layers     = 1
+  set Degree     = 1
+end
+subsection Load program
+  set Legs = 0 0 -0.1 : 2
+end
+"""
+
+
+class RunFolderTest(RunTest):
+    def start(self, *arguments, folder="."):
+        return subprocess.run([PROGRAM, *arguments], cwd=self.folder / folder, text=True, capture_output=True,
+                              timeout=60, check=False)
+
+    def put(self, name, text):
+        path = self.folder / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+
+    def content(self, name):
+        return {str(file): file.read_bytes() for file in sorted((self.folder / name).rglob("*")) if file.is_file()}
+
+    def test_files_of_users_are_safe(self):
+        """parameters.prm is what users of deal.II call their input."""
+        mine = {"parameters.prm": SCENE, "log.txt": "my log", "history.csv": "1,2,3\n", "report.html": "<html>mine</html>"}
+        for names in (list(mine), ["parameters.prm"], ["report.html"], ["orthocone-run.txt"]):
+            with self.subTest(names=names):
+                folder = "-".join(names)
+                for name in names:
+                    self.put(f"{folder}/{name}", mine.get(name, "mine"))
+                self.put("case.prm", SCENE)
+                before = self.content(folder)
+                for arguments in ((), ("--resume",)):
+                    result = self.start("../case.prm", "--output", ".", *arguments, folder=folder)
+                    self.assertEqual(result.returncode, FILE_ERROR, result.stderr)
+                    self.assertRegex(result.stderr, r"^orthocone: \.: cannot be the run folder \(it holds a .*, and no run "
+                                                    r"has left it there; --output DIR takes another one\)\n$")
+                    self.assertEqual(self.content(folder), before)
+
+    def test_a_copy_of_parameters_marks_no_folder(self):
+        self.put("case.prm", SCENE)
+        self.assertEqual(self.start("case.prm", "--output", "run").returncode, DONE)
+        self.put("mine/parameters.prm", (self.folder / "run/parameters.prm").read_text())
+        before = self.content("mine")
+        self.assertEqual(self.start("parameters.prm", "--output", ".", folder="mine").returncode, FILE_ERROR)
+        self.assertEqual(self.content("mine"), before)
+
+    def test_folders_of_earlier_versions_are_replaced(self):
+        """They had no marker, but a checkpoint."""
+        self.put("case.prm", SCENE)
+        self.assertEqual(self.start("case.prm", "--output", "run").returncode, DONE)
+        (self.folder / "run/orthocone-run.txt").unlink()
+        self.assertEqual(self.start("case.prm", "--output", "run").returncode, DONE)
+        self.assertTrue((self.folder / "run/orthocone-run.txt").exists())
+
+    def test_two_files_of_one_stem(self):
+        for name in ("a/case.prm", "b/case.prm"):
+            self.put(name, SCENE)
+        self.assertNotIn("another file", self.start("a/case.prm").stdout)
+        self.assertNotIn("another file", self.start("a/case.prm").stdout)
+        result = self.start("b/case.prm")
+        self.assertEqual(result.returncode, DONE)
+        self.assertRegex(result.stdout, r"warning: output/case held the results of another file, .*/a/case\.prm; ")
+        self.assertIn("a/case.prm", (self.folder / "output/case/log.txt").read_text())
+
+    def test_links_are_not_followed(self):
+        """Somebody else may write into a folder that is shared."""
+        self.put("case.prm", SCENE)
+        self.assertEqual(self.start("case.prm", "--output", "run").returncode, DONE)
+        self.put("precious", "precious")
+        for name in ("history.csv", "history.csv.part", "parameters.prm.part", "summary.json.part", "contact.pvd.part",
+                     "contact-0001.vtu.part", "orthocone-run.txt.part", "log.txt", "checkpoint/state.part"):
+            with self.subTest(name):
+                path = self.folder / "run" / name
+                path.unlink(missing_ok=True)
+                path.symlink_to(self.folder / "precious")
+                self.assertEqual(self.start("case.prm", "--output", "run").returncode, DONE)
+                self.assertEqual((self.folder / "precious").read_text(), "precious")
+                self.assertFalse(path.is_symlink())
+
+    def run_while(self, name, touch):
+        """A run whose folder is touched after its third step."""
+        settings = [*SMALL, "Load program/Cycles=200", "Output/Contact fields=3", "Output/Volume fields=0"]
+        run = subprocess.Popen(self.command(name, settings=settings), cwd=self.folder, text=True, stderr=subprocess.PIPE)
+        while not (self.folder / name / "contact-0003.vtu").exists() and run.poll() is None:
+            time.sleep(0.001)
+        touch(self.folder / name / "history.csv")
+        return run.communicate(timeout=60)[1], run.returncode
+
+    def test_tables_that_vanish_or_change(self):
+        def longer(path):
+            with open(path, "a", encoding="ascii") as file:
+                file.write("mine\n")
+        for name, touch, expression in (("less", os.remove, "was removed during the run"),
+                                        ("more", longer, "was changed during the run")):
+            with self.subTest(expression):
+                error, code = self.run_while(name, touch)
+                self.assertEqual(code, FILE_ERROR, error)
+                self.assertRegex(error, rf"^orthocone: .*{name}/history\.csv: {expression}.*\n$")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+"use strict";
+// Charts over the cycles: how a response settles. Cycles that were jumped are shaded, and their points are rings.
+
+const CYCLE_AXIS = {name: "cycle", unit: "", whole: true};
+
+/** Over one decade a linear axis shows the values, over many only a logarithmic one does. */
+function spansDecades(columns) {
+  const values = data.runs.flatMap(({cycles}) => columns.flatMap(column => cycles[column] || []));
+  const [low, high] = rangeOf(values.filter(value => value > 0));
+  return values.length > 0 && low > 0 && high > 50 * low;
+}
+
+/** Of the first run, and only if it is alone: shades of several would cover each other. */
+function jumpedBands() {
+  const {cycles} = data.runs[0];
+  if (several || !cycles.cycle) return [];
+  return cycles.cycle.flatMap((cycle, row) => cycles.jumped[row]
+    ? [[cycle - cycles.n_cycles[row] + 0.5, cycle + 0.5]] : []);
+}
+
+function overCycles(title, unit, columns, more = {}) {
+  const series = curves(data.runs, run => run.cycles, columns, {column: "cycle", steps: "last_step"});
+  const jumpedOf = new Map(data.runs.map(({cycles}) => [cycles.cycle, cycles]));
+  for (const one of series) one.hollow = jumpedOf.get(one.x).jumped;
+  const head = (one, i) => {
+    const {jumped, n_cycles} = jumpedOf.get(one.x), first = one.x[i] - n_cycles[i] + 1;
+    if (!jumped[i]) return `cycle ${one.x[i]}`;
+    return n_cycles[i] > 1 ? `cycles ${first}–${one.x[i]}, jumped` : `cycle ${first}, jumped`;
+  };
+  const zeros = more.log && series.some(one => one.y.includes(0));
+  addCurves(byId("cycle-charts"), title, series, CYCLE_AXIS, unit,
+            {fixed: true, covers: true, head, bands: jumpedBands(),
+             caption: zeros ? "A zero is drawn at the lower end." : "", ...more});
+}
+
+/** The threshold below which cycles count as periodic, if the run has one. */
+function periodicLevel() {
+  const value = Math.max(data.periodic.stop, data.periodic.jump);
+  const name = data.periodic.stop >= data.periodic.jump ? "Stop when periodic" : "Jump when periodic";
+  return value > 0 ? {value, name} : undefined;
+}
+
+function drawCycles() {
+  const any = data.runs.some(({cycles}) => cycles.cycle);
+  byId("no-cycles").hidden = any;
+  byId("jumped-hint").hidden = !data.runs.some(({cycles}) => (cycles.jumped || []).some(Boolean));
+  if (!any) return;
+  overCycles("Change of the state in a cycle", "", [["change", "change"]], {log: true, level: periodicLevel()});
+  overCycles("Energy of a cycle", "N mm", [["dissipation", "dissipation"], ["work", "work of the top"]],
+             {log: spansDecades(["dissipation", "work"])});
+  overCycles("Slip since the start", "mm", [["max_slip", "largest slip"],
+                                            ["max_accumulated_slip", "largest accumulated slip"]], {fit: true});
+  overCycles("Slip accumulated in a cycle", "mm", [["accumulated_slip", "accumulated slip"]],
+             {log: spansDecades(["accumulated_slip"])});
+  overCycles("Dissipation since the start", "N mm", [["total_dissipation", "dissipation"]], {fit: true});
+  overCycles("Normal force of a cycle", "N", [["peak_force_z", "largest"], ["force_z", "at the end"]],
+             {fit: true});
+}

@@ -1,0 +1,92 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""Everything that the scripts of the page draw: tables, thinned where they are long, and the maps."""
+import cycle_table
+import loops
+import numpy as np
+from load_program import choose_steps
+
+MOST_CELLS = 60_000  # numbers of one kind of table in the page
+CHECKS = ("equilibrium", "penetration", "complementarity", "friction_cone", "slip_rule", "energy_defect")
+PROBE = ("slip_x", "slip_y", "accumulated_slip", "force_n", "force_x", "force_y", "pressure")
+
+
+def numbers(values):
+    """Seven digits, and null for what is no number: JSON knows no infinity."""
+    return [float(f"{value:.7g}") if np.isfinite(value) else None for value in np.asarray(values, dtype=float)]
+
+
+def table(columns, names, steps):
+    """Columns `names` at those of the steps that the table has."""
+    at = {int(step): row for row, step in enumerate(columns.get("step", ()))}
+    rows = [at[step] for step in steps if step in at]
+    return {"step": [step for step in steps if step in at],
+            **{name: numbers(columns[name][rows]) for name in names if name in columns and rows}}
+
+
+def chosen_steps(data, n_columns, what):
+    steps = data.steps.tolist()
+    chosen = choose_steps(steps, max(100, MOST_CELLS // max(1, n_columns)), data.blocks)
+    if len(chosen) < len(steps):
+        data.notes.append(f"{what} show {len(chosen)} of {len(steps)} steps.")
+    return chosen
+
+
+def probes(data):
+    names = data.read("probe-*.csv", data.run.probe_names)
+    steps = chosen_steps(data, len(PROBE) * len(names), "Charts of the probes") if names else []
+    return [{"name": name, "place": data.probe_places.get(name),
+             "table": table(data.read(f"probe-{name}.csv", lambda name=name: data.run.probe(name)), PROBE, steps)}
+            for name in names]
+
+
+def loop_part(data, steps):
+    """The loops without their elastic part; computed with all digits, for the part is small against the whole."""
+    found = data.read("history.csv", lambda: loops.departures(data))
+    for one in found.values():
+        one["values"] = table({"step": data.steps, "values": one["values"]}, ("values",), steps).get("values", [])
+    return found
+
+
+def cycle_part(data):
+    columns = data.read("cycles.csv", lambda: cycle_table.chosen_columns(data))
+    return {name: [int(value) for value in values] if name in ("cycle", "n_cycles", "last_step", "jumped")
+            else numbers(values) for name, values in columns.items()}
+
+
+def comparable_part(data, name, frames=()):
+    """What the charts show of every run."""
+    names = [name for name in data.history if name not in ("step", "method")]
+    steps = sorted({*chosen_steps(data, len(names), "Charts"), *frames})
+    blocks = [block for block in data.blocks if block.part_of(steps)]
+    ledger = [name for name in data.energy if name not in ("step", "scale")]
+    return {"name": name, "history": table(data.history, names, steps), "energy": table(data.energy, ledger, steps),
+            "departures": loop_part(data, steps), "cycles": cycle_part(data),
+            "jumps": data.read("cycles.csv", lambda: cycle_table.jumps(data)), "area": np.pi * data.radius**2,
+            "blocks": [[block.name, block.first, block.last, block.cycle] for block in blocks]}
+
+
+def run_names(runs):
+    """Names of the folders, with as many folders before them as it takes to tell them apart."""
+    parts = [data.path.resolve().parts for data in runs]
+    for depth in range(1, max(map(len, parts)) + 1):
+        names = ["/".join(part[-depth:]) for part in parts]
+        if len(set(names)) == len(names):
+            break
+    return names
+
+
+def payload_of(runs):
+    """The first run as a whole, and of the others what is shown over it."""
+    data, names = runs[0], run_names(runs)
+    frames = data.maps.steps()
+    first = comparable_part(data, names[0], frames)
+    steps = first["history"]["step"]
+    thresholds = {name: data.number("Load program", f"{name.capitalize()} when periodic", 0)
+                  for name in ("stop", "jump")}
+    return {"runs": [first, *(comparable_part(other, name) for other, name in zip(runs[1:], names[1:]))],
+            "checks": table(data.checks, CHECKS, steps) if data.checks else None,
+            "timing": table(data.timing, ("seconds",), steps),
+            "probes": probes(data), "maps": data.maps.payload(frames), "periodic": thresholds,
+            "radius": data.radius, "mu": data.mu, "angle": data.angle,
+            "tolerance": data.number("Contact solver", "Tolerance", 0)}

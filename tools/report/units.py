@@ -1,0 +1,20 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""Units of the parameters: what has none here is a pure number or a word."""
+import re
+
+UNITS = {
+    "Geometry": {"Radius": "mm", "Height": "mm"},
+    "Material": {"Young modulus": "MPa"},
+    "Mesh": {"Accuracy": "%"},
+    "Friction": {"Orthotropy angle": "degrees"},
+    "Load program": {"Preload": "(mm : steps)", "Legs": "(mm : steps)"},
+    "Checks": {name: "\u00d7 tolerance" for name in ("Penetration", "Complementarity", "Friction cone", "Slip rule")},
+    "Output": {"Checkpoint": "s", "Probes": "(mm)"},
+}
+
+
+def unit_of(section, entry, value):
+    """The unit to be written behind a value; none behind a word, nothing, or a unit that is there."""
+    unit = UNITS.get(section, {}).get(entry, "")
+    return unit if re.search(r"\d", value) and not value.endswith(unit) else ""
