@@ -112,7 +112,7 @@ TEST(Symmetry, EachNodeOfTheWholeBodyIsOnePlace)
     {
       Parameters parameters = with_model(small_scene(degree), kind);
       if (kind == ModelKind::axisymmetric)
-        parameters.friction.mu = parameters.friction.p = {{0.2, 0.2}};
+        parameters.friction.mu = {{0.2, 0.2}};
       parameters.load.legs = {Leg{{{0, 0, -0.1}}, 1}};
       Scene scene(parameters);
       scene.march();
