@@ -10,14 +10,15 @@
 # Nothing is done twice: installed packages, a configured build folder and compiled files are left alone.
 set -eu
 
-packages="g++ cmake ninja-build git
+# mold is the linker that the flags of Debian 13's deal.II ask for; libdeal.ii-dev only recommends it.
+packages="g++ cmake ninja-build git mold
   libdeal.ii-dev libsuitesparse-dev libmetis-dev libeigen3-dev libopenblas-pthread-dev liblapacke-dev
   libboost-program-options-dev nlohmann-json3-dev libgtest-dev"
 figures_packages="python3 python3-numpy python3-matplotlib python3-meshio"
 benchmark_packages="$figures_packages libbenchmark-dev"
 # ParaView's Python brings the vtk modules, and takes the place of the package python3-vtk9 where that is installed.
 tests_packages="$benchmark_packages paraview python3-paraview xvfb xauth chromium chromium-driver python3-selenium"
-fuzz_packages="clang libclang-rt-14-dev"
+fuzz_packages="clang libclang-rt-dev"
 
 say() { echo "setup: $*" >&2; }
 

@@ -32,6 +32,7 @@ LEGEND = {"ComponentTitle": "", "HorizontalTitle": 1, "TitleJustification": "Lef
           "LabelColor": DARK, "TitleFontSize": 16, "LabelFontSize": 16, "AutomaticLabelFormat": 0,
           "LabelFormat": "%.4g", "RangeLabelFormat": "%.4g", "WindowLocation": "Any Location", "Position": [0.84, 0.14],
           "ScalarBarLength": 0.66, "ScalarBarThickness": 18}
+OFFSET = "Translation" if simple.GetParaViewVersion() >= (5, 13) else "Position"  # the property has two names
 
 
 class RunError(Exception):
@@ -155,10 +156,10 @@ def new_view(reader, titles, focus, height, direction=(0, 0, 1), up=(0, 1, 0)):
     return view
 
 
-def show_plain(source, view, colour, **properties):
-    """In one colour, without light."""
+def show_plain(source, view, colour, offset, **properties):
+    """In one colour, without light, moved by `offset`."""
     simple.Show(source, view, "GeometryRepresentation", ColorArrayName=[None, ""], AmbientColor=colour, Ambient=1,
-                DiffuseColor=colour, Diffuse=0, **properties)
+                DiffuseColor=colour, Diffuse=0, **{OFFSET: offset}, **properties)
 
 
 def show_field(source, view, name, unit, preset, upper, **properties):
@@ -186,7 +187,7 @@ def draw_slip(run, view, surface, radius):
     show_field(surface, view, "slip_magnitude", "mm", "Viridis (matplotlib)", upper, **UNLIT)
     lines = simple.Contour(Input=surface, ContourBy=["POINTS", "slip_magnitude"],
                            Isosurfaces=[upper * k / 10 for k in range(1, 10)])
-    show_plain(lines, view, WHITE, LineWidth=2, Position=[0, 0, 0.01 * radius])
+    show_plain(lines, view, WHITE, [0, 0, 0.01 * radius], LineWidth=2)
     # Arrows stand on a grid of their own, symmetric whatever the mesh; at its places off the disc the slip is zero.
     side = 0.93 * radius
     places = simple.Plane(Origin=[-side, -side, 0], Point1=[side, -side, 0], Point2=[-side, side, 0], XResolution=14,
@@ -194,7 +195,7 @@ def draw_slip(run, view, surface, radius):
     slip = simple.ResampleWithDataset(SourceDataArrays=surface, DestinationMesh=places)
     arrows = simple.Glyph(Input=slip, GlyphType="Arrow", GlyphMode="All Points", OrientationArray=["POINTS", "slip"],
                           ScaleArray=["POINTS", "slip"], ScaleFactor=0.16 * radius / upper)
-    show_plain(arrows, view, DARK, Position=[0, 0, 0.2 * radius])
+    show_plain(arrows, view, DARK, [0, 0, 0.2 * radius])
 
 
 def draw_pressure(run, view, surface, _radius):
@@ -212,9 +213,9 @@ def draw_friction(_run, view, surface, radius):
     simple.SetProperties(legend, UseCustomLabels=1, CustomLabels=[-1, -0.8, -0.6, -0.4, -0.2, 0], AddRangeLabels=0)
     for height, (name, colour) in enumerate((("slips", SLIPPING), ("opens", OPEN)), start=1):
         zone = simple.Clip(Input=surface, ClipType="Scalar", Scalars=["POINTS", name], Value=0.5, Invert=0)
-        show_plain(zone, view, colour, Position=[0, 0, 0.01 * height * radius])
+        show_plain(zone, view, colour, [0, 0, 0.01 * height * radius])
     outline = simple.Contour(Input=surface, ContourBy=["POINTS", "sticks"], Isosurfaces=[0.5])
-    show_plain(outline, view, DARK, LineWidth=2.5, Position=[0, 0, 0.03 * radius])
+    show_plain(outline, view, DARK, [0, 0, 0.03 * radius], LineWidth=2.5)
 
 
 CONTACT_VIEWS = [("slip", draw_slip, "Slip, largest", "max_slip", "mm"),
@@ -252,9 +253,9 @@ def body_view(run, reader):
     show_field(body, view, "von_mises_stress", "MPa", "Plasma (matplotlib)", upper, Ambient=0.55, Diffuse=0.5,
                InterpolateScalarsBeforeMapping=1)
     plane = simple.Disk(InnerRadius=0, OuterRadius=1.15 * radius, CircumferentialResolution=128)
-    show_plain(plane, view, PLANE, Position=[0, 0, -0.005 * height])
+    show_plain(plane, view, PLANE, [0, 0, -0.005 * height])
     undeformed = simple.FeatureEdges(Input=simple.Cylinder(Resolution=128, Radius=radius, Height=height))
-    show_plain(undeformed, view, DARK, LineWidth=1.5, Orientation=[90, 0, 0], Position=[0, 0, 0.5 * height])
+    show_plain(undeformed, view, DARK, [0, 0, 0.5 * height], LineWidth=1.5, Orientation=[90, 0, 0])
     return view
 
 
