@@ -110,8 +110,6 @@ int main(const int argc, const char *const *const argv)
 {
   const int code = orthocone::guarded_dispatch(argc, argv);
   std::cout.flush();
-  // Where memory has run out, OpenBLAS would wait for its threads for ever; no file is open any more.
-  if (code == static_cast<int>(orthocone::ExitCode::unsolved_step))
-    ::_exit(code);
-  return code;
+  // No file is open any more. Without memory OpenBLAS, told to end, would wait for its threads for ever.
+  ::_exit(code);
 }

@@ -79,7 +79,8 @@ std::vector<std::string> split(const std::string &text, const char separator)
 std::optional<double> parse_number(const std::string &text)
 {
   double value = 0;
-  const char *const begin = text.data() + (!text.empty() && text.front() == '+' ? 1 : 0);
+  const bool has_plus = text.size() > 1 && text.front() == '+' && text[1] != '-';
+  const char *const begin = text.data() + (has_plus ? 1 : 0);
   const char *const end = text.data() + text.size();
   const auto result = std::from_chars(begin, end, value);
   if (result.ec != std::errc() || result.ptr != end || !std::isfinite(value))

@@ -15,7 +15,6 @@ namespace
 using Eigen::Index;
 using namespace checkpoint_json;
 
-constexpr unsigned int format_version = 4;
 constexpr const char *magic = "orthocone-checkpoint";
 
 std::uint32_t checksum(const std::string &bytes)
@@ -230,7 +229,7 @@ std::string encode(const Checkpoint &checkpoint)
   std::string content;
   Json::to_cbor(json, content);
   std::ostringstream bytes;
-  bytes << magic << " " << format_version << " " << content.size() << " " << checksum(content) << "\n"
+  bytes << magic << " " << checkpoint_format << " " << content.size() << " " << checksum(content) << "\n"
         << content;
   return bytes.str();
 }
@@ -244,9 +243,9 @@ Checkpoint decode(const std::string &bytes)
   std::uint32_t sum = 0;
   if (!(header >> word >> version >> size >> sum) || word != magic)
     throw CheckpointError("is not a checkpoint");
-  if (version != format_version)
+  if (version != checkpoint_format)
     throw CheckpointError("has format version " + std::to_string(version) +
-                          ", and this program reads version " + std::to_string(format_version));
+                          ", and this program reads version " + std::to_string(checkpoint_format));
   const std::string content = bytes.substr(std::min(bytes.size(), bytes.find('\n') + 1));
   if (content.size() != size)
     throw CheckpointError("is cut off: it has " + std::to_string(content.size()) + " bytes of " +

@@ -94,8 +94,10 @@ void advance(ContactState &state, const ContactProblem &problem, const VectorXd 
     if (!was_open || !is_open)
       state.accumulated_slip[node] += change.norm();
     const double share = is_open ? share_in_contact(state.force[3 * node], d[3 * node], opening[node]) : 1;
-    state.dissipated_energy[node] +=
-        share * dissipation(state.force.segment<2>(3 * node + 1), force.segment<2>(3 * node + 1), change);
+    // A node that sticks has no slip: what the solver's tolerance leaves of one may have any direction.
+    if (state.status[node] != NodeStatus::stick)
+      state.dissipated_energy[node] +=
+          share * dissipation(state.force.segment<2>(3 * node + 1), force.segment<2>(3 * node + 1), change);
     remember_stick(state, node, change);
     state.displacement[3 * node] = d[3 * node];
     state.displacement.segment<2>(3 * node + 1) += change;

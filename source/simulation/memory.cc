@@ -21,7 +21,10 @@ constexpr double gigabyte = 1e9;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Address space beyond the libraries' that every run needs: buffers of OpenBLAS and stacks of threads.
-constexpr double least_address_space = 0.3e9;
+constexpr double least_address_space = 0.25e9;
+
+/// What estimates count for the program, which is mapped already.
+constexpr double program = 0.15e9;
 
 double page_size()
 {
@@ -81,7 +84,7 @@ MemoryLimit memory_limit()
       limit = {bytes / gigabyte, source};
   };
   consider(control_group_limit(), "the control group allows");
-  consider(std::max(0., free_address_space() - least_address_space), "'ulimit -v' leaves");
+  consider(std::max(0., free_address_space() - least_address_space) + program, "'ulimit -v' leaves");
   return limit;
 }
 

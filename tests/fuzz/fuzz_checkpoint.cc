@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// The reader of checkpoints: any bytes give a checkpoint that can be written again, or CheckpointError. The input is
-// read as it is, and as the content behind a header that fits: no fuzzer guesses a checksum.
+// The reader of checkpoints: any bytes give a checkpoint that can be written again, or CheckpointError. The
+// input is read as it is, and as the content behind a header that fits: no fuzzer guesses a checksum.
 #include <orthocone/simulation/checkpoint.h>
 
 #include <boost/crc.hpp>
@@ -31,8 +31,8 @@ std::string with_header(const std::string &content)
 {
   boost::crc_32_type crc;
   crc.process_bytes(content.data(), content.size());
-  return "orthocone-checkpoint 2 " + std::to_string(content.size()) + " " + std::to_string(crc.checksum()) + "\n" +
-         content;
+  return "orthocone-checkpoint " + std::to_string(checkpoint_format) + " " + std::to_string(content.size()) +
+         " " + std::to_string(crc.checksum()) + "\n" + content;
 }
 } // namespace
 

@@ -23,7 +23,7 @@ PROBE = "probes \"name: x y\""
 # Values that are wrong by themselves: section, entry, what the message says is allowed, values.
 WRONG_VALUES = [
     ("Geometry", "Shape", "cylinder", ["cube"]),
-    ("Geometry", "Radius", POSITIVE, ["ten", "", "1,5"]),
+    ("Geometry", "Radius", POSITIVE, ["ten", "", "1,5", "+-5", "++5"]),
     ("Material", "Young modulus", POSITIVE, ["0", "-1", "nan", "inf", "1e999", "2 GPa"]),
     ("Material", "Poisson ratio", "a number > -1 and < 0.5", ["0.5", "-1", "0.7", "steel"]),
     ("Friction", "Coefficients", PAIR, ["0, 0.1", "0.1, -0.1", "0.3", "0.3 0.1", "0.3, inf"]),

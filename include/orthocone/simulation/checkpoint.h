@@ -34,6 +34,9 @@ struct CheckpointError : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
+/// Version of the bytes; another one is refused.
+constexpr unsigned int checkpoint_format = 4;
+
 /// The bytes of a checkpoint: a line with format version, length and checksum, then CBOR.
 std::string encode(const Checkpoint &checkpoint);
 

@@ -67,8 +67,8 @@ std::string with_header(const std::string &content)
 {
   boost::crc_32_type crc;
   crc.process_bytes(content.data(), content.size());
-  return "orthocone-checkpoint 4 " + std::to_string(content.size()) + " " + std::to_string(crc.checksum()) +
-         "\n" + content;
+  return "orthocone-checkpoint " + std::to_string(checkpoint_format) + " " + std::to_string(content.size()) +
+         " " + std::to_string(crc.checksum()) + "\n" + content;
 }
 
 std::string complaint(const std::string &bytes)
