@@ -22,10 +22,6 @@ NodeVector StartForces::best(const ContactProblem &problem, const ContactState &
     candidates.push_back(state.force + memory_.change);
   candidates.push_back(NodeVector::Zero(state.force.size())); // full unloading
   candidates.push_back(state.force);
-  // A sum of forces leaves the cone by rounding. The residual does not see that where friction is next to
-  // nothing, and a start that is good enough is the solution.
-  for (NodeVector &candidate : candidates)
-    candidate = problem.admissible(std::move(candidate));
   double least = std::numeric_limits<double>::infinity();
   std::size_t best = candidates.size() - 1;
   for (std::size_t i = 0; i < candidates.size() && least > tolerance; ++i)
@@ -34,7 +30,12 @@ NodeVector StartForces::best(const ContactProblem &problem, const ContactState &
       least = residual;
       best = i;
     }
-  return candidates[best];
+  if (least > tolerance)
+    return candidates[best];
+  // This is the solution then. A sum of forces leaves the cone by rounding, which the residual does not see
+  // where friction is next to nothing.
+  NodeVector inside = problem.admissible(candidates[best]);
+  return problem.residual(inside) <= tolerance ? inside : candidates[best];
 }
 
 void StartForces::remember(const NodeVector &before, const NodeVector &after, const LoadStep &step)

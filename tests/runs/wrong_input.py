@@ -154,7 +154,7 @@ NAMES_ON_COMMAND_LINE = [
     ("Load program/Slip potential", "Friction/Slip potential"), ("Foo/Bar", ""), ("Material/Density", ""),
     ("Friction/Angle", "Friction/Orthotropy angle"), ("Mesh/Element degree", "Mesh/Degree"),
     # A right section is no reason to take an entry for another.
-    ("Solver options/Verbose", ""), ("Parameters/Mesh", ""), ("Contact solver/Solver", ""), ("Output/Folder", ""),
+    ("Solver options/Verbose", ""), ("Parameters/Mesh", ""), ("Contact solver/Solver", "Contact solver/Method"), ("Output/Folder", ""),
 ]
 
 # Command lines: arguments, exit code, expression.
