@@ -233,6 +233,18 @@ class ContractTest(unittest.TestCase):
             self.assertEqual((result.returncode, result.stderr), (0, ""))
             self.assertIn(expected, result.stdout)
         self.assertEqual(list(self.folder.iterdir()), [])
+        for words in ("-h [ --help ]", "-o [ --output ]", "-q [ --quiet ]", "--insist", "example: orthocone prm/paper/"):
+            self.assertIn(words, self.run_program("-h").stdout)
+        result = self.run_program("-q", "-o", "short", settings=SMALL)
+        self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
+        self.assertTrue((self.folder / "short/history.csv").exists())
+
+    def test_dissipation_is_never_negative(self):
+        """Also where all is rounding: a disc of the width of a galaxy, pressed by a tenth of a millimetre."""
+        result = self.run_program("--output", "run", settings=[*SMALL, "Geometry/Radius=1e18", "Output/Probes="])
+        self.assertEqual(result.returncode, 0, result.stderr)
+        for row in self.history():
+            self.assertGreaterEqual(min(float(row["dissipation"]), float(row["total_dissipation"])), 0)
 
     def verified(self, name, *settings):
         file = ROOT / f"prm/verification/{name}.prm"
