@@ -16,6 +16,17 @@ PROGRAM = os.path.abspath(sys.argv[1])
 # A mesh that is solved in no time, with the paper's load program.
 SMALL = ["Mesh/Core cells=2", "Mesh/Rings=2", "Mesh/Layers=2", "Mesh/Degree=1"]
 
+# The same as a file of its own, with a program of two steps.
+SCENE = """subsection Mesh
+  set Core cells = 2
+  set Layers     = 1
+  set Degree     = 1
+end
+subsection Load program
+  set Legs = 0 0 -0.1 : 2
+end
+"""
+
 
 def content(path):
     """Bytes of a file, but for the date in the comment of a .pvd file."""

@@ -9,20 +9,9 @@ import sys
 import time
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from program import PROGRAM, RunTest, SMALL, main  # noqa: E402
+from program import PROGRAM, RunTest, SCENE, SMALL, main  # noqa: E402
 
 DONE, FILE_ERROR = 0, 4
-SCENE = """subsection Mesh
-  set Core cells = 2
-  set Layers     = 1
-  set Degree     = 1
-end
-subsection Load program
-  set Legs = 0 0 -0.1 : 2
-end
-"""
-
-
 class RunFolderTest(RunTest):
     def start(self, *arguments, folder="."):
         return subprocess.run([PROGRAM, *arguments], cwd=self.folder / folder, text=True, capture_output=True,

@@ -10,17 +10,8 @@ import threading
 import time
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from program import PROGRAM, ROOT, RunTest, main  # noqa: E402
+from program import PROGRAM, ROOT, RunTest, SCENE, main  # noqa: E402
 
-SCENE = """subsection Mesh
-  set Core cells = 2
-  set Layers     = 1
-  set Degree     = 1
-end
-subsection Load program
-  set Legs = 0 0 -0.1 : 2
-end
-"""
 DONE, WRONG_INPUT, FILE_ERROR = 0, 2, 4
 
 
