@@ -12,6 +12,8 @@ sys.dont_write_bytecode = True  # the source tree stays clean
 from program import PROGRAM, RunTest, SCENE, SMALL, main  # noqa: E402
 
 DONE, FILE_ERROR = 0, 4
+
+
 class RunFolderTest(RunTest):
     def start(self, *arguments, folder="."):
         return subprocess.run([PROGRAM, *arguments], cwd=self.folder / folder, text=True, capture_output=True,
