@@ -2,19 +2,18 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/elasticity/stiffness_factor.h>
 
+#include "metis_order.h"
+
 #include <cholmod.h>
 #include <lapacke.h>
-#include <metis.h>
 
 #include <algorithm>
 #include <array>
-#include <csignal>
 #include <limits>
 #include <new>
 #include <numeric>
 #include <stdexcept>
 #include <string>
-#include <type_traits>
 
 namespace orthocone
 {
@@ -104,7 +103,7 @@ struct Graph
   Graph(const dealii::SparsityPattern &pattern, const unsigned int n)
       : starts(n + 1, 0)
   {
-    if (2 * pattern.n_nonzero_elements() > static_cast<std::size_t>(std::numeric_limits<idx_t>::max()))
+    if (2 * pattern.n_nonzero_elements() > static_cast<std::size_t>(std::numeric_limits<int>::max()))
       throw too_large();
     const auto for_each_edge = [&](const auto &visit)
     {
@@ -116,50 +115,29 @@ struct Graph
     for_each_edge([this](const unsigned int a, const unsigned int b) { ++starts[a + 1], ++starts[b + 1]; });
     std::partial_sum(starts.begin(), starts.end(), starts.begin());
     neighbours.resize(starts.back());
-    std::vector<idx_t> next = starts;
+    std::vector<int> next = starts;
     for_each_edge(
         [&](const unsigned int a, const unsigned int b)
         {
-          neighbours[next[a]++] = static_cast<idx_t>(b);
-          neighbours[next[b]++] = static_cast<idx_t>(a);
+          neighbours[next[a]++] = static_cast<int>(b);
+          neighbours[next[b]++] = static_cast<int>(a);
         });
   }
 
-  std::vector<idx_t> starts;
-  std::vector<idx_t> neighbours;
+  std::vector<int> starts;
+  std::vector<int> neighbours;
 };
-
-/// METIS is called without CHOLMOD around it, which drops its result. METIS catches SIGTERM by a handler of
-/// its own and gives up: the signal is passed on to who should have had it.
-void order_by_metis(Graph graph, std::vector<idx_t> &order)
-{
-  auto n = static_cast<idx_t>(graph.starts.size() - 1);
-  // METIS complains on the screen where memory runs out; so this is found out before (CHOLMOD's measure).
-  delete[] new idx_t[20 * graph.neighbours.size() + 100 * graph.starts.size()];
-  std::vector<idx_t> inverse(n);
-  switch (METIS_NodeND(&n, graph.starts.data(), graph.neighbours.data(), nullptr, nullptr, order.data(),
-                       inverse.data()))
-  {
-  case METIS_OK:
-    return;
-  case METIS_ERROR_MEMORY:
-    throw std::bad_alloc();
-  case METIS_ERROR:
-    std::raise(SIGTERM);
-    [[fallthrough]];
-  default:
-    throw std::runtime_error("ordering the stiffness: METIS fails");
-  }
-}
 
 /// Fill-reducing order of the interior unknowns, followed by the others as they are.
 std::vector<int> elimination_order(const dealii::SparsityPattern &pattern, const unsigned int n_interior)
 {
-  static_assert(std::is_same<idx_t, int>::value, "CHOLMOD's indices are METIS'");
   std::vector<int> order(pattern.n_rows());
   std::iota(order.begin(), order.end(), 0);
   if (n_interior > 0)
-    order_by_metis(Graph(pattern, n_interior), order);
+  {
+    Graph graph(pattern, n_interior);
+    order_by_metis(graph.starts, graph.neighbours, order);
+  }
   return order;
 }
 

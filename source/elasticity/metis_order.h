@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <vector>
+
+namespace orthocone
+{
+/// Nested dissection of a graph by METIS: `starts` and `neighbours` hold it in compressed rows, both
+/// directions of every edge. The first entries of `order` become the order. Throws std::bad_alloc, or
+/// std::runtime_error if METIS fails.
+///
+/// METIS catches SIGTERM, the signal of batch systems and containers, by a handler of its own that jumps out
+/// of whatever it does; what it frees then may be free already. So it runs in a process of its own, and this
+/// one keeps its handlers.
+void order_by_metis(std::vector<int> &starts, std::vector<int> &neighbours, std::vector<int> &order);
+} // namespace orthocone
