@@ -65,7 +65,8 @@ Eigen::VectorXd array_from(const Json &json, const Index size)
   if (bytes.size() % sizeof(double) != 0 || static_cast<Index>(bytes.size() / sizeof(double)) != size)
     throw CheckpointError("is damaged (an array has the wrong size)");
   Eigen::VectorXd values(size);
-  std::memcpy(values.data(), bytes.data(), bytes.size());
+  if (size > 0) // an empty array may have no address
+    std::memcpy(values.data(), bytes.data(), bytes.size());
   if (!values.allFinite())
     throw CheckpointError("is damaged (a number is not finite)");
   return values;
