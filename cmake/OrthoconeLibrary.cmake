@@ -3,7 +3,10 @@
 
 function(orthocone_warnings target)
   target_compile_features(${target} PUBLIC cxx_std_17)
-  target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow -Werror)
+  target_compile_options(${target} PRIVATE -Wall -Wextra -Wshadow)
+  if(ORTHOCONE_WERROR)
+    target_compile_options(${target} PRIVATE -Werror)
+  endif()
   # deal.II's flags, which were chosen for g++, name warnings that clang does not have.
   target_compile_options(${target} PRIVATE $<$<CXX_COMPILER_ID:Clang>:-Wno-unknown-warning-option>)
 endfunction()
@@ -14,6 +17,30 @@ function(orthocone_own_flags target)
   target_compile_definitions(${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:NDEBUG>)
 endfunction()
 
+# What all targets compile alike. The same template compiled with and without BLAS would break the one-definition rule.
+function(orthocone_common target)
+  orthocone_warnings(${target})
+  target_compile_definitions(${target} PRIVATE EIGEN_USE_BLAS EIGEN_USE_LAPACKE)
+  target_link_libraries(${target} Eigen3::Eigen)
+endfunction()
+
+# deal.II's headers take seconds to read: they are read once for all targets that use deal.II.
+function(orthocone_dealii target)
+  deal_ii_setup_target(${target})
+  orthocone_common(${target})
+  if(ORTHOCONE_PRECOMPILED_HEADERS)
+    target_precompile_headers(${target} REUSE_FROM orthocone_headers)
+  endif()
+endfunction()
+
+function(orthocone_precompile_headers)
+  file(WRITE ${CMAKE_BINARY_DIR}/headers.cc "")
+  add_library(orthocone_headers OBJECT ${CMAKE_BINARY_DIR}/headers.cc)
+  deal_ii_setup_target(orthocone_headers)
+  orthocone_common(orthocone_headers)
+  target_precompile_headers(orthocone_headers PRIVATE ${ARGN})
+endfunction()
+
 # deal.II's macro uses the signature of target_link_libraries without keywords, and CMake wants one or the other.
 
 # orthocone_library(NAME [DEALII] [DEPENDS LIBRARY...])
@@ -22,7 +49,8 @@ endfunction()
 function(orthocone_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "DEALII" "" "DEPENDS")
   set(target orthocone_${name})
-  file(GLOB sources CONFIGURE_DEPENDS source/${name}/*.cc)
+  file(GLOB_RECURSE sources CONFIGURE_DEPENDS source/${name}/*.cc)
+  list(FILTER sources EXCLUDE REGEX "/main\\.cc$")
   add_library(${target} STATIC ${sources})
   set(view ${CMAKE_BINARY_DIR}/views/${name})
   file(MAKE_DIRECTORY ${view}/orthocone)
@@ -32,11 +60,11 @@ function(orthocone_library name)
     target_link_libraries(${target} orthocone_${dependency})
   endforeach()
   if(arg_DEALII)
-    deal_ii_setup_target(${target})
+    orthocone_dealii(${target})
   else()
     orthocone_own_flags(${target})
+    orthocone_common(${target})
   endif()
-  orthocone_warnings(${target})
 endfunction()
 
 # Provides the header orthocone_revision.h to the sources of a library.

@@ -1,47 +1,24 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include <orthocone/parameters/errors.h>
-#include <orthocone/parameters/parameters.h>
-#include <orthocone/parameters/text.h>
+#include "shape_checks.h"
 
-#include <algorithm>
-#include <cmath>
+#include <orthocone/base/errors.h>
+#include <orthocone/base/text.h>
+#include <orthocone/parameters/gap_file.h>
+#include <orthocone/parameters/parameters.h>
+#include <orthocone/parameters/values.h>
 
 namespace orthocone
 {
 namespace
 {
-/// Thickness of the thinnest of `n` intervals, each `grading` times as thick as the one before, relative to
-/// all.
-double thinnest(const unsigned int n, const double grading)
-{
-  double sum = 0;
-  double thickness = 1;
-  double least = 1;
-  for (unsigned int i = 0; i < n; ++i, thickness *= grading)
-  {
-    sum += thickness;
-    least = std::min(least, thickness);
-  }
-  return least / sum;
-}
-
 void check_mesh(const MeshOptions &mesh)
 {
-  constexpr double least_thickness = 1e-6;
   if (mesh.n_quadrature_points() <= mesh.degree)
     throw InputError(
         "Mesh/Quadrature points = " + std::to_string(mesh.quadrature_points) +
         ": with Mesh/Degree = " + std::to_string(mesh.degree) +
         " allowed is 0 or more than the degree (fewer points leave deformations without stiffness)");
-  if (thinnest(mesh.n_rings(), mesh.rim_grading) < least_thickness)
-    throw InputError("Mesh/Rim grading = " + to_text(mesh.rim_grading) + " with " +
-                     std::to_string(mesh.n_rings()) +
-                     " rings: allowed is what leaves every ring 1e-6 of their common thickness");
-  if (thinnest((mesh.layers + 1) / 2, mesh.layer_grading) < least_thickness)
-    throw InputError("Mesh/Layer grading = " + to_text(mesh.layer_grading) + " with " +
-                     std::to_string(mesh.layers) +
-                     " layers: allowed is what leaves every layer 1e-6 of the height");
 }
 
 /// The first mesh entry that a resolution or an accuracy would choose, but that was set beside it; or "".
@@ -103,26 +80,29 @@ void check_load(const LoadOptions &load)
                      ": allowed is one of them, the other 0 (a run that stops has nothing to jump)");
 }
 
-void check_compression(const LoadOptions &load, const double height)
+void check_compression(const LoadOptions &load, const GeometryOptions &geometry)
 {
   for (const auto *const legs : {&load.preload, &load.legs})
     for (const Leg &leg : *legs)
-      if (leg.target[2] <= -height)
-        throw InputError(
-            std::string("Load program/") + (legs == &load.legs ? "Legs" : "Preload") +
-            ": u_z = " + to_text(leg.target[2]) +
-            " mm presses the body flat: allowed is more than -Geometry/Height = " + to_text(-height) + " mm");
+      if (const auto u_z = leg.motion(2); u_z && *u_z <= -geometry.held_height())
+        throw InputError(std::string("Load program/") + (legs == &load.legs ? "Legs" : "Preload") +
+                         ": u_z = " + to_text(*u_z) + " mm presses the body flat: allowed is more than -" +
+                         height_entry(geometry) + " = " + to_text(-geometry.held_height()) + " mm");
 }
 
-void check_probes(const std::vector<Probe> &probes, const double radius)
+/// The scene uses these one by one; until then they are refused rather than ignored.
+void check_supported(const Parameters &parameters)
 {
-  constexpr double rounding = 1e-12;
-  for (const Probe &probe : probes)
-    if (std::hypot(probe.position[0], probe.position[1]) > (1 + rounding) * radius)
-      throw InputError("Output/Probes: '" + probe.name + "' at (" + to_text(probe.position[0]) + ", " +
-                       to_text(probe.position[1]) +
-                       ") is off the contact surface: allowed are points within " +
-                       "Geometry/Radius = " + to_text(radius) + " of the axis");
+  if (parameters.friction.varies())
+    throw InputError("Friction: expressions of x and y are not supported yet");
+  if (!parameters.obstacle.is_plane())
+    throw InputError("Obstacle: gaps are not supported yet");
+}
+
+void check_obstacle(const ObstacleOptions &obstacle)
+{
+  if (!obstacle.gap_file.empty())
+    read_gap_file(obstacle.gap_file);
 }
 } // namespace
 
@@ -131,7 +111,9 @@ void check_parameters(const Parameters &parameters)
   check_mesh_choice(parameters.mesh);
   check_mesh(parameters.mesh);
   check_load(parameters.load);
-  check_compression(parameters.load, parameters.geometry.height);
-  check_probes(parameters.output.probes, parameters.geometry.radius);
+  check_compression(parameters.load, parameters.geometry);
+  check_shape(parameters);
+  check_obstacle(parameters.obstacle);
+  check_supported(parameters);
 }
 } // namespace orthocone

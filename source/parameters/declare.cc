@@ -12,11 +12,11 @@ namespace
 {
 void declare_geometry(GeometryOptions &geometry, EntryTable &table)
 {
-  table.add("Shape", "cylinder",
-            Allowed("cylinder", [](const std::string &text) { return text == "cylinder"; }),
-            "Shape of the body; its base z = 0 rests on the rigid plane.", [](const std::string &) {});
-  add_number(table, "Radius", geometry.radius, positive, "Radius in mm.");
-  add_number(table, "Height", geometry.height, positive, "Height in mm.");
+  add_choice(table, "Shape", geometry.shape,
+             "Shape of the body; its base z = 0 rests on the rigid plane, its axis is z.");
+  add_number(table, "Radius", geometry.radius, positive, "Radius of a cylinder in mm.");
+  add_number(table, "Height", geometry.height, positive, "Height of a cylinder in mm.");
+  add_sizes(table, "Sizes", geometry.sizes, "l_x, l_y, l_z: lengths of a box along the axes in mm.");
   add_choice(
       table, "Top face", geometry.top_face,
       "The upper face moves as a rigid plate (clamped), or has u_z prescribed and is free sideways (guided; "
@@ -55,6 +55,10 @@ void declare_mesh(MeshOptions &mesh, EntryTable &table)
              "Distance of the core's corners from the axis / radius.");
   add_number(table, "Rim grading", mesh.rim_grading, Range{0, 10, false, true},
              "Each ring is this many times as thick as the next inner one; 1 = uniform.");
+  add_cells(table, "Cells", mesh.cells, 200, "n_x, n_y, n_z: cells of a box along the axes.");
+  add_number(
+      table, "Edge grading", mesh.edge_grading, Range{0, 10, false, true},
+      "Of a box: each cell is this many times as thick as its neighbour towards the middle; 1 = uniform.");
   add_number(table, "Layer grading", mesh.layer_grading, Range{0, 10, false, true},
              "Each layer is this many times as thick as its neighbour towards mid-height; 1 = uniform.");
 }
@@ -68,21 +72,36 @@ void declare_material(MaterialOptions &material, EntryTable &table)
 void declare_friction(FrictionOptions &friction, EntryTable &table)
 {
   add_coefficients(
-      table, "Coefficients", friction.mu,
+      table, "Coefficients", friction,
       "mu_x, mu_y: semi-axes of the friction ellipse, the section of the cone at unit normal force.");
   add_slip_potential(
-      table, "Slip potential", friction.slip_potential,
+      table, "Slip potential", friction,
       "p_x, p_y: semi-axes of the slip ellipse; only their ratio matters. associated: those of the friction "
-      "ellipse, so that slip is normal to it. Equal ones: slip is along the force.");
-  add_number(table, "Orthotropy angle", friction.angle, Range{-360, 360, true, true},
-             "Degrees from the x axis to the first axis of both ellipses.");
+      "ellipse, so that slip is normal to it. Equal ones, or collinear: slip is along the force.");
+  add_angle(
+      table, "Orthotropy angle", friction,
+      "Degrees from the x axis to the first axis of both ellipses; atan2(y,x)*180/pi: axes along radius "
+      "and hoop.");
+}
+
+void declare_obstacle(ObstacleOptions &obstacle, EntryTable &table)
+{
+  add_gap(table, "Gap", obstacle.gap,
+          "Gap between the base of the body and the obstacle in mm, before the body moves, such as "
+          "(x^2+y^2)/(2*1000), a sphere of radius 1000 mm.");
+  add_path(
+      table, "Gap file", obstacle.gap_file,
+      "A gap on a regular grid, which is added to Gap: a text file with the line 'x0 dx nx y0 dy ny', then "
+      "ny lines of nx numbers, all in mm; relative to the folder of the parameter file.");
 }
 
 void declare_load(LoadOptions &load, EntryTable &table)
 {
   add_legs(table, "Preload", load.preload, "Legs passed through once, before the cycles.");
   add_legs(table, "Legs", load.legs,
-           "Legs of a cycle: the upper face moves to (ux, uy, uz) in equal steps, from where it was.");
+           "Legs of a cycle: the upper face moves to (ux, uy, uz) in equal steps, from where it was. Named "
+           "components, as in 'Fz -2e5 rz 0.5 : 10', are driven by a motion or by a force; the others keep "
+           "what they have.");
   add_count(table, "Cycles", load.cycles, 0, 1000000, "How many times the legs are passed through.");
   const Range share{0, 1, true, false};
   add_number(
@@ -175,6 +194,7 @@ void declare_parameters(Parameters &parameters, EntryTable &table)
   section("Mesh", declare_mesh, parameters.mesh);
   section("Material", declare_material, parameters.material);
   section("Friction", declare_friction, parameters.friction);
+  section("Obstacle", declare_obstacle, parameters.obstacle);
   section("Load program", declare_load, parameters.load);
   section("Contact solver", declare_contact_solver, parameters.contact_solver);
   section("Checks", declare_checks, parameters.checks);

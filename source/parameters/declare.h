@@ -5,9 +5,9 @@
 // in one call.
 #pragma once
 
-#include <orthocone/parameters/options.h>
-
 #include "entries.h"
+
+#include <orthocone/parameters/options.h>
 
 namespace orthocone
 {

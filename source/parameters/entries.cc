@@ -2,25 +2,14 @@
 // Copyright (C) 2026 the orthocone authors
 #include "entries.h"
 
+#include <algorithm>
 #include <cstdlib>
+#include <filesystem>
 
 namespace orthocone::entries
 {
 namespace
 {
-std::string legs_text(const std::vector<Leg> &legs)
-{
-  std::string text;
-  for (const Leg &leg : legs)
-  {
-    text += text.empty() ? "" : "; ";
-    for (const double coordinate : leg.target)
-      text += to_text(coordinate) + " ";
-    text += ": " + std::to_string(leg.steps);
-  }
-  return text;
-}
-
 std::string probes_text(const std::vector<Probe> &probes)
 {
   std::string text;
@@ -87,45 +76,6 @@ void add_percentage(EntryTable &table, const std::string &name, double &value, c
             [&value](const std::string &text) { value = *parse_percentage(text); });
 }
 
-/// Two numbers separated by a comma, both within the range.
-static std::optional<std::array<double, 2>> parse_pair(const std::string &text, const Range &range)
-{
-  const auto pair = parse_numbers(text, 2, ',');
-  if (!pair || !range.contains((*pair)[0]) || !range.contains((*pair)[1]))
-    return std::nullopt;
-  return std::array<double, 2>{{(*pair)[0], (*pair)[1]}};
-}
-
-static std::string pair_text(const std::array<double, 2> &pair)
-{
-  return to_text(pair[0]) + ", " + to_text(pair[1]);
-}
-
-void add_coefficients(EntryTable &table, const std::string &name, std::array<double, 2> &value,
-                      const std::string &help)
-{
-  const auto parse = [](const std::string &text) -> std::optional<std::array<double, 2>>
-  {
-    const auto pair = parse_pair(text, Range{0, positive.upper, true, false});
-    const bool is_half_zero = pair && ((*pair)[0] == 0) != ((*pair)[1] == 0);
-    return is_half_zero ? std::nullopt : pair;
-  };
-  table.add(name, pair_text(value),
-            Allowed("two numbers > 0 (or both 0: no friction) separated by a comma",
-                    [parse](const std::string &text) { return parse(text).has_value(); }),
-            help, [&value, parse](const std::string &text) { value = *parse(text); });
-}
-
-void add_slip_potential(EntryTable &table, const std::string &name,
-                        std::optional<std::array<double, 2>> &value, const std::string &help)
-{
-  constexpr const char *associated = "associated";
-  table.add(name, value ? pair_text(*value) : associated,
-            Allowed("associated, or two numbers > 0 separated by a comma",
-                    [](const std::string &text) { return text == associated || parse_pair(text, positive); }),
-            help, [&value](const std::string &text) { value = parse_pair(text, positive); });
-}
-
 void add_count(EntryTable &table, const std::string &name, unsigned int &value, const unsigned int lower,
                const unsigned int upper, const std::string &help)
 {
@@ -139,11 +89,67 @@ void add_count(EntryTable &table, const std::string &name, unsigned int &value, 
             [&value](const std::string &text) { value = *parse_count(text); });
 }
 
+void add_sizes(EntryTable &table, const std::string &name, std::array<double, 3> &value,
+               const std::string &help)
+{
+  const auto parse = [](const std::string &text)
+  {
+    auto sizes = parse_numbers(text, 3, ',');
+    const auto is_positive = [](const double size) { return positive.contains(size); };
+    if (sizes && !std::all_of(sizes->begin(), sizes->end(), is_positive))
+      sizes.reset();
+    return sizes;
+  };
+  table.add(name, to_text(value[0]) + ", " + to_text(value[1]) + ", " + to_text(value[2]),
+            Allowed("three numbers > 0 separated by commas",
+                    [parse](const std::string &text) { return parse(text).has_value(); }),
+            help,
+            [&value, parse](const std::string &text)
+            {
+              const auto sizes = *parse(text);
+              std::copy(sizes.begin(), sizes.end(), value.begin());
+            });
+}
+
+/// Three counts from 1 to `most`, or nothing.
+static std::optional<std::array<unsigned int, 3>> parse_cells(const std::string &text,
+                                                              const unsigned int most)
+{
+  const auto parts = split(text, ',');
+  std::array<unsigned int, 3> cells{};
+  if (parts.size() != cells.size())
+    return std::nullopt;
+  for (std::size_t i = 0; i < cells.size(); ++i)
+  {
+    const auto count = parse_count(parts[i]);
+    if (!count || *count < 1 || *count > most)
+      return std::nullopt;
+    cells[i] = *count;
+  }
+  return cells;
+}
+
+void add_cells(EntryTable &table, const std::string &name, std::array<unsigned int, 3> &value,
+               const unsigned int most, const std::string &help)
+{
+  table.add(name,
+            std::to_string(value[0]) + ", " + std::to_string(value[1]) + ", " + std::to_string(value[2]),
+            Allowed("three whole numbers from 1 to " + std::to_string(most) + " separated by commas",
+                    [most](const std::string &text) { return parse_cells(text, most).has_value(); }),
+            help, [&value, most](const std::string &text) { value = *parse_cells(text, most); });
+}
+
 void add_legs(EntryTable &table, const std::string &name, std::vector<Leg> &value, const std::string &help)
 {
   table.add(name, legs_text(value),
-            Allowed("legs \"ux uy uz : steps\" (numbers in mm, at least one step), separated by ';'",
-                    [](const std::string &text) { return parse_legs(text).has_value(); }),
+            Allowed(
+                allowed_legs(), [](const std::string &text) { return parse_legs(text).has_value(); },
+                [](const std::string &text)
+                {
+                  std::string instead;
+                  parse_legs(text, &instead);
+                  return instead;
+                }),
             help, [&value](const std::string &text) { value = *parse_legs(text); });
 }
 
@@ -161,33 +167,16 @@ void add_probes(EntryTable &table, const std::string &name, std::vector<Probe> &
 
 namespace orthocone
 {
-void EntryTable::enter(const std::string &section)
+const Entry *EntryTable::find(const std::string &name) const
 {
-  section_ = section;
+  const auto found =
+      std::find_if(entries_.begin(), entries_.end(), [&](const Entry &entry) { return entry.name == name; });
+  return found == entries_.end() ? nullptr : &*found;
 }
 
-void EntryTable::add(const std::string &name, const std::string &default_text, const Allowed &allowed,
-                     const std::string &help, const std::function<void(const std::string &)> &assign)
+std::string EntryTable::path_of(const std::string &path) const
 {
-  handler_.enter_subsection(section_);
-  handler_.declare_entry(name, default_text, allowed, help + " Allowed: " + allowed.description() + ".");
-  handler_.add_action(name, assign);
-  handler_.leave_subsection();
-  allowed_.emplace(section_ + "/" + name, allowed);
-}
-
-std::optional<std::string> EntryTable::what_is_allowed_instead(const std::string &name,
-                                                               const std::string &value) const
-{
-  const Allowed &allowed = allowed_.at(name);
-  return allowed.match(value) ? std::nullopt : std::optional<std::string>(allowed.description_for(value));
-}
-
-void EntryTable::set(const std::string &name, const std::string &value)
-{
-  const auto slash = name.find('/');
-  handler_.enter_subsection(name.substr(0, slash));
-  handler_.set(name.substr(slash + 1), value);
-  handler_.leave_subsection();
+  namespace fs = std::filesystem;
+  return fs::absolute(fs::path(file_).parent_path() / path).lexically_normal().string();
 }
 } // namespace orthocone

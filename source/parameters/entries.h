@@ -1,72 +1,80 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// Typed entries on top of deal.II's ParameterHandler, whose own number patterns know closed intervals only
-// and describe what is allowed in terms of C++ limits.
+// The table of all entries, and how entries of each type join it.
 #pragma once
 
-#include <orthocone/parameters/text.h>
-
-#include <deal.II/base/parameter_handler.h>
+#include <orthocone/base/text.h>
+#include <orthocone/parameters/values.h>
 
 #include <functional>
-#include <map>
 #include <optional>
+#include <utility>
 
 namespace orthocone
 {
-/// Pattern given by a test and a description in plain words.
-class Allowed : public dealii::Patterns::PatternBase
+/// Which texts an entry takes: a test, and a description that goes on after "allowed is".
+struct Allowed
 {
-public:
   using Test = std::function<bool(const std::string &)>;
   using Description = std::function<std::string(const std::string &)>;
 
-  /// `for_value`: the description for somebody who gave a value, where that differs.
-  Allowed(std::string description, Test test, Description for_value = {})
-      : description_(std::move(description)),
-        test_(std::move(test)),
-        for_value_(std::move(for_value))
+  /// `of_value`: the description for somebody who gave a value, where that differs.
+  Allowed(const std::string &general, Test of_text, const Description &of_value = {})
+      : description(general),
+        test(std::move(of_text)),
+        description_for(of_value ? of_value : [general](const std::string &) { return general; })
   {
   }
 
-  bool match(const std::string &text) const override { return test_(text); }
-  std::string description(OutputStyle = Machine) const override { return description_; }
-  std::string description_for(const std::string &value) const
-  {
-    return for_value_ ? for_value_(value) : description_;
-  }
-  std::unique_ptr<PatternBase> clone() const override { return std::make_unique<Allowed>(*this); }
-
-private:
-  std::string description_;
-  Test test_;
-  Description for_value_;
+  std::string description;
+  Test test;
+  Description description_for;
 };
 
-/// Sections and entries: deal.II's handler, and what is allowed as messages tell it.
+/// An entry of the parameter file.
+struct Entry
+{
+  std::string name; ///< "Section/Entry"
+  std::string text; ///< of the value
+  std::string help; ///< ends with what is allowed
+  Allowed allowed;
+  std::function<void(const std::string &)> assign;
+
+  std::string section() const { return name.substr(0, name.find('/')); }
+  std::string own_name() const { return name.substr(name.find('/') + 1); }
+};
+
+/// All entries, in the order of the file.
 class EntryTable
 {
 public:
   /// Entries that follow belong to this section.
-  void enter(const std::string &section);
+  void enter(const std::string &section) { section_ = section; }
 
-  /// Declares an entry whose help ends with what is allowed and whose accepted texts are handed to `assign`.
-  void add(const std::string &name, const std::string &default_text, const Allowed &allowed,
-           const std::string &help, const std::function<void(const std::string &)> &assign);
+  /// Declares an entry whose accepted texts are handed to `assign`.
+  void add(const std::string &name, const std::string &text, const Allowed &allowed, const std::string &help,
+           const std::function<void(const std::string &)> &assign)
+  {
+    entries_.push_back(
+        {section_ + "/" + name, text, help + " Allowed: " + allowed.description + ".", allowed, assign});
+  }
 
-  /// What is allowed for the entry "Section/Entry", if `value` is not.
-  std::optional<std::string> what_is_allowed_instead(const std::string &name, const std::string &value) const;
+  const std::vector<Entry> &entries() const { return entries_; }
 
-  /// Sets the entry "Section/Entry" to an allowed value.
-  void set(const std::string &name, const std::string &value);
+  /// The entry "Section/Entry", if there is one.
+  const Entry *find(const std::string &name) const;
 
-  const dealii::ParameterHandler &handler() const { return handler_; }
+  /// The file that the next values are in; it need not exist.
+  void read_from(const std::string &file_name) { file_ = file_name; }
+
+  /// The absolute path of what that file, or the command line without one, calls `path`.
+  std::string path_of(const std::string &path) const;
 
 private:
-  dealii::ParameterHandler handler_;
-  std::map<std::string, Allowed> allowed_;
+  std::vector<Entry> entries_;
   std::string section_;
+  std::string file_;
 };
 } // namespace orthocone
 
@@ -97,16 +105,34 @@ void add_number(EntryTable &table, const std::string &name, double &value, const
 void add_percentage(EntryTable &table, const std::string &name, double &value, const Range &range,
                     const std::string &help);
 
-/// Semi-axes of the friction ellipse: both positive, or none at all.
-void add_coefficients(EntryTable &table, const std::string &name, std::array<double, 2> &value,
+/// Semi-axes of the friction ellipse, numbers or expressions: both positive, or none at all.
+void add_coefficients(EntryTable &table, const std::string &name, FrictionOptions &friction,
                       const std::string &help);
 
-/// Semi-axes of the slip ellipse, or the word that takes those of the friction ellipse.
-void add_slip_potential(EntryTable &table, const std::string &name,
-                        std::optional<std::array<double, 2>> &value, const std::string &help);
+/// Semi-axes of the slip ellipse, numbers or expressions, or a word.
+void add_slip_potential(EntryTable &table, const std::string &name, FrictionOptions &friction,
+                        const std::string &help);
+
+/// Angle of both ellipses in degrees, a number or an expression.
+void add_angle(EntryTable &table, const std::string &name, FrictionOptions &friction,
+               const std::string &help);
+
+/// A gap in mm, a number or an expression.
+void add_gap(EntryTable &table, const std::string &name, std::string &gap, const std::string &help);
+
+/// Path of a file, relative to the folder of the file that has the entry, or nothing.
+void add_path(EntryTable &table, const std::string &name, std::string &value, const std::string &help);
 
 void add_count(EntryTable &table, const std::string &name, unsigned int &value, unsigned int lower,
                unsigned int upper, const std::string &help);
+
+/// Three lengths > 0 separated by commas.
+void add_sizes(EntryTable &table, const std::string &name, std::array<double, 3> &value,
+               const std::string &help);
+
+/// Three whole numbers from 1 to `most` separated by commas.
+void add_cells(EntryTable &table, const std::string &name, std::array<unsigned int, 3> &value,
+               unsigned int most, const std::string &help);
 
 void add_legs(EntryTable &table, const std::string &name, std::vector<Leg> &value, const std::string &help);
 

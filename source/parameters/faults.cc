@@ -2,8 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include "faults.h"
 
+#include <orthocone/base/text.h>
 #include <orthocone/parameters/parameters.h>
-#include <orthocone/parameters/text.h>
 
 #include <algorithm>
 
@@ -41,7 +41,7 @@ bool is_one_of(const std::string &name, const std::vector<std::string> &names)
 
 std::string not_known(const std::string &kind, const std::string &name, const std::string &nearest)
 {
-  return shown(name) + remark(name) + " is not " + kind +
+  return (name.empty() ? "''" : shown(name)) + remark(name) + " is not " + kind +
          (nearest.empty() ? "; " : "; is " + nearest + " meant? ") +
          "'orthocone --defaults' lists all of them";
 }

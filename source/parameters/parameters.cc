@@ -6,15 +6,15 @@
 #include "faults.h"
 #include "readers.h"
 
-#include <orthocone/parameters/errors.h>
-#include <orthocone/parameters/text.h>
+#include <orthocone/base/errors.h>
+#include <orthocone/base/text.h>
 
-#include <nlohmann/json.hpp>
+#include <deal.II/base/utilities.h>
 
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
-#include <sstream>
+#include <ostream>
 
 namespace orthocone
 {
@@ -34,6 +34,16 @@ void apply_override(const std::string &text, EntryTable &table)
   set_entry("--set: ", trimmed(name.substr(0, slash)) + "/" + trimmed(name.substr(slash + 1)),
             trimmed(text.substr(equals + 1)), table);
 }
+
+/// Length of the longest name of an entry in a section.
+std::size_t longest_name(const std::vector<Entry> &entries, const std::string &section)
+{
+  std::size_t longest = 0;
+  for (const Entry &entry : entries)
+    if (entry.section() == section)
+      longest = std::max(longest, entry.own_name().size());
+  return longest;
+}
 } // namespace
 
 bool is_json(const std::string &file_name)
@@ -50,6 +60,7 @@ ParameterFile read_parameter_file(const std::string &file_name, const std::vecto
   EntryTable table;
   declare_parameters(file.parameters, table);
   file.text = is_json(file_name) ? read_json(file_name, table) : read_prm(file_name, table);
+  table.read_from("");
   for (const std::string &text : overrides)
     apply_override(text, table);
   return file;
@@ -65,14 +76,9 @@ std::vector<std::pair<std::string, std::string>> entry_values(const Parameters &
   Parameters copy = parameters;
   EntryTable table;
   declare_parameters(copy, table);
-  std::ostringstream text;
-  table.handler().print_parameters(text, dealii::ParameterHandler::ShortJSON |
-                                             dealii::ParameterHandler::KeepDeclarationOrder);
   std::vector<std::pair<std::string, std::string>> values;
-  const auto json = nlohmann::ordered_json::parse(text.str());
-  for (const auto &[section, entries] : json.items())
-    for (const auto &[entry, value] : entries.items())
-      values.emplace_back(section + "/" + entry, value.get<std::string>());
+  for (const Entry &entry : table.entries())
+    values.emplace_back(entry.name, entry.text);
   return values;
 }
 
@@ -90,10 +96,24 @@ Parameters with_section(const Parameters &parameters, const std::string &section
 
 void write_parameters(const Parameters &parameters, std::ostream &out)
 {
+  constexpr int width = 74; // of the help, so that lines have at most 78 characters
   Parameters copy = parameters;
   EntryTable table;
   declare_parameters(copy, table);
-  table.handler().print_parameters(out, dealii::ParameterHandler::PRM |
-                                            dealii::ParameterHandler::KeepDeclarationOrder);
+  out << "# Listing of Parameters\n# ---------------------\n";
+  const std::vector<Entry> &entries = table.entries();
+  for (std::size_t i = 0; i < entries.size(); ++i)
+  {
+    const Entry &entry = entries[i];
+    const bool is_first = i == 0 || entries[i - 1].section() != entry.section();
+    out << (is_first ? "subsection " + entry.section() : "") << "\n";
+    for (const std::string &line : dealii::Utilities::break_text_into_lines(entry.help, width))
+      out << "  # " << line << "\n";
+    const std::string name = entry.own_name();
+    out << "  set " << name << std::string(longest_name(entries, entry.section()) - name.size(), ' ') << " = "
+        << entry.text << "\n";
+    if (i + 1 == entries.size() || entries[i + 1].section() != entry.section())
+      out << "end\n\n\n";
+  }
 }
 } // namespace orthocone

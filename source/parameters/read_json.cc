@@ -4,10 +4,9 @@
 #include "readers.h"
 #include "text_file.h"
 
-#include <orthocone/parameters/errors.h>
-#include <orthocone/parameters/text.h>
-
-#include <nlohmann/json.hpp>
+#include <orthocone/base/errors.h>
+#include <orthocone/base/json_walk.h>
+#include <orthocone/base/text.h>
 
 #include <set>
 #include <utility>
@@ -20,28 +19,20 @@ using Json = nlohmann::ordered_json;
 
 constexpr const char *form = "{\"Section\": {\"Entry\": value}}";
 
+constexpr unsigned int deepest = 10;
+
 /// Looks over the text before it is read: the library's reader keeps the last of several values of one name
-/// without a word, and its values of unlimited depth overflow the stack.
-class JsonCheck : public nlohmann::json_sax<Json>
+/// without a word.
+class JsonCheck : public JsonWalk<Json>
 {
 public:
   JsonCheck(std::string name, const std::string &text)
-      : name_(std::move(name)),
+      : JsonWalk(deepest),
+        name_(std::move(name)),
         text_(text)
   {
   }
 
-  bool null() override { return true; }
-  bool boolean(bool) override { return true; }
-  bool number_integer(number_integer_t) override { return true; }
-  bool number_unsigned(number_unsigned_t) override { return true; }
-  bool number_float(number_float_t, const string_t &) override { return true; }
-  bool string(string_t &) override { return true; }
-  bool binary(binary_t &) override { return true; }
-  bool start_object(std::size_t) override { return open(); }
-  bool end_object() override { return close(); }
-  bool start_array(std::size_t) override { return open(); }
-  bool end_array() override { return close(); }
   bool key(string_t &name) override;
   bool parse_error(std::size_t position, const std::string &, const nlohmann::detail::exception &) override;
 
@@ -53,8 +44,8 @@ private:
     std::string last;
   };
 
-  bool open();
-  bool close();
+  bool open() override;
+  bool close() override;
 
   const std::string name_;
   const std::string &text_;
@@ -64,9 +55,8 @@ private:
 
 bool JsonCheck::open()
 {
-  constexpr std::size_t deepest = 10;
   levels_.emplace_back();
-  if (levels_.size() > deepest)
+  if (!JsonWalk::open())
     throw InputError(name_ + ": is nested more than " + std::to_string(deepest) + " deep; allowed is " +
                      form);
   return true;
@@ -75,7 +65,7 @@ bool JsonCheck::open()
 bool JsonCheck::close()
 {
   levels_.pop_back();
-  return true;
+  return JsonWalk::close();
 }
 
 bool JsonCheck::key(string_t &name)
@@ -135,6 +125,7 @@ std::string read_json(const std::string &file_name, EntryTable &table)
   const Json json = Json::parse(text);
   if (!json.is_object())
     throw InputError(place + "is not valid JSON of the form " + form);
+  table.read_from(file_name);
   bool sets_anything = false;
   for (const auto &[section, entries] : json.items())
   {

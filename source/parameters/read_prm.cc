@@ -4,8 +4,8 @@
 #include "readers.h"
 #include "statements.h"
 
-#include <orthocone/parameters/errors.h>
-#include <orthocone/parameters/text.h>
+#include <orthocone/base/errors.h>
+#include <orthocone/base/text.h>
 
 #include <algorithm>
 #include <map>
@@ -50,6 +50,7 @@ void set(const Statement &statement, const Statement *const open, EntryTable &ta
   if (const auto slash = name.find('/'); is_entry(name))
     throw InputError(place + name + " is set within 'subsection " + name.substr(0, slash) + "', as 'set " +
                      name.substr(slash + 1) + " = " + shown(statement.value) + "'");
+  table.read_from(statement.file);
   set_entry(place, (open ? open->name + "/" : "") + name, statement.value, table);
 }
 

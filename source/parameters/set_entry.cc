@@ -3,19 +3,20 @@
 #include "faults.h"
 #include "readers.h"
 
-#include <orthocone/parameters/errors.h>
-#include <orthocone/parameters/text.h>
+#include <orthocone/base/errors.h>
+#include <orthocone/base/text.h>
 
 namespace orthocone
 {
 void set_entry(const std::string &place, const std::string &name, const std::string &value, EntryTable &table)
 {
-  if (!is_entry(name))
+  const Entry *const entry = table.find(name);
+  if (!entry)
     throw InputError(place + not_an_entry(name));
-  if (const auto allowed = table.what_is_allowed_instead(name, value))
+  if (!entry->allowed.test(value))
     throw InputError(place + name + (value.empty() ? " is empty" : " = " + shown(value)) + remark(value) +
-                     ": allowed is " + *allowed);
-  table.set(name, value);
+                     ": allowed is " + entry->allowed.description_for(value));
+  entry->assign(value);
 }
 
 std::string sets_no_entry(const std::string &file_name)

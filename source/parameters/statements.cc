@@ -5,8 +5,8 @@
 #include "faults.h"
 #include "text_file.h"
 
-#include <orthocone/parameters/errors.h>
-#include <orthocone/parameters/text.h>
+#include <orthocone/base/errors.h>
+#include <orthocone/base/text.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -73,19 +73,19 @@ std::string behind(const std::string &keyword, const std::string &text)
   return text.compare(0, keyword.size() + 1, keyword + " ") == 0 ? trimmed(text.substr(keyword.size())) : "";
 }
 
-std::optional<Statement> parse(const Line &line)
+std::optional<Statement> parse(const Line &line, const std::string &file)
 {
   using Kind = Statement::Kind;
   if (line.text == "end")
-    return Statement{Kind::end, "", "", line.place, ""};
+    return Statement{Kind::end, line.place, file};
   if (const std::string name = behind("subsection", line.text); !name.empty())
-    return Statement{Kind::subsection, name, "", line.place, ""};
+    return Statement{Kind::subsection, line.place, file, name};
   const std::string setting = behind("set", line.text);
   const auto equals = setting.find('=');
   const std::string name = trimmed(setting.substr(0, equals));
   if (name.empty() || equals == std::string::npos)
     return std::nullopt;
-  return Statement{Kind::set, name, trimmed(setting.substr(equals + 1)), line.place, ""};
+  return Statement{Kind::set, line.place, file, name, trimmed(setting.substr(equals + 1))};
 }
 
 /// Path of an included file for reading and for messages: without detours, unless these pass a symbolic link.
@@ -146,11 +146,8 @@ void Reader::read(const std::string &file_name, const std::string &asked_from)
     else
     {
       result.text += line.raw;
-      if (auto statement = parse(line))
-      {
-        statement->file = file_name;
+      if (const auto statement = parse(line, file_name))
         result.statements.push_back(*statement);
-      }
       else if (!line.text.empty())
         throw InputError(line.place + ": '" + shown(line.text) + "'" + remark(line.text) +
                          " is not understood: expected is 'subsection NAME', 'set NAME = VALUE', 'end', "

@@ -19,11 +19,11 @@ struct Statement
     end,
   };
 
-  Kind kind = Kind::end;
-  std::string name;   ///< of the section or entry
-  std::string value;  ///< of the entry
-  std::string place;  ///< "file:line" of its first line
-  std::string file{}; ///< path
+  Kind kind;
+  std::string place;   ///< "file:line" of its first line
+  std::string file;    ///< path
+  std::string name{};  ///< of the section or entry
+  std::string value{}; ///< of the entry
 };
 
 /// A .prm file with the included files (paths relative to the including file) in their place.

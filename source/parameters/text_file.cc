@@ -2,8 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include "text_file.h"
 
-#include <orthocone/parameters/errors.h>
-#include <orthocone/parameters/text.h>
+#include <orthocone/base/errors.h>
+#include <orthocone/base/text.h>
 
 #include <fcntl.h>
 #include <poll.h>
@@ -61,18 +61,19 @@ public:
   InputFile(const InputFile &) = delete;
   InputFile &operator=(const InputFile &) = delete;
 
-  std::string read()
+  std::string read(const TextFileKind &kind)
   {
-    constexpr std::size_t most = 4000000;
+    constexpr std::size_t megabyte = 1000000;
     if (is_folder_)
-      throw FileError(name_ + ": is a folder; a parameter file (.prm or .json) is wanted");
+      throw FileError(name_ + ": is a folder; " + kind.name + " is wanted");
     std::string content;
     std::array<char, 65536> piece{};
     while (const std::size_t n = read_piece(piece, content.empty()))
     {
       content.append(piece.data(), n);
-      if (content.size() > most)
-        throw InputError(name_ + ": is larger than 4 MB; a parameter file (.prm or .json) is wanted");
+      if (content.size() > kind.most_megabytes * megabyte)
+        throw InputError(name_ + ": is larger than " + std::to_string(kind.most_megabytes) + " MB; " +
+                         kind.name + " is wanted");
     }
     return content;
   }
@@ -120,21 +121,16 @@ bool is_text(const std::string &content)
 }
 } // namespace
 
-bool continues_character(const char c)
-{
-  return (static_cast<unsigned char>(c) & 0xc0) == 0x80;
-}
-
-std::string read_text_file(const std::string &file_name, const std::string &asked_from)
+std::string read_text_file(const std::string &file_name, const std::string &asked_from,
+                           const TextFileKind &kind)
 {
   const std::string name = asked_from + shown_path(file_name);
-  const std::string content = InputFile(file_name, name).read();
+  const std::string content = InputFile(file_name, name).read(kind);
   const std::string text = with_plain_lines(content);
   if (trimmed(text).empty())
-    throw InputError(name +
-                     ": is empty; 'orthocone --defaults' prints a complete parameter file to start from");
+    throw InputError(name + ": is empty; " + kind.if_empty);
   if (!is_text(text))
-    throw InputError(name + ": is not a text file; a parameter file (.prm or .json) is wanted");
+    throw InputError(name + ": is not a text file; " + kind.name + " is wanted");
   return content;
 }
 

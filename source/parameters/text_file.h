@@ -6,13 +6,24 @@
 
 namespace orthocone
 {
-/// Whether a byte goes on with a UTF-8 character that began before.
-bool continues_character(char c);
+/// What a text file is wanted for, as messages tell it.
+struct TextFileKind
+{
+  const char *name;
+  std::size_t most_megabytes;
+  const char *if_empty;
+};
 
-/// Content of a text file, byte for byte. It may be a pipe or a device and is read once: up to 4 MB, and a
-/// pipe without a writer for five seconds. Throws FileError if it cannot be read, InputError if it is empty,
-/// binary or larger; their messages begin with `asked_from` ("" or "file:line: ").
-std::string read_text_file(const std::string &file_name, const std::string &asked_from = "");
+constexpr TextFileKind parameter_file{
+    "a parameter file (.prm or .json)", 4,
+    "'orthocone --defaults' prints a complete parameter file to start from"};
+constexpr TextFileKind gap_grid_file{"a text file with a grid of gaps", 100, "a grid of gaps is wanted"};
+
+/// Content of a text file, byte for byte. It may be a pipe or a device and is read once: up to so many MB,
+/// and a pipe without a writer for five seconds. Throws FileError if it cannot be read, InputError if it is
+/// empty, binary or larger; their messages begin with `asked_from` ("" or "file:line: ").
+std::string read_text_file(const std::string &file_name, const std::string &asked_from = "",
+                           const TextFileKind &kind = parameter_file);
 
 /// The text without a byte-order mark and with '\n' at the end of lines, whatever wrote it.
 std::string with_plain_lines(const std::string &content);

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
+#include "shape_checks.h"
+
+#include <orthocone/base/text.h>
 #include <orthocone/parameters/parameters.h>
-#include <orthocone/parameters/text.h>
+#include <orthocone/parameters/values.h>
 
 #include <algorithm>
 #include <array>
@@ -33,26 +36,47 @@ void warn_of_locking(const MaterialOptions &material, const MeshOptions &mesh,
                        "take degree 2 or 3, or Mesh/Volumetric quadrature = reduced");
 }
 
-/// Where the corners of the load program are.
-std::vector<std::array<double, 3>> corners(const LoadOptions &load)
+/// Motion of the held face (mm, degrees) at the corners of the load program; 0 where it is not known, because
+/// a force is.
+using Corner = std::array<double, n_rigid_components>;
+
+std::vector<Corner> corners(const LoadOptions &load)
 {
-  std::vector<std::array<double, 3>> targets;
-  for (const Leg &leg : load.preload)
-    targets.push_back(leg.target);
-  if (load.cycles > 0)
-    for (const Leg &leg : load.legs)
-      targets.push_back(leg.target);
-  return targets;
+  std::vector<Corner> all;
+  Corner corner{};
+  const auto pass = [&](const std::vector<Leg> &legs)
+  {
+    for (const Leg &leg : legs)
+    {
+      for (unsigned int i = 0; i < n_rigid_components; ++i)
+        corner[i] = leg.targets[i] ? leg.motion(i).value_or(0) : corner[i];
+      all.push_back(corner);
+    }
+  };
+  pass(load.preload);
+  // The second cycle begins with what the last leg of the first one leaves; the others are like it.
+  for (unsigned int cycle = 0; cycle < std::min(load.cycles, 2u); ++cycle)
+    pass(load.legs);
+  return all;
+}
+
+/// Whether a force or a tilt of the held face may press it down where u_z does not.
+bool presses_otherwise(const Leg &leg)
+{
+  const auto is_nonzero = [&](const unsigned int i) { return leg.targets[i] && leg.targets[i]->value != 0; };
+  return (is_nonzero(2) && leg.targets[2]->by_force && leg.targets[2]->value < 0) || is_nonzero(3) ||
+         is_nonzero(4);
 }
 
 void warn_of_large_strain(const std::string &motion, const double largest, const std::string &strain,
-                          const double height, std::vector<std::string> &warnings)
+                          const GeometryOptions &geometry, std::vector<std::string> &warnings)
 {
   constexpr double small = 0.05;
   constexpr double percent = 100;
+  const double height = geometry.held_height();
   if (largest / height > small)
-    warnings.push_back("Load program: " + motion + " up to " + to_text(largest) +
-                       " mm on Geometry/Height = " + to_text(height) + " mm " + strain + " of " +
+    warnings.push_back("Load program: " + motion + " up to " + to_text(largest) + " mm on " +
+                       height_entry(geometry) + " = " + to_text(height) + " mm " + strain + " of " +
                        to_text(std::round(percent * largest / height)) +
                        " %; the program computes with small strains, good to about 5 %");
 }
@@ -66,7 +90,6 @@ double sheared_by_friction(const Parameters &parameters, const double compressio
 
 void warn_of_large_strains(const Parameters &parameters, std::vector<std::string> &warnings)
 {
-  const double height = parameters.geometry.height;
   double compression = 0;
   double sideways = 0;
   for (const auto &corner : corners(parameters.load))
@@ -74,19 +97,33 @@ void warn_of_large_strains(const Parameters &parameters, std::vector<std::string
     compression = std::max(compression, std::abs(corner[2]));
     sideways = std::max(sideways, std::hypot(corner[0], corner[1]));
   }
-  warn_of_large_strain("|u_z|", compression, "is a strain", height, warnings);
+  warn_of_large_strain("|u_z|", compression, "is a strain", parameters.geometry, warnings);
   // Beyond that the base slides along.
   const double sheared = std::min(sideways, sheared_by_friction(parameters, compression));
-  warn_of_large_strain("|u_t| without sliding", sheared, "is a shear", height, warnings);
+  warn_of_large_strain("|u_t| without sliding", sheared, "is a shear", parameters.geometry, warnings);
 }
 
 void warn_of_no_contact(const LoadOptions &load, std::vector<std::string> &warnings)
 {
   const auto all = corners(load);
-  if (std::all_of(all.begin(), all.end(), [](const auto &corner) { return corner[2] >= 0; }))
+  const bool otherwise =
+      std::any_of(load.preload.begin(), load.preload.end(), presses_otherwise) ||
+      (load.cycles > 0 && std::any_of(load.legs.begin(), load.legs.end(), presses_otherwise));
+  if (!otherwise && std::all_of(all.begin(), all.end(), [](const Corner &corner) { return corner[2] >= 0; }))
     warnings.emplace_back(
         "Load program: no leg has u_z < 0; the body is never pressed onto the plane and there "
         "are no contact forces");
+}
+
+void warn_of_large_rotations(const LoadOptions &load, std::vector<std::string> &warnings)
+{
+  constexpr double most = 1;
+  double largest = 0;
+  for (const Corner &corner : corners(load))
+    largest = std::max({largest, std::abs(corner[3]), std::abs(corner[4]), std::abs(corner[5])});
+  if (largest > most)
+    warnings.push_back("Load program: rotations up to " + to_text(largest) +
+                       " degrees; the program computes with linearized rotations, good to about 1 degree");
 }
 
 void warn_of_ignored_relaxation(const ContactSolverOptions &solver, std::vector<std::string> &warnings)
@@ -135,37 +172,6 @@ void warn_of_loose_period(const std::string &entry, const double bound, std::vec
                        " % of the largest; slip and dissipation of the later ones may be as wrong, "
                        "1e-3 and less keeps them");
 }
-
-/// Size of the elements at the rim of the base relative to the radius, divided by degree^2: what decides how
-/// well the singular slip at the rim is resolved.
-double rim_size(const GeometryOptions &geometry, const MeshOptions &mesh)
-{
-  double rings = 0, rim = 1;
-  for (unsigned int ring = 0; ring < mesh.n_rings(); ++ring, rim *= mesh.rim_grading)
-    rings += rim;
-  rim *= (1 - mesh.core_ratio) / (rings * mesh.rim_grading);
-  // Layers are graded from mid-height to both faces.
-  double layers = 0;
-  for (unsigned int layer = 0; layer < mesh.layers; ++layer)
-    layers += std::pow(1 / mesh.layer_grading, std::min(layer, mesh.layers - 1 - layer));
-  const double base = geometry.height / (geometry.radius * layers);
-  return std::max(rim, base) / (mesh.degree * mesh.degree);
-}
-
-void warn_of_coarse_rim(const GeometryOptions &geometry, const MeshOptions &mesh,
-                        std::vector<std::string> &warnings)
-{
-  constexpr double most = 0.1;
-  constexpr double percent = 100;
-  if (mesh.accuracy != 0)
-    return; // the mesh is yet to be chosen
-  if (const double size = rim_size(geometry, mesh); size > most)
-    warnings.push_back(
-        "Mesh: elements of degree " + std::to_string(mesh.degree) + " and " +
-        to_text(std::round(percent * size * mesh.degree * mesh.degree)) +
-        " % of the radius do not resolve the rim; the slip there may be wrong by 20 % and more: take "
-        "a higher degree, more layers and rings, or Rim grading and Layer grading < 1");
-}
 } // namespace
 
 std::vector<std::string> parameter_warnings(const Parameters &parameters)
@@ -174,14 +180,16 @@ std::vector<std::string> parameter_warnings(const Parameters &parameters)
   warn_of_slip_ellipse(parameters.friction, warnings);
   warn_of_locking(parameters.material, parameters.mesh, warnings);
   warn_of_large_strains(parameters, warnings);
-  warn_of_no_contact(parameters.load, warnings);
+  warn_of_large_rotations(parameters.load, warnings);
+  if (parameters.obstacle.is_plane())
+    warn_of_no_contact(parameters.load, warnings);
   warn_of_unresolved_period("Stop when periodic", parameters.load.stop_when_periodic,
                             parameters.contact_solver.tolerance, warnings);
   warn_of_unresolved_period("Jump when periodic", parameters.load.jump_when_periodic,
                             parameters.contact_solver.tolerance, warnings);
   warn_of_loose_period("Stop when periodic", parameters.load.stop_when_periodic, warnings);
   warn_of_loose_period("Jump when periodic", parameters.load.jump_when_periodic, warnings);
-  warn_of_coarse_rim(parameters.geometry, parameters.mesh, warnings);
+  warn_of_shape(parameters, warnings);
   warn_of_ignored_relaxation(parameters.contact_solver, warnings);
   warn_of_ignored_rho(parameters.contact_solver, warnings);
   warn_of_weak_method(parameters.contact_solver, warnings);

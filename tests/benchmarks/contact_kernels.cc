@@ -2,9 +2,9 @@
 // Copyright (C) 2026 the orthocone authors
 //
 // What the contact solvers are made of, at the first step of unloading.
-#include "newton_system.h"
+#include "contact/solvers/linearization.h"
+#include "contact/solvers/solvers.h"
 #include "sizes.h"
-#include "solvers.h"
 
 namespace
 {
@@ -22,11 +22,11 @@ BENCHMARK(residual)->Apply(all_sizes);
 void sweep(benchmark::State &state)
 {
   const Scene &s = scene_of(state);
-  const GaussSeidel sweeps(s.problem, s.parameters.contact_solver);
+  const GaussSeidel sweeps(s.system, s.parameters.contact_solver);
   for (auto _ : state)
   {
     NodeVector force = s.force;
-    sweeps.sweep(force, 1);
+    sweeps.sweep(s.problem, force, 1);
     benchmark::DoNotOptimize(force.data());
   }
 }
@@ -37,14 +37,14 @@ BENCHMARK(sweep)->Apply(all_sizes);
 void newton_iteration(benchmark::State &state)
 {
   const Scene &s = scene_of(state);
-  const GaussSeidel sweeps(s.problem, s.parameters.contact_solver);
+  const GaussSeidel sweeps(s.system, s.parameters.contact_solver);
   NodeVector force = s.force;
   for (unsigned int i = 0; i < 10; ++i)
-    sweeps.sweep(force, 1);
+    sweeps.sweep(s.problem, force, 1);
   const NodeVector displacement = s.problem.displacement(force);
-  const InnerCompliance inner(*s.condensed.compliance().dense(), s.problem.largest_compliance());
+  const auto solver = s.condensed.compliance().condition_solver(s.system.softness());
   for (auto _ : state)
-    benchmark::DoNotOptimize(NewtonSystem(s.problem, force, displacement).solve(inner, 0.01F));
+    benchmark::DoNotOptimize(newton_change(*solver, linearize(s.problem, force, displacement), 0.01));
 }
 BENCHMARK(newton_iteration)->Apply(all_sizes);
 
@@ -52,12 +52,12 @@ BENCHMARK(newton_iteration)->Apply(all_sizes);
 void contact_step(benchmark::State &state)
 {
   const Scene &s = scene_of(state);
-  SemismoothNewton solver(s.problem, s.parameters.contact_solver);
+  const SemismoothNewton solver(s.system, s.parameters.contact_solver);
   SolverReport report;
   for (auto _ : state)
   {
     NodeVector force = s.force;
-    report = solver.solve(force);
+    report = solver.solve(s.problem, force);
   }
   if (!report.converged)
     state.SkipWithError("the step did not converge");

@@ -3,7 +3,7 @@
 //
 // The law of one node: projection and exact solution. Times are those of one call, on points that differ from
 // call to call.
-#include <orthocone/contact/one_node.h>
+#include <orthocone/contact/law/one_node.h>
 
 #include <benchmark/benchmark.h>
 

@@ -11,6 +11,8 @@ namespace orthocone::benchmarks
 {
 namespace
 {
+constexpr double peak = -0.1, released = -0.09; // mm
+
 Parameters parameters_of(const unsigned int core_cells)
 {
   Parameters parameters;
@@ -38,9 +40,10 @@ Scene::Scene(const unsigned int core_cells)
       discretization(mesh.triangulation(), parameters.mesh, parameters.geometry.top_face),
       stiffness(discretization, parameters.material),
       factor(stiffness.matrix(), discretization.n_interior()),
-      condensed(discretization, factor, SurfaceAxes(parameters.friction.angle)),
-      problem(condensed.compliance(), std::vector<OrthotropicFriction>(condensed.compliance().n_nodes(),
-                                                                       friction(parameters.friction))),
+      condensed(discretization, factor, LocalAxes(parameters.friction.angle)),
+      system(condensed.compliance(), std::vector<OrthotropicFriction>(condensed.compliance().n_nodes(),
+                                                                      friction(parameters.friction))),
+      problem(system, condensed.moved_with(moved_by(0, 0, peak))),
       force(NodeVector::Zero(3 * problem.n_nodes()))
 {
   press_and_release();
@@ -48,13 +51,11 @@ Scene::Scene(const unsigned int core_cells)
 
 void Scene::press_and_release()
 {
-  constexpr double peak = -0.1, released = -0.09; // mm
   // The first loading is proportional: one step does what five do.
-  problem.set_step(condensed.free_displacement({{0, 0, peak}}), force);
-  if (!make_contact_solver(problem, parameters.contact_solver)->solve(force).converged)
+  if (!make_contact_solver(system, parameters.contact_solver)->solve(problem, force).converged)
     throw std::runtime_error("the scene of the benchmark could not be loaded");
   const NodeVector at_peak = problem.displacement(force);
-  problem.set_step(condensed.free_displacement({{0, 0, released}}), at_peak);
+  problem = ContactStep(system, step_displacement(condensed.moved_with(moved_by(0, 0, released)), at_peak));
 }
 
 const Scene &scene(const unsigned int core_cells)

@@ -2,9 +2,10 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
-#include <orthocone/contact/contact_solver.h>
-#include <orthocone/elasticity/condensed_body.h>
-#include <orthocone/elasticity/stiffness.h>
+#include <orthocone/body/backends/condensed_body.h>
+#include <orthocone/body/fe/stiffness.h>
+#include <orthocone/body/shapes/body_mesh.h>
+#include <orthocone/contact/solvers/contact_solver.h>
 #include <orthocone/parameters/parameters.h>
 
 namespace orthocone::benchmarks
@@ -22,7 +23,8 @@ public:
   Stiffness stiffness;
   StiffnessFactor factor;
   CondensedBody condensed;
-  ContactProblem problem;
+  ContactSystem system;
+  ContactStep problem;
   NodeVector force; ///< at the peak, from which the unloading step starts
 
 private:

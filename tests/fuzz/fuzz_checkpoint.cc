@@ -3,7 +3,7 @@
 //
 // The reader of checkpoints: any bytes give a checkpoint that can be written again, or CheckpointError. The
 // input is read as it is, and as the content behind a header that fits: no fuzzer guesses a checksum.
-#include <orthocone/simulation/checkpoint.h>
+#include <orthocone/output/checkpoint.h>
 
 #include <boost/crc.hpp>
 

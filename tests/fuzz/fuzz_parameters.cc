@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// The reader of parameter files: any bytes give parameters, or one of the two errors with a message of one line.
-// Parameters that are accepted are also checked, and read again from what is written of them.
-#include <orthocone/parameters/errors.h>
+// The reader of parameter files: any bytes give parameters, or one of the two errors with a message of one
+// line. Parameters that are accepted are also checked, and read again from what is written of them.
+#include <orthocone/base/errors.h>
 #include <orthocone/parameters/parameters.h>
 
 #include <unistd.h>
@@ -71,7 +71,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t *const data, const std:
   if (size == 0)
     return 0;
   const fs::path file = own_file(data[0] == '{' ? ".json" : ".prm");
-  std::ofstream(file, std::ios::binary).write(reinterpret_cast<const char *>(data), static_cast<std::streamsize>(size));
+  std::ofstream(file, std::ios::binary)
+      .write(reinterpret_cast<const char *>(data), static_cast<std::streamsize>(size));
   read(file.string());
   fs::remove(file);
   return 0;

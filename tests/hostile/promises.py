@@ -12,7 +12,7 @@ LIBRARY_TALK = re.compile(r"Line <|Boost|boost|assert|[Ee]xception|terminate|Sta
                           "core dumped")
 CONTROL = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
 MU = (0.3, 0.15)
-WORDS = {"method", "status"}  # columns that are no numbers
+WORDS = {"method", "status", "driven"}  # columns that are no numbers
 
 
 def of_exit(code, wanted):

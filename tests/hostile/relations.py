@@ -11,15 +11,19 @@ FULL = ["Mesh/Model=full", "Output/Contact fields=0", "Output/Probes="]
 LEGS = "Load program/Legs="
 SHEARED = LEGS + "0.02 0.01 -0.1 : 3 ; -0.01 0 -0.05 : 2"
 PRESSED = LEGS + "0 0 -0.1 : 3 ; 0 0 -0.02 : 3"
-FORCES = ("force_x", "force_y", "force_z", "min_pressure", "max_pressure", "dissipation", "total_dissipation",
+MOMENTS = ("moment_x", "moment_y", "moment_z")
+FORCES = ("force_x", "force_y", "force_z", *MOMENTS, "min_pressure", "max_pressure", "dissipation", "total_dissipation",
           "elastic_energy")
 LENGTHS = {**dict.fromkeys(("ux", "uy", "uz", "max_slip", "max_accumulated_slip"), 1),
            **dict.fromkeys(("force_x", "force_y", "force_z", "stick_area"), 2),
-           **dict.fromkeys(("dissipation", "total_dissipation", "elastic_energy"), 3)}
-TURNED = {"ux": "uy", "uy": "ux", "force_x": "force_y", "force_y": "force_x"}
+           **dict.fromkeys(("dissipation", "total_dissipation", "elastic_energy", *MOMENTS), 3)}
+TURNED = {"ux": "uy", "uy": "ux", "force_x": "force_y", "force_y": "force_x", "moment_x": "moment_y",
+          "moment_y": "moment_x"}
+TURNED_SIGNS = {"ux": -1, "force_x": -1, "moment_x": -1}
 COUNTS = {"n_open", "n_stick", "n_slip"}
-SOLVER = {"step", "method", "iterations", "residual"}
-MIRRORED = {"ux": -1, "force_x": -1}
+# How the steps are counted and solved, which is no physics.
+SOLVER = {"step", "method", "iterations", "residual", "cycle", "phase", "driven"}
+MIRRORED = {"ux": -1, "force_x": -1, "moment_y": -1, "moment_z": -1}
 
 
 def history(bench, name, settings):
@@ -38,7 +42,8 @@ def differences(rows, others, factors, names, without, bound):
         if key in SOLVER | set(without):
             continue
         factor, other = factors.get(key, 1), names.get(key, key)
-        partners = ("force_x", "force_y", "force_z") if key.startswith("force") else (other,)
+        partners = {"force": ("force_x", "force_y", "force_z"), "moment": (*MOMENTS, "force_z")}.get(
+            key.split("_")[0], (other,))
         scale = abs(factor) * max(abs(row[name]) for row in others for name in partners)
         worst = max(abs(row[key] - factor * line[other]) for row, line in zip(rows, others))
         if worst > bound * scale:
@@ -123,10 +128,10 @@ SETTINGS = ["--set=Material/Poisson ratio=0.2", "--set=Mesh/Layers=3"]
 SCRIPTS = {
     **{f"E times {factor:g}": modulus(factor) for factor in (1e-12, 1e-3, 2**-30, 1e6, 1e15)},
     **{f"lengths times {factor:g}": stretched(factor) for factor in (1e-9, 1e-3, 2**20, 1e3, 1e9)},
-    "turned by 90 degrees, axes swapped": moved(TURNED_LEGS, *SWAPPED, factors=MIRRORED, names=TURNED),
-    "turned by 90 degrees, angle 90": moved(TURNED_LEGS, "Friction/Orthotropy angle=90", factors=MIRRORED,
+    "turned by 90 degrees, axes swapped": moved(TURNED_LEGS, *SWAPPED, factors=TURNED_SIGNS, names=TURNED),
+    "turned by 90 degrees, angle 90": moved(TURNED_LEGS, "Friction/Orthotropy angle=90", factors=TURNED_SIGNS,
                                             names=TURNED),
-    "turned by 90 degrees, angle -90": moved(TURNED_LEGS, "Friction/Orthotropy angle=-90", factors=MIRRORED,
+    "turned by 90 degrees, angle -90": moved(TURNED_LEGS, "Friction/Orthotropy angle=-90", factors=TURNED_SIGNS,
                                              names=TURNED),
     "mirrored": moved("-0.02 0.01 -0.1 : 3 ; 0.01 0 -0.05 : 2", factors=MIRRORED),
     "mirrored with turned axes": related([*FULL, LEGS + "-0.02 0.01 -0.1 : 3", "Friction/Orthotropy angle=-30"],

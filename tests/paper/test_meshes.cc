@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 //
 // The paper's cases on meshes that are graded to the rim, the base and the clamped face.
-#include "../unit/simulation/scenes.h"
+#include "results/scenes.h"
 
 #include <orthocone/parameters/parameters.h>
 
@@ -45,16 +45,17 @@ TEST_P(GradedMesh, NewtonSolvesEveryStepUndivided)
   parameters.mesh.layers = 6;
   parameters.mesh.degree = degree;
   parameters.mesh.rim_grading = parameters.mesh.layer_grading = grading;
-  ContactModel model(parameters, choose_model(parameters));
-  ContactState state = model.initial_state();
+  const Scene scene(parameters, choose_model(parameters));
+  StepSolver solver(scene);
+  ContactState state(scene.system().n_nodes());
   for (const LoadStep &step : load_steps(parameters.load))
   {
     const ContactState before = state;
-    const SolverReport report = model.solver().solve(state, step);
+    const SolverReport report = solver.solve(state, step);
     ASSERT_TRUE(report.converged) << "step " << step.number << " residual " << report.residual;
     EXPECT_LE(report.residual, 1e-10);
     EXPECT_EQ(report.n_parts, 1U) << "step " << step.number;
-    model.solver().accept(before, state, step);
+    solver.accept(before, state, step);
   }
 }
 } // namespace orthocone::test

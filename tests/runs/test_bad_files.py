@@ -1,15 +1,17 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""The bad parameter files in tests/errors, one fault each: each is rejected with the message that it expects.
+"""The bad parameter files of tests/errors, one fault each: each is rejected with the message that it expects.
 
-The message stands in the first lines of a file, as '# expect: MESSAGE', or in FILE.expect where a file cannot hold it;
-{file} stands for the file's path as given, {folder} for that of its folder. Parts that others include are in folders
-named 'included'.
+Most are rows of the tables tests/errors/*.py, from which the files are made. What only a file can be (bytes, encodings,
+line ends, includes) is a file. The message stands in the first lines of a file, as '# expect: MESSAGE', or in
+FILE.expect where a file cannot hold it; {file} stands for the file's path as given, {folder} for that of its folder.
+Parts that others include are in folders named 'included'.
 
 Usage: test_bad_files.py PROGRAM [unittest options]"""
 import os
 import pathlib
 import re
+import runpy
 import shutil
 import sys
 import tempfile
@@ -17,12 +19,34 @@ import tempfile
 sys.dont_write_bytecode = True  # the source tree stays clean
 import rejection  # noqa: E402
 
-ERRORS = pathlib.Path(__file__).resolve().parent.parent / "errors"
+SOURCE = pathlib.Path(__file__).resolve().parent.parent / "errors"
+SCRATCH = tempfile.TemporaryDirectory()
+ERRORS = pathlib.Path(SCRATCH.name)
 KINDS = {"contradictions", "files", "grammar", "json", "names", "values"}
 MARK = "# expect: "
 
 # Messages on a file as a whole quote nothing of it: there the content tells one fault from another.
 ON_WHOLE_FILE = re.compile("is empty|is not a text file|is not valid JSON|sets no entry")
+
+
+def write_rows(table):
+    """Makes the files of a table. JSON has no comments: there the message stands beside the file."""
+    for name, text, message in table["ROWS"]:
+        is_json = table["FOLDER"] == "json"
+        path = ERRORS / table["FOLDER"] / (name + (".json" if is_json else ".prm"))
+        if path.exists():
+            raise FileExistsError(f"{path.name} is made twice")
+        path.parent.mkdir(exist_ok=True)
+        head = "" if is_json else "".join(f"{MARK}{line}\n" for line in message.split("\n"))
+        path.write_bytes((head + text).encode())
+        if is_json:
+            path.with_name(path.name + ".expect").write_bytes((message + "\n").encode())
+
+
+def make_files():
+    shutil.copytree(SOURCE, ERRORS, dirs_exist_ok=True, ignore=shutil.ignore_patterns("*.py", "__pycache__"))
+    for table in sorted(SOURCE.glob("*.py")):
+        write_rows(runpy.run_path(str(table)))
 
 
 def text_of(path):
@@ -31,7 +55,7 @@ def text_of(path):
 
 
 def bad_files():
-    """Paths relative to tests/errors."""
+    """Paths relative to ERRORS."""
     files = (path.relative_to(ERRORS) for path in sorted(ERRORS.rglob("*")) if path.is_file())
     return [file for file in files if file.suffix != ".expect" and "included" not in file.parts]
 
@@ -112,4 +136,5 @@ class BadFileTest(rejection.RejectionTest):
 
 
 if __name__ == "__main__":
+    make_files()
     rejection.main()

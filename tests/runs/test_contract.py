@@ -5,7 +5,6 @@
 Usage: test_contract.py PROGRAM [unittest options]"""
 import csv
 import json
-import math
 import os
 import pathlib
 import subprocess
@@ -18,7 +17,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 CASE_B = ROOT / "prm/paper/case_b.prm"
 SMALL = ["Mesh/Core cells=2", "Mesh/Rings=2", "Mesh/Layers=2", "Mesh/Degree=1"]
 HISTORY = ("step,ux,uy,uz,force_x,force_y,force_z,max_slip,max_accumulated_slip,min_pressure,max_pressure,n_open,"
-           "n_stick,n_slip,stick_area,dissipation,total_dissipation,elastic_energy,method,iterations,residual")
+           "n_stick,n_slip,stick_area,dissipation,total_dissipation,elastic_energy,method,iterations,residual,"
+           "rx,ry,rz,moment_x,moment_y,moment_z,cycle,phase,driven")
 PROBE = "step,uz,slip_x,slip_y,accumulated_slip,force_n,force_x,force_y,pressure,traction_x,traction_y,status"
 PHASES = {"mesh", "assembly", "factorization", "condensation", "contact", "checks", "output", "mesh_search", "total"}
 
@@ -125,7 +125,7 @@ class ContractTest(unittest.TestCase):
 
     def test_models_agree_where_nodes_lift_off(self):
         """The smallest part that is exact is exact in every column, also where nodes leave the plane."""
-        common = ["Geometry/Radius=7", "Geometry/Height=9", "Material/Young modulus=1000", "Friction/Coefficients=0.4, 0.2",
+        common = ["Geometry/Radius=12", "Geometry/Height=9", "Material/Young modulus=1000", "Friction/Coefficients=0.4, 0.2",
                   "Friction/Slip potential=0.3, 0.25", "Contact solver/Tolerance=1e-12", "Mesh/Core cells=4",
                   "Mesh/Layers=2", "Mesh/Degree=1", "Output/Probes=", "Load program/Cycles=2"]
         for models, legs in ((("full", "half"), "0 0 -0.05 : 3; 0.03 0 -0.05 : 5; 0.03 0 0.01 : 1"),
@@ -140,7 +140,8 @@ class ContractTest(unittest.TestCase):
                     part = self.columns(model, table)
                     for name in set(whole) - left_out:
                         # What cancels in a component is rounding of the others.
-                        alike = [key for key in whole if key.split("_")[0] == name.split("_")[0] or key == name]
+                        alike = [key for key in whole if key.split("_")[0] == name.split("_")[0] or key == name or
+                                 (key, name.split("_")[0]) == ("force_z", "moment")]
                         largest = max(abs(value) for key in alike for value in whole[key])
                         for a, b in zip(whole[name], part[name]):
                             self.assertLessEqual(abs(a - b), 1e-8 * largest, f"{model} {table} {name}")
@@ -148,7 +149,7 @@ class ContractTest(unittest.TestCase):
     def columns(self, name, table):
         with open(self.folder / name / table, encoding="ascii") as file:
             rows = list(csv.DictReader(file))
-        return {key: [float(row[key]) for row in rows] for key in rows[0] if key != "method"}
+        return {key: [float(row[key]) for row in rows] for key in rows[0] if key not in ("method", "driven")}
 
     def test_friction_is_associated_unless_told_otherwise(self):
         """Without Slip potential isotropic coefficients are isotropic, and orthotropic ones slip normal to their ellipse."""
@@ -245,27 +246,6 @@ class ContractTest(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         for row in self.history():
             self.assertGreaterEqual(min(float(row["dissipation"]), float(row["total_dissipation"])), 0)
-
-    def verified(self, name, *settings):
-        file = ROOT / f"prm/verification/{name}.prm"
-        result = self.run_program("--output", "run", "--quiet", settings=settings, file=file)
-        self.assertEqual((result.returncode, result.stderr), (0, ""))
-        return {key: float(value) for key, value in self.history()[-1].items() if key != "method"}
-
-    def test_patch_test(self):
-        row = self.verified("patch_test")
-        for pressure in (row["min_pressure"], row["max_pressure"]):
-            self.assertAlmostEqual(pressure / 2100, 1, delta=1e-6)
-        self.assertAlmostEqual(row["max_slip"] / 0.03, 1, delta=1e-6)
-        self.assertAlmostEqual(row["force_z"] / (2100 * math.pi * 100), 1, delta=1e-3)  # the rim is a parabola a cell
-
-    def test_gross_sliding(self):
-        for slip_ellipse, ratio, angle in (("0.8, 0.4", 0.73756, 14.04), ("1, 1", 0.50596, 45)):
-            row = self.verified("gross_sliding", f"Friction/Slip potential={slip_ellipse}")
-            force = math.hypot(row["force_x"], row["force_y"])
-            self.assertAlmostEqual(force / row["force_z"], ratio, delta=5e-6)
-            self.assertAlmostEqual(math.degrees(math.atan2(-row["force_y"], -row["force_x"])), angle, delta=5e-3)
-            self.assertEqual(row["n_stick"], 0)  # some nodes at the trailing rim are lifted, the others slip
 
     def test_shipped_files_are_read(self):
         files = sorted((ROOT / "prm/paper").rglob("*.prm"))

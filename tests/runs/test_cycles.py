@@ -34,7 +34,8 @@ class CyclesTest(RunTest):
         self.assertEqual((result.returncode, result.stderr), (0, ""))
 
     def numbers(self, name, table):
-        return [{key: float(value) for key, value in row.items() if key != "method"} for row in self.rows(name, table)]
+        return [{key: float(value) for key, value in row.items() if key not in ("method", "driven")}
+                for row in self.rows(name, table)]
 
     def cycles(self, name):
         return self.numbers(name, "cycles.csv")

@@ -94,6 +94,15 @@ class ParameterTest(ErrorTest):
                 self.put("parts/mesh.prm", text)
                 self.assert_rejected(["case.prm"], WRONG_INPUT, expression)
 
+    def test_gap_file(self):
+        self.put("parts/case.prm", table.SCENE + "subsection Obstacle\n  set Gap file = gap.txt\nend\n")
+        for grid, expression in table.GAP_FILES:
+            with self.subTest(grid=grid):
+                self.put("parts/gap.txt", grid)
+                self.assert_rejected(["parts/case.prm"], WRONG_INPUT, r"parts/case\.prm: \S*/parts/gap\.txt" + expression)
+        (self.folder / "parts/gap.txt").unlink()
+        self.assert_rejected(["parts/case.prm"], FILE_ERROR, r"\S*/parts/gap\.txt: cannot be read \(No such file")
+
     def test_unreadable_file(self):
         self.put("secret.prm", table.SCENE).chmod(0)
         result = self.run_as_nobody("secret.prm")
@@ -151,9 +160,14 @@ class RunFolderTest(ErrorTest):
         """A limit on the size of files stands for the full disk: no file may appear under its name incomplete."""
         result = self.run_program("good.prm", "--output", "run", "--quiet", "--set", "Mesh/Core cells=16",
                                   restore_signals=False,  # keeps SIGXFSZ ignored, as Python has it
-                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (10000, 10000)))
+                                  preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (15000, 15000)))
         self.assert_sentence(result, FILE_ERROR, r"run/contact-0001\.vtu\S*: cannot be written \(File too large\)")
         self.assertFalse((self.folder / "run/contact-0001.vtu").exists())
+
+    def test_detour_makes_no_folder(self):
+        self.assertEqual(self.run_program("good.prm", "--output", "a/../b", "--quiet").returncode, 0)
+        self.assertTrue((self.folder / "b/history.csv").exists())
+        self.assertFalse((self.folder / "a").exists())
 
     def test_wrong_input_keeps_earlier_results(self):
         self.assertEqual(self.run_program("good.prm", "--quiet").returncode, 0)

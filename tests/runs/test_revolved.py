@@ -64,7 +64,7 @@ def run_folder(degree, model="auto"):
 
 def row(degree, name, step):
     with open(run_folder(degree) / name, encoding="ascii") as file:
-        return {key: value if key in ("status", "method") else float(value)
+        return {key: value if key in ("status", "method", "driven") else float(value)
                 for key, value in list(csv.DictReader(file))[step - 1].items()}
 
 

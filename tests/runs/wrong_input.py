@@ -22,7 +22,9 @@ PROBE = "probes \"name: x y\""
 
 # Values that are wrong by themselves: section, entry, what the message says is allowed, values.
 WRONG_VALUES = [
-    ("Geometry", "Shape", "cylinder", ["cube"]),
+    ("Geometry", "Shape", "cylinder | box", ["cube"]),
+    ("Geometry", "Sizes", "three numbers > 0 separated by commas", ["1, 2", "0, 1, 1", "1 2 3", "1, 2, inf"]),
+    ("Mesh", "Cells", "three whole numbers from 1 to 200 separated by commas", ["8, 8", "0, 1, 1", "201, 1, 1", "1.5, 1, 1"]),
     ("Geometry", "Radius", POSITIVE, ["ten", "", "1,5", "+-5", "++5"]),
     ("Material", "Young modulus", POSITIVE, ["0", "-1", "nan", "inf", "1e999", "2 GPa"]),
     ("Material", "Poisson ratio", "a number > -1 and < 0.5", ["0.5", "-1", "0.7", "steel"]),
@@ -57,6 +59,9 @@ CONTRADICTIONS = [
     (["Mesh/Layer grading=1e-6", "Mesh/Layers=8"], r"Mesh/Layer grading = 1e-0?6 with 8 layers: allowed is"),
     (["Mesh/Quadrature points=1"], r"Mesh/Quadrature points = 1\b.*Mesh/Degree = 1\b.*allowed is 0 or more than the"),
     (["Mesh/Degree=3", "Mesh/Quadrature points=3"], r"Mesh/Quadrature points = 3\b.*Mesh/Degree = 3\b.*allowed is"),
+    (["Geometry/Shape=box", "Output/Probes=P: 0 0; Far: 8 -12"], r"Output/Probes.*Far.*8.*-12.*allowed .*\|y\| <= 10\b"),
+    (["Geometry/Shape=box", "Mesh/Accuracy=2 %"], r"Mesh/Accuracy = 2 % .*box.*allowed is 0\b"),
+    (["Geometry/Shape=box", "Mesh/Model=axisymmetric"], r"Mesh/Model = axisymmetric .*box is no body of revolution"),
     (["Output/Probes=P: 0 0; Far: 8 -8"], r"Output/Probes.*Far.*8.*-8.*allowed .*Geometry/Radius = 10\b"),
     (["Friction/Orthotropy angle=30", "Mesh/Model=quarter"],
      r"Mesh/Model = quarter .*Friction/Orthotropy angle = 30\b.*possible models are full$"),
@@ -178,6 +183,18 @@ COMMAND_LINES = [
     (["nowhere.prm"], 4, r"nowhere\.prm: cannot be read \(No such file or directory\)"),
     (["nowhere.json"], 4, r"nowhere\.json: cannot be read \(No such file or directory\)"),
     (["."], 4, r"\.: is a folder; a parameter file \(\.prm or \.json\) is wanted"),
+]
+
+# Grids of gaps that are none, and what is said of them behind the name of the file.
+HOLE = "allowed is a finite number \\(mm\\), a grid has no holes$"
+GAP_FILES = [
+    ("-10 10 3 -10 20 2\n0 nan 0\n0 0 0\n", ":2: number 2 is 'nan': " + HOLE),
+    ("-10 10 3 -10 20 2\n0 0 0\n# hole\n0 0 -inf\n", ":4: number 3 is '-inf': " + HOLE),
+    ("-10 10 3 -10 20 2\n0 0 0\n0 - 0\n", ":3: number 2 is '-': " + HOLE),
+    ("-10 10 3 -10 20 2\n0 0 0\n0 0\n", ":3: has 2 numbers: allowed are nx = 3 in each row, without holes$"),
+    ("-10 10 3 -10 20 2\n0 0 0\n", ": has 1 rows: allowed are ny = 2, without holes$"),
+    ("-10 10 3 -10 0 2\n0 0 0\n0 0 0\n", ":1: '-10 10 3 -10 0 2': allowed is 'x0 dx nx y0 dy ny'"),
+    ("", ": is empty; a grid of gaps is wanted$"),
 ]
 
 # Unusual but valid: overrides, word that the resolved model begins with.

@@ -10,10 +10,10 @@ namespace orthocone::studies
 namespace
 {
 /// The whole matrix as doubles, column by column.
-void write_matrix(const ContactModel &model, const std::string &path)
+void write_matrix(const Scene &model, const std::string &path)
 {
   std::ofstream file(path, std::ios::binary);
-  const Eigen::MatrixXd &w = *model.problem().compliance().dense();
+  const Eigen::MatrixXd &w = *model.system().compliance().dense();
   file.write(reinterpret_cast<const char *>(w.data()),
              static_cast<std::streamsize>(w.size() * sizeof(double)));
   if (!file.flush())
@@ -24,8 +24,8 @@ void write_matrix(const ContactModel &model, const std::string &path)
 void compliance(const Words &words)
 {
   const SceneWords scene(words);
-  const ContactModel model(scene.parameters, choose_model(scene.parameters));
-  const Compliance &w = model.problem().compliance();
+  const Scene model(scene.parameters, choose_model(scene.parameters));
+  const Compliance &w = model.system().compliance();
   if (const auto path = scene.options.find("matrix"); path != scene.options.end())
     write_matrix(model, path->second);
   std::cout << "x,y,w_nn,w_nx,w_ny,w_xx,w_xy,w_yy\n";

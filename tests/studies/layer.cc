@@ -3,7 +3,7 @@
 #include "experiments.h"
 #include "layer_schemes.h"
 
-#include <orthocone/simulation/contact_state.h>
+#include <orthocone/march/contact_state.h>
 
 #include <algorithm>
 #include <iostream>

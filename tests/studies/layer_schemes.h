@@ -6,7 +6,7 @@
 // grows along the normal S t of the slip ellipse, S = diag(1/p_x^2, 1/p_y^2).
 #pragma once
 
-#include <orthocone/contact/friction_law.h>
+#include <orthocone/contact/law/friction_law.h>
 
 #include <string>
 #include <vector>

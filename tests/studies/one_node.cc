@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include "experiments.h"
 
-#include <orthocone/contact/contact_solver.h>
+#include <orthocone/contact/solvers/contact_solver.h>
 
 #include <iostream>
 #include <map>
@@ -53,14 +53,14 @@ std::map<std::string, double> numbers(const Words &words)
 }
 
 /// State of the solution that the method finds from no force, or '-'.
-char found_by(const ContactMethod method, const ContactProblem &problem,
+char found_by(const ContactMethod method, const ContactStep &problem,
               const std::vector<NodeSolution> &solutions)
 {
   constexpr double same = 1e-6;
   ContactSolverOptions options;
   options.method = method;
   NodeVector force = Vector3d::Zero();
-  if (make_contact_solver(problem, options)->solve(force).converged)
+  if (make_contact_solver(problem.system(), options)->solve(problem, force).converged)
     for (const NodeSolution &solution : solutions)
       if ((force - solution.force).norm() <= same * (1 + solution.force.norm()))
         return solution.state;
@@ -77,13 +77,13 @@ void one_node(const Words &words)
   Matrix3d w = Matrix3d::Identity();
   w(0, 1) = w(1, 0) = coupling;
   const DenseCompliance compliance(w);
-  ContactProblem problem(compliance, {{mu, mu, mu, mu}});
+  const ContactSystem system(compliance, {{mu, mu, mu, mu}});
   std::cout << "angle,states,n_solutions,largest_residual,newton,gauss_seidel\n";
   for (double load = 0.5; load < values["--loads"]; ++load) // none on an axis
   {
     const double angle = 2 * pi * load / values["--loads"];
     const Vector3d q(std::cos(angle), std::sin(angle), 0);
-    problem.set_step(q, Vector3d::Zero());
+    const ContactStep problem(system, step_displacement(q, Vector3d::Zero()));
     const std::vector<NodeSolution> solutions = all_solutions(w, mu, q);
     double residual = 0;
     std::string states;

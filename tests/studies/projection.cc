@@ -3,6 +3,8 @@
 #include "experiments.h"
 #include "projection_formulas.h"
 
+#include <orthocone/base/numbers.h>
+
 #include <boost/multiprecision/cpp_bin_float.hpp>
 
 #include <algorithm>
@@ -82,7 +84,7 @@ private:
 
   Vector3d direction()
   {
-    const double height = 2 * uniform() - 1, angle = 2 * M_PI * uniform(),
+    const double height = 2 * uniform() - 1, angle = 2 * pi * uniform(),
                  radius = std::sqrt(1 - height * height);
     return {height, radius * std::cos(angle), radius * std::sin(angle)};
   }
@@ -90,7 +92,7 @@ private:
   /// The point that projects on a point of the surface, with the given multiplier.
   Vector3d above_surface(const OrthotropicFriction &law, const double lambda)
   {
-    const double angle = 2 * M_PI * uniform(), c = std::cos(angle), s = std::sin(angle);
+    const double angle = 2 * pi * uniform(), c = std::cos(angle), s = std::sin(angle);
     return Vector3d(1, law.mu_x * c, law.mu_y * s) + lambda * Vector3d(-1, c / law.mu_x, s / law.mu_y);
   }
 

@@ -2,7 +2,9 @@
 // Copyright (C) 2026 the orthocone authors
 #include "projection_formulas.h"
 
-#include "quartic.h"
+#include "contact/law/quartic.h"
+
+#include <orthocone/base/numbers.h>
 
 #include <map>
 #include <stdexcept>
@@ -138,7 +140,7 @@ Complex cubic_root(const Complex &a, const Complex &b, const Complex &c)
   Complex largest = -a / 3.;
   for (int k = 0; k < 3 && u != 0.; ++k)
   {
-    const Complex v = u * std::polar(1., 2 * M_PI * k / 3);
+    const Complex v = u * std::polar(1., 2 * pi * k / 3);
     const Complex root_k = v - p / (3. * v) - a / 3.;
     if (std::abs(root_k) > std::abs(largest))
       largest = root_k;

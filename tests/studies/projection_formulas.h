@@ -5,7 +5,7 @@
 // project().
 #pragma once
 
-#include <orthocone/contact/friction_law.h>
+#include <orthocone/contact/law/friction_law.h>
 
 #include <string>
 #include <vector>

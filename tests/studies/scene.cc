@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include "scene.h"
 
-#include <orthocone/simulation/mesh_ladder.h>
+#include <orthocone/body/shapes/mesh_ladder.h>
 
 #include <stdexcept>
 
@@ -34,18 +34,19 @@ double SceneWords::number(const std::string &option, const double otherwise) con
   return found == options.end() ? otherwise : std::stod(found->second);
 }
 
-March::March(ContactModel &model, const Parameters &parameters, const unsigned int number)
-    : state(model.initial_state())
+March::March(const Scene &scene, const unsigned int number)
+    : state(scene.system().n_nodes())
 {
-  for (const LoadStep &step : load_steps(parameters.load))
+  StepSolver solver(scene);
+  for (const LoadStep &step : load_steps(scene.parameters().load))
   {
     next = step;
     if (step.number == number)
       return;
     const ContactState before = state;
-    if (!model.solver().solve(state, step).converged)
+    if (!solver.solve(state, step).converged)
       throw std::runtime_error("step " + std::to_string(step.number) + " is not solved");
-    model.solver().accept(before, state, step);
+    solver.accept(before, state, step);
   }
   throw std::runtime_error("there is no step " + std::to_string(number));
 }

@@ -4,9 +4,10 @@
 
 #include "experiments.h"
 
+#include <orthocone/march/step_solver.h>
 #include <orthocone/parameters/parameters.h>
-#include <orthocone/simulation/contact_model.h>
-#include <orthocone/simulation/load_program.h>
+#include <orthocone/scene/load_program.h>
+#include <orthocone/scene/scene.h>
 
 #include <map>
 
@@ -29,7 +30,7 @@ struct SceneWords
 /// std::runtime_error if a step before cannot be solved.
 struct March
 {
-  March(ContactModel &model, const Parameters &parameters, unsigned int number);
+  March(const Scene &scene, unsigned int number);
 
   ContactState state;
   LoadStep next;

@@ -63,10 +63,11 @@ void slip_integration(const Words &words)
   const SceneWords scene(words);
   const auto scheme = scene.options.find("scheme");
   const bool is_two_step = scheme != scene.options.end() && scheme->second == "bdf2";
-  ContactModel model(scene.parameters, choose_model(scene.parameters));
+  const Scene model(scene.parameters, choose_model(scene.parameters));
   const Index probe = nearest_node(model.surface(), scene.number("x", 6.72), scene.number("y", 6.72));
-  const unsigned int n_copies = model.evaluator().symmetry().n_copies();
-  ContactState state = model.initial_state();
+  const unsigned int n_copies = model.symmetry().n_copies();
+  StepSolver solver(model);
+  ContactState state(model.system().n_nodes());
   NodeVector previous = state.displacement;
   Work work;
   std::cout << "step,slip_x,slip_y,dissipation,driven\n";
@@ -75,9 +76,9 @@ void slip_integration(const Words &words)
     const ContactState before = state;
     if (is_two_step && step.step_of_leg > 1)
       extrapolate(state, previous);
-    if (!model.solver().solve(state, step).converged)
+    if (!solver.solve(state, step).converged)
       throw std::runtime_error("step " + std::to_string(step.number) + " is not solved");
-    model.solver().accept(before, state, step);
+    solver.accept(before, state, step);
     add_work(before, state, n_copies, work);
     previous = before.displacement;
     std::cout << step.number << "," << state.displacement[3 * probe + 1] << ","

@@ -2,9 +2,10 @@
 // Copyright (C) 2026 the orthocone authors
 #include "scene.h"
 
-#include <orthocone/contact/contact_solver.h>
-#include <orthocone/contact/critical_friction.h>
-#include <orthocone/parameters/text.h>
+#include <orthocone/base/text.h>
+#include <orthocone/contact/problem/critical_friction.h>
+#include <orthocone/contact/solvers/contact_solver.h>
+#include <orthocone/parameters/values.h>
 
 #include <cmath>
 #include <iostream>
@@ -84,11 +85,12 @@ void small_problems(const Words &words)
   {
     const DenseCompliance compliance(problems.compliance());
     const OrthotropicFriction law = problems.law();
-    ContactProblem problem(compliance, std::vector<OrthotropicFriction>(n_nodes, law));
-    problem.set_step(problems.free_displacement(), NodeVector::Zero(3 * n_nodes));
+    const ContactSystem system(compliance, std::vector<OrthotropicFriction>(n_nodes, law));
+    const ContactStep problem(system,
+                              step_displacement(problems.free_displacement(), NodeVector::Zero(3 * n_nodes)));
     NodeVector force = NodeVector::Zero(3 * n_nodes);
-    const Verdict verdict = make_contact_solver(problem, options)->solve(force).verdict;
-    ++counts[{critical_friction(problem).factor > 1, verdict}];
+    const Verdict verdict = make_contact_solver(system, options)->solve(problem, force).verdict;
+    ++counts[{critical_friction(system).factor > 1, verdict}];
   }
   std::cout << "friction,verdict,problems\n";
   for (const auto &[kind, count] : counts)

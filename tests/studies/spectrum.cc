@@ -30,8 +30,8 @@ VectorXd weights(const OrthotropicFriction &law, const Eigen::Index n_nodes)
 void spectrum(const Words &words)
 {
   const SceneWords scene(words);
-  const ContactModel model(scene.parameters, choose_model(scene.parameters));
-  const ContactProblem &problem = model.problem();
+  const Scene model(scene.parameters, choose_model(scene.parameters));
+  const ContactSystem &problem = model.system();
   const MatrixXd &w = *problem.compliance().dense();
   const Eigen::Index n = problem.n_nodes();
   const VectorXd of_w = symmetric_eigenvalues(w);

@@ -2,7 +2,9 @@
 // Copyright (C) 2026 the orthocone authors
 #include "scene.h"
 
-#include <orthocone/parameters/text.h>
+#include <orthocone/base/numbers.h>
+#include <orthocone/base/text.h>
+#include <orthocone/parameters/values.h>
 
 #include <algorithm>
 #include <array>
@@ -25,10 +27,9 @@ struct Start
 
 /// Forces of random size, from well inside of the cone to slipping in any direction; a fifth of the nodes is
 /// open.
-NodeVector random_forces(const ContactProblem &problem, const double size, std::mt19937 &generator)
+NodeVector random_forces(const ContactStep &problem, const double size, std::mt19937 &generator)
 {
   std::uniform_real_distribution<double> uniform(0, 1);
-  constexpr double pi = 3.14159265358979323846;
   constexpr double open = 0.2;
   NodeVector force = NodeVector::Zero(3 * problem.n_nodes());
   for (Index node = 0; node < problem.n_nodes(); ++node)
@@ -47,10 +48,10 @@ NodeVector random_forces(const ContactProblem &problem, const double size, std::
 
 /// No forces, those of the last step, those that would hold every node (brought into the cone), and random
 /// ones.
-std::vector<Start> all_starts(const ContactProblem &problem, const NodeVector &last,
-                              const unsigned int n_random, std::mt19937 &generator)
+std::vector<Start> all_starts(const ContactStep &problem, const NodeVector &last, const unsigned int n_random,
+                              std::mt19937 &generator)
 {
-  NodeVector stuck = problem.compliance().dense()->llt().solve(-problem.free_displacement());
+  NodeVector stuck = problem.system().compliance().dense()->llt().solve(-problem.q());
   for (Index node = 0; node < problem.n_nodes(); ++node)
     stuck.segment<3>(3 * node) = project(problem.law(node), stuck.segment<3>(3 * node));
   const double size = stuck.norm() / std::sqrt(static_cast<double>(problem.n_nodes()));
@@ -108,7 +109,7 @@ NodeVector random_load(const Compliance &compliance, std::mt19937 &generator)
 class Trial
 {
 public:
-  Trial(const ContactProblem &problem, const ContactSolverOptions &options, const unsigned int load)
+  Trial(const ContactStep &problem, const ContactSolverOptions &options, const unsigned int load)
       : problem_(problem),
         options_(options),
         load_(load)
@@ -119,7 +120,8 @@ public:
   {
     options_.method = method;
     Solution solution{start.force, {}};
-    const SolverReport report = make_contact_solver(problem_, options_)->solve(solution.force);
+    const SolverReport report =
+        make_contact_solver(problem_.system(), options_)->solve(problem_, solution.force);
     solution.displacement = problem_.displacement(solution.force);
     std::cout << load_ << "," << start.name << "," << to_word(method) << "," << report.converged << ","
               << report.iterations << "," << report.residual << ",";
@@ -132,14 +134,14 @@ private:
   void print_difference(const Solution &solution) const
   {
     std::array<unsigned int, 3> n{};
-    for (Index node = 0; node < problem_.n_nodes(); ++node)
-      ++n[static_cast<int>(problem_.status(node, solution.force, solution.displacement))];
+    for (const NodeStatus status : problem_.statuses(solution.force, solution.displacement))
+      ++n[static_cast<int>(status)];
     const auto [forces, displacements] =
         known_.empty() ? std::pair<double, double>(0, 0) : distance(solution, known_.front());
     std::cout << "," << forces << "," << displacements << "," << n[0] << "," << n[1] << "," << n[2] << "\n";
   }
 
-  const ContactProblem &problem_;
+  const ContactStep &problem_;
   ContactSolverOptions options_;
   unsigned int load_;
   std::vector<Solution> known_;
@@ -149,11 +151,11 @@ private:
 void starts(const Words &words)
 {
   const SceneWords scene(words);
-  ContactModel model(scene.parameters, choose_model(scene.parameters));
-  const March march(model, scene.parameters, static_cast<unsigned int>(scene.number("step", 1)));
-  const auto n_nodes = static_cast<std::size_t>(model.problem().n_nodes());
-  ContactProblem problem(model.problem().compliance(),
-                         std::vector<OrthotropicFriction>(n_nodes, model.problem().given_law(0)));
+  const Scene model(scene.parameters, choose_model(scene.parameters));
+  const March march(model, static_cast<unsigned int>(scene.number("step", 1)));
+  const auto n_nodes = static_cast<std::size_t>(model.system().n_nodes());
+  const ContactSystem system(model.system().compliance(),
+                             std::vector<OrthotropicFriction>(n_nodes, model.system().given_law(0)));
   const NodeVector last = march.state.displacement;
   const auto n_loads = static_cast<unsigned int>(scene.number("loads", 0));
   const auto n_random = static_cast<unsigned int>(scene.number("starts", 10));
@@ -163,10 +165,9 @@ void starts(const Words &words)
          "n_open,n_stick,n_slip\n";
   for (unsigned int load = 0; load < std::max(n_loads, 1u); ++load)
   {
-    if (n_loads == 0)
-      problem.set_step(model.condensed().free_displacement(march.next.top), last);
-    else
-      problem.set_step(random_load(problem.compliance(), generator), NodeVector::Zero(last.size()));
+    const ContactStep problem(
+        system, n_loads == 0 ? step_displacement(model.condensed().moved_with(march.next.motion), last)
+                             : random_load(system.compliance(), generator));
     Trial trial(problem, scene.parameters.contact_solver, load);
     for (const Start &start : all_starts(problem, march.state.force, n_random, generator))
       for (const ContactMethod method :

@@ -2,8 +2,9 @@
 // Copyright (C) 2026 the orthocone authors
 #include "scene.h"
 
-#include <orthocone/parameters/text.h>
-#include <orthocone/simulation/stopwatch.h>
+#include <orthocone/base/stopwatch.h>
+#include <orthocone/base/text.h>
+#include <orthocone/parameters/values.h>
 
 #include <iostream>
 #include <stdexcept>
@@ -16,18 +17,17 @@ namespace
 class BodyCompliance : public Compliance
 {
 public:
-  BodyCompliance(const ContactModel &model, const SurfaceAxes &axes)
+  BodyCompliance(const Scene &model, const LocalAxes &axes)
       : model_(model),
         axes_(axes)
   {
   }
 
-  Eigen::Index n_nodes() const override { return model_.problem().n_nodes(); }
+  Eigen::Index n_nodes() const override { return model_.system().n_nodes(); }
 
   void vmult(NodeVector &displacement, const NodeVector &force) const override
   {
     const Eigen::VectorXd volume = model_.condensed().elastic_displacement(force);
-    const Eigen::Matrix3d turn = axes_.global_in_local();
     displacement.resize(force.size());
     for (Eigen::Index node = 0; node < n_nodes(); ++node)
     {
@@ -36,25 +36,25 @@ public:
       for (Eigen::Index d = 0; d < 3; ++d)
         if (place.is_free[d])
           global[d] = volume[place.dofs[d]];
-      displacement.segment<3>(3 * node) = turn.transpose() * global;
+      displacement.segment<3>(3 * node) = axes_.global_in_local(node).transpose() * global;
     }
   }
 
   Eigen::Matrix3d diagonal_block(const Eigen::Index node) const override
   {
-    return model_.problem().compliance().diagonal_block(node);
+    return model_.system().compliance().diagonal_block(node);
   }
 
 private:
-  const ContactModel &model_;
-  SurfaceAxes axes_;
+  const Scene &model_;
+  LocalAxes axes_;
 };
 
-std::vector<OrthotropicFriction> laws_of(const ContactProblem &problem)
+std::vector<OrthotropicFriction> laws_of(const ContactSystem &system)
 {
   std::vector<OrthotropicFriction> laws;
-  for (Eigen::Index node = 0; node < problem.n_nodes(); ++node)
-    laws.push_back(problem.given_law(node));
+  for (Eigen::Index node = 0; node < system.n_nodes(); ++node)
+    laws.push_back(system.given_law(node));
   return laws;
 }
 
@@ -70,7 +70,7 @@ void print(const SolverReport &report, const double setup_seconds, const Eigen::
 void trace(const Words &words)
 {
   const SceneWords scene(words);
-  ContactModel model(scene.parameters, choose_model(scene.parameters));
+  const Scene model(scene.parameters, choose_model(scene.parameters));
   ContactSolverOptions options = scene.parameters.contact_solver;
   const auto method = scene.options.find("method");
   if (method != scene.options.end())
@@ -80,15 +80,16 @@ void trace(const Words &words)
       throw std::runtime_error("--method " + method->second + ": allowed is " + all_words<ContactMethod>());
     options.method = *known;
   }
-  const March march(model, scene.parameters, static_cast<unsigned int>(scene.number("step", 1)));
-  const SurfaceAxes axes(scene.parameters.friction.angle);
+  const March march(model, static_cast<unsigned int>(scene.number("step", 1)));
+  const LocalAxes axes(scene.parameters.friction.angle);
   const BodyCompliance body(model, axes);
   const bool is_condensed = scene.number("condensed", 1) != 0;
-  ContactProblem problem(is_condensed ? model.problem().compliance() : body, laws_of(model.problem()));
-  problem.set_step(model.condensed().free_displacement(march.next.top), march.state.displacement);
+  const ContactSystem system(is_condensed ? model.system().compliance() : body, laws_of(model.system()));
+  const ContactStep problem(
+      system, step_displacement(model.condensed().moved_with(march.next.motion), march.state.displacement));
   double setup_seconds = 0;
-  const auto solver = timed(setup_seconds, [&] { return make_contact_solver(problem, options); });
+  const auto solver = timed(setup_seconds, [&] { return make_contact_solver(system, options); });
   NodeVector force = march.state.force; // the same start for all methods
-  print(solver->solve(force), setup_seconds, problem.n_nodes());
+  print(solver->solve(problem, force), setup_seconds, problem.n_nodes());
 }
 } // namespace orthocone::studies

@@ -56,7 +56,8 @@ def cycle_part(data):
 
 def comparable_part(data, name, frames=()):
     """What the charts show of every run."""
-    names = [name for name in data.history if name not in ("step", "method")]
+    names = [name for name, values in data.history.items()
+             if isinstance(values, np.ndarray) and name not in ("step", "cycle", "phase")]
     steps = sorted({*chosen_steps(data, len(names), "Charts"), *frames})
     blocks = [block for block in data.blocks if block.part_of(steps)]
     ledger = [name for name in data.energy if name not in ("step", "scale")]

@@ -5,6 +5,9 @@
 // handed on as const references. No library header is needed to read them.
 #pragma once
 
+#include <orthocone/base/rigid_components.h>
+#include <orthocone/parameters/expression.h>
+
 #include <array>
 #include <cmath>
 #include <optional>
@@ -20,7 +23,14 @@ enum class TopFace
   guided,
 };
 
-/// Part of the cylinder that is modelled; axisymmetric is its section (r, z).
+/// Shape of the body.
+enum class BodyShape
+{
+  cylinder,
+  box,
+};
+
+/// Part of the body that is modelled; axisymmetric is its section (r, z).
 enum class ModelKind
 {
   automatic,
@@ -65,9 +75,14 @@ struct GeometryOptions
   double radius = 10;
   double height = 10;
   TopFace top_face = TopFace::clamped;
+  BodyShape shape = BodyShape::cylinder;
+  std::array<double, 3> sizes{{20, 20, 10}}; ///< of a box, along x, y, z
+
+  /// Distance of the held face from the base.
+  double held_height() const { return shape == BodyShape::box ? sizes[2] : height; }
 };
 
-/// Section Mesh: an o-grid disc extruded into layers.
+/// Section Mesh: an o-grid disc extruded into layers, or the rows of cells of a box.
 struct MeshOptions
 {
   ModelKind model = ModelKind::automatic;
@@ -82,6 +97,8 @@ struct MeshOptions
   double layer_grading = 1; ///< thickness of a layer / thickness of its neighbour towards mid-height
   MeshResolution resolution = MeshResolution::custom;
   double accuracy = 0; ///< wanted of the four quantities that users look at, percent; 0: the mesh is given
+  std::array<unsigned int, 3> cells{{8, 8, 4}}; ///< of a box, along x, y, z
+  double edge_grading = 1; ///< of a box: thickness of a cell / that of its neighbour towards the middle
 
   unsigned int n_rings() const { return rings == 0 ? core_cells : rings; }
   unsigned int n_quadrature_points() const { return quadrature_points == 0 ? degree + 1 : quadrature_points; }
@@ -95,41 +112,91 @@ struct MaterialOptions
 };
 
 /// Section Friction: semi-axes of the friction ellipse (mu) and of the slip ellipse (p), both along axes
-/// turned by `angle` degrees from x to y.
+/// turned by `angle` degrees from x to y. The numbers are those of the centre x = y = 0 where they vary.
 struct FrictionOptions
 {
   std::array<double, 2> mu{{0.3, 0.15}};                 ///< both 0: no friction
   std::optional<std::array<double, 2>> slip_potential{}; ///< p; without it p = mu, associated friction
   double angle = 0;
+  bool is_collinear_by_word = false; ///< p_x = p_y, whatever slip_potential has
+  // What depends on the place.
+  std::optional<std::array<Expression, 2>> varying_mu{};
+  std::optional<std::array<Expression, 2>> varying_slip_potential{};
+  std::optional<Expression> varying_angle{};
 
-  bool is_frictionless() const { return mu[0] == 0; }
+  bool varies() const { return varying_mu || varying_slip_potential || varying_angle; }
+  bool is_frictionless() const { return mu[0] == 0 && !varying_mu; }
 
   /// Semi-axes of the slip ellipse; (1, 1), which means nothing, without friction.
   std::array<double, 2> p() const
   {
-    return is_frictionless() ? std::array<double, 2>{{1, 1}} : slip_potential.value_or(mu);
+    return is_frictionless() || is_collinear_by_word ? std::array<double, 2>{{1, 1}}
+                                                     : slip_potential.value_or(mu);
   }
   bool is_associated() const
   {
     constexpr double rounding = 1e-12;
-    return is_frictionless() || std::abs(p()[0] * mu[1] / (p()[1] * mu[0]) - 1) <= rounding;
+    const bool has_own_field =
+        varying_slip_potential || (varying_mu && (slip_potential || is_collinear_by_word));
+    return is_frictionless() ||
+           (!has_own_field && std::abs(p()[0] * mu[1] / (p()[1] * mu[0]) - 1) <= rounding);
   }
-  bool is_collinear() const { return p()[0] == p()[1]; }
+  bool is_collinear() const
+  {
+    const bool has_varying_p = varying_slip_potential || (varying_mu && !slip_potential);
+    return is_collinear_by_word || (!has_varying_p && p()[0] == p()[1]);
+  }
+
+  /// Friction at a place (mm): the same with numbers alone, which may be any, also NaN.
+  FrictionOptions at(double x, double y) const;
 };
 
-/// One leg of the load program: the top moves on a straight line to `target` (ux, uy, uz in mm) in equal
-/// steps.
+/// Section Obstacle: the gap between the plane z = 0 and the obstacle is `gap` and that of the file, mm.
+struct ObstacleOptions
+{
+  std::string gap = "0"; ///< an Expression
+  std::string gap_file;  ///< path, or empty
+
+  /// Whether it is the plane z = 0.
+  bool is_plane() const;
+};
+
+/// What a leg does to a component of the motion of the held face: mm, degrees, N or N mm.
+struct Drive
+{
+  bool by_force = false;
+  double value = 0;
+
+  bool operator==(const Drive &other) const { return by_force == other.by_force && value == other.value; }
+};
+
+/// One leg of the load program: the components that it names (ux uy uz rx ry rz, or Fx Fy Fz Mx My Mz of the
+/// same place) go to their targets on a straight line in equal steps; the others stay as they are.
 struct Leg
 {
-  std::array<double, 3> target{{0, 0, 0}};
+  std::array<std::optional<Drive>, n_rigid_components> targets{};
   unsigned int steps = 1;
+
+  /// Where the leg moves the component to (mm or degrees), if it does.
+  std::optional<double> motion(const unsigned int component) const
+  {
+    const auto &target = targets[component];
+    return target && !target->by_force ? std::optional<double>(target->value) : std::nullopt;
+  }
+  bool operator==(const Leg &other) const { return targets == other.targets && steps == other.steps; }
 };
+
+/// A leg that moves the held face to (ux, uy, uz), mm.
+inline Leg move_to(const double ux, const double uy, const double uz, const unsigned int steps)
+{
+  return {{{Drive{false, ux}, Drive{false, uy}, Drive{false, uz}}}, steps};
+}
 
 /// Section Load program: the preload once, then the legs `cycles` times.
 struct LoadOptions
 {
   std::vector<Leg> preload;
-  std::vector<Leg> legs{{{{0, 0, -0.1}}, 5}, {{{0, 0, 0}}, 10}}; ///< the paper's cycle
+  std::vector<Leg> legs{move_to(0, 0, -0.1, 5), move_to(0, 0, 0, 10)}; ///< the paper's cycle
   unsigned int cycles = 1;
   double stop_when_periodic = 0;  ///< bound of the change of state in a cycle; 0 = never
   double jump_when_periodic = 0;  ///< bound of the change of state in a cycle; 0 = never
@@ -181,6 +248,7 @@ struct Parameters
   MeshOptions mesh;
   MaterialOptions material;
   FrictionOptions friction;
+  ObstacleOptions obstacle;
   LoadOptions load;
   ContactSolverOptions contact_solver;
   CheckOptions checks;

@@ -4,9 +4,9 @@
 // Small contact problems with a known structure, without a body.
 #pragma once
 
-#include "laws.h"
+#include "contact/laws.h"
 
-#include <orthocone/contact/contact_solver.h>
+#include <orthocone/contact/solvers/contact_solver.h>
 
 namespace orthocone::test
 {
@@ -36,7 +36,12 @@ struct GridProblem
 {
   explicit GridProblem(const OrthotropicFriction &law, const Eigen::Index n = 5, const double push = 1)
       : compliance(grid_compliance(n)),
-        problem(compliance, std::vector<OrthotropicFriction>(n * n, law))
+        system(compliance, std::vector<OrthotropicFriction>(n * n, law)),
+        problem(system, free_displacement(n, push))
+  {
+  }
+
+  static NodeVector free_displacement(const Eigen::Index n, const double push)
   {
     NodeVector free(3 * n * n);
     for (Eigen::Index i = 0; i < n * n; ++i)
@@ -46,14 +51,22 @@ struct GridProblem
       free.segment<3>(3 * i) =
           Eigen::Vector3d(-1 + 3 * x * x, push * (0.3 * x - 0.4 * y), push * (0.3 * y + 0.4 * x));
     }
-    problem.set_step(free, NodeVector::Zero(free.size()));
+    return free;
   }
 
   NodeVector zero() const { return NodeVector::Zero(3 * problem.n_nodes()); }
 
   DenseCompliance compliance;
-  ContactProblem problem;
+  ContactSystem system;
+  ContactStep problem;
 };
+
+/// Solves a step by the method that the options name, from `force` on.
+inline SolverReport solve_step(const ContactStep &step, const ContactSolverOptions &options,
+                               Eigen::VectorXd &force)
+{
+  return make_contact_solver(step.system(), options)->solve(step, force);
+}
 
 inline ContactSolverOptions solver_options(const ContactMethod method, const double tolerance = 1e-11)
 {

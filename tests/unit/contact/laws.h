@@ -4,7 +4,7 @@
 // Laws and points on which the contact column is tested.
 #pragma once
 
-#include <orthocone/contact/friction_law.h>
+#include <orthocone/contact/law/friction_law.h>
 
 #include <cmath>
 #include <vector>

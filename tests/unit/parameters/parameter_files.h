@@ -4,7 +4,7 @@
 // Parameter files for tests.
 #pragma once
 
-#include <orthocone/parameters/errors.h>
+#include <orthocone/base/errors.h>
 #include <orthocone/parameters/parameters.h>
 
 #include <unistd.h>

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/base/memory.h>
+#include <orthocone/body/body.h>
+#include <orthocone/body/shapes/shape.h>
+
+#include <string>
+
+namespace orthocone
+{
+/// Size of a model, found from the numbers of cells alone.
+ModelSize model_size(const Parameters &parameters, const ModelSymmetry &symmetry);
+
+/// Throws TooLargeError if the stiffness or the compliance of such a model have more entries than a
+/// factorization can count, whatever the memory.
+void require_countable(const ModelSize &size);
+
+/// What a run will need, to about a factor of 3.
+struct Estimate
+{
+  double gigabytes;
+  double set_up_seconds; ///< assembly, factorization, condensation
+  double step_seconds;   ///< contact, checks and output of one step, on average
+};
+
+/// From a symbolic factorization and the speed of a small matrix product on this machine.
+Estimate estimate(const Parameters &parameters, const Body &body, const ModelSymmetry &symmetry);
+
+/// Estimate for a model of which nothing but its size is known: what its stiffness and its dense compliance
+/// alone take.
+Estimate least_estimate(const ModelSize &size);
+
+/// Whether the model is likely to need more memory than there is. Meshes it and finds its order only where
+/// that depends on it.
+bool is_too_large(const Parameters &parameters, const ModelSymmetry &symmetry, double gigabytes);
+
+/// The sentence on a model that needs `needed` GB, which are more than the limit; "" if they are not.
+std::string lack_of_memory(double needed, const MemoryLimit &limit);
+
+/// Throws TooLargeError, or InputError if the model is likely to need more memory than the limit.
+/// `parameters` have the resolved mesh.
+void require_memory(const Parameters &parameters, const ModelSymmetry &symmetry, const MemoryLimit &limit);
+
+/// The estimate in two lines, with the memory that there is. `is_least`: it is a bound from below.
+std::string describe(const Estimate &estimate, unsigned int n_steps, const MemoryLimit &limit, bool is_least);
+
+/// Cells, unknowns and contact nodes in lines.
+std::string describe(const ModelSize &size);
+} // namespace orthocone

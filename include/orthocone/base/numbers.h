@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+namespace orthocone
+{
+constexpr double pi = 3.14159265358979323846;
+
+/// value / scale, and 0 where there is no value, even if there is nothing to relate it to.
+constexpr double relative(const double value, const double scale)
+{
+  return value == 0 ? 0 : value / scale;
+}
+} // namespace orthocone

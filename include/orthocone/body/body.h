@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/body/fe/displacement_space.h>
+#include <orthocone/body/fe/stiffness.h>
+#include <orthocone/body/shapes/body_mesh.h>
+#include <orthocone/surface/model_symmetry.h>
+
+#include <variant>
+
+namespace orthocone
+{
+/// Mesh and unknowns of the modelled part of the body, a solid or a section: all that --check needs.
+class Body
+{
+public:
+  Body(const Parameters &parameters, const ModelSymmetry &symmetry);
+
+  const BodyUnknowns &unknowns() const;
+
+  /// Entries of the stiffness on and below the diagonal.
+  void make_pattern(dealii::SparsityPattern &pattern) const;
+  Stiffness stiffness(const MaterialOptions &material) const;
+
+  /// What `use` makes of the displacement space, a Discretization or a SectionDiscretization.
+  template<typename Use>
+  auto visit(const Use &use) const
+  {
+    return std::visit([&](const auto &shape) { return use(shape.discretization); }, shape_);
+  }
+
+private:
+  struct Solid
+  {
+    Solid(const Parameters &parameters, const SymmetryPlanes &planes);
+    BodyMesh mesh;
+    Discretization discretization;
+  };
+  struct Section
+  {
+    explicit Section(const Parameters &parameters);
+    SectionMesh mesh;
+    SectionDiscretization discretization;
+  };
+  using Shape = std::variant<Solid, Section>;
+  static Shape shape_of(const Parameters &parameters, const ModelSymmetry &symmetry);
+
+  Shape shape_;
+};
+} // namespace orthocone

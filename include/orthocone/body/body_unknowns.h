@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/surface/contact_surface.h>
+
+#include <Eigen/Dense>
+
+namespace orthocone
+{
+/// What condensation, checks and reports need to know of a body, whatever its mesh: its degrees of freedom in
+/// three ranges, interior (free, not on the contact surface), contact (free, on the contact surface) and held
+/// (zero), and its contact surface.
+class BodyUnknowns
+{
+public:
+  unsigned int n_dofs() const { return directions_.size(); }
+  unsigned int n_interior() const { return n_interior_; }
+  unsigned int n_free() const { return n_free_; }
+  unsigned int n_cells() const { return n_cells_; }
+
+  /// Direction in which a degree of freedom moves, 0: x (r in an axisymmetric body), 1: y, 2: z.
+  unsigned int direction(const unsigned int dof) const { return directions_[dof]; }
+
+  /// Where it stands, mm; of an axisymmetric body in the plane y = 0. What a rigid motion moves it by depends
+  /// on that.
+  Eigen::Vector3d position(const unsigned int dof) const { return positions_.col(dof); }
+
+  /// Centroid of the whole held face, mm.
+  const Eigen::Vector3d &held_centre() const { return held_centre_; }
+
+  /// From the centre of the held face to a contact node, mm.
+  Eigen::Vector3d arm(const ContactNode &node) const
+  {
+    return Eigen::Vector3d(node.position[0], node.position[1], node.height) - held_centre_;
+  }
+
+  const ContactSurface &contact_surface() const { return contact_surface_; }
+
+protected:
+  unsigned int n_interior_ = 0;
+  unsigned int n_free_ = 0;
+  unsigned int n_cells_ = 0;
+  std::vector<unsigned char> directions_;
+  Eigen::Matrix3Xd positions_; ///< of the degrees of freedom
+  Eigen::Vector3d held_centre_ = Eigen::Vector3d::Zero();
+  ContactSurface contact_surface_;
+};
+} // namespace orthocone

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/body/fe/displacement_space.h>
+#include <orthocone/body/fe/projected_divergence.h>
+#include <orthocone/body/materials/material.h>
+
+#include <deal.II/fe/fe_values.h>
+
+#include <optional>
+#include <vector>
+
+namespace orthocone
+{
+/// Fields at a point of the body; a section lies in the plane y = 0, where r is x and the hoop direction y.
+struct PointFields
+{
+  Eigen::Vector3d place = Eigen::Vector3d::Zero();        ///< mm
+  Eigen::Vector3d displacement = Eigen::Vector3d::Zero(); ///< mm
+  Stress stress{};                                        ///< MPa
+};
+
+/// Fields of a displacement at the same points of one cell after the other.
+///
+/// With reduced volumetric quadrature the stress has the change of volume that this quadrature sees. That of
+/// the displacement itself is noise where the material is nearly incompressible, and lambda times it much
+/// larger than the stress.
+template<int dim>
+class CellFields
+{
+public:
+  /// `points` in the unit cell; `displacement` of all degrees of freedom. `space` and `displacement` must
+  /// outlive this.
+  CellFields(const DisplacementSpace<dim> &space, const Material &material,
+             const dealii::Quadrature<dim> &points, const Eigen::VectorXd &displacement);
+
+  std::vector<PointFields> in(const typename DisplacementSpace<dim>::Cell &cell);
+
+private:
+  Eigen::VectorXd nodal_values(const typename DisplacementSpace<dim>::Cell &cell) const;
+  Eigen::VectorXd projected_volume_changes(const typename DisplacementSpace<dim>::Cell &cell,
+                                           const Eigen::VectorXd &nodal);
+
+  const DisplacementSpace<dim> &space_;
+  const Eigen::VectorXd &displacement_;
+  Material material_;
+  dealii::FEValues<dim> values_;
+  dealii::FEValues<dim> quadrature_values_; ///< with reduced volumetric quadrature, as the next two
+  ProjectedDivergence<dim> divergence_;
+  Eigen::MatrixXd polynomials_; ///< of the projection, at the points
+};
+} // namespace orthocone

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/body/body_unknowns.h>
+#include <orthocone/parameters/options.h>
+
+#include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_q.h>
+#include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/mapping_q.h>
+
+#include <Eigen/Dense>
+
+namespace orthocone
+{
+/// Displacement space FE_Q on a mesh: of a solid (u_x, u_y, u_z), isoparametric, or of a section (u_r, u_z).
+/// Forces and areas of a section are those of whole rings.
+///
+/// Contact nodes stand at the points of FE_Q, but in the face on the axis of a section at those of the
+/// Gauss-Lobatto-Jacobi rule of weight r. The nodes of FE_Q have the weights of the Gauss-Lobatto rule times
+/// r, for degrees from 2 on: nothing at the axis. The node there could carry no pressure, nor the plane hold
+/// it. At the points of the other rule all weights are positive. Only the degrees of freedom within that face
+/// change their meaning: they are values at its points.
+template<int dim>
+class DisplacementSpace : public BodyUnknowns
+{
+public:
+  DisplacementSpace(const dealii::Triangulation<dim> &triangulation, const MeshOptions &options,
+                    TopFace top_face);
+
+  const dealii::DoFHandler<dim> &dof_handler() const { return dof_handler_; }
+  const dealii::FESystem<dim> &fe() const { return fe_; }
+  const dealii::FE_Q<dim> &scalar_fe() const { return scalar_fe_; }
+  const dealii::MappingQ<dim> &mapping() const { return mapping_; }
+  unsigned int n_quadrature_points() const { return n_quadrature_points_; }
+  VolumetricQuadrature volumetric_quadrature() const { return volumetric_quadrature_; }
+
+  using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
+
+  /// Whether the cell has the contact face on the axis, which only a cell of a section can have.
+  bool has_axis_face(const Cell &cell) const;
+
+  /// Values of the nodes of FE_Q in such a cell from those of its degrees of freedom, both numbered dim a + c
+  /// by scalar node a and component c.
+  const Eigen::MatrixXd &axis_face_basis() const { return axis_face_basis_; }
+
+private:
+  std::vector<bool> held_dofs(TopFace top_face) const;
+  void make_axis_face_basis();
+  void find_contact_surface();
+  void add_contact_face(const Cell &cell);
+  unsigned int contact_node(const Cell &cell, unsigned int point);
+  Eigen::VectorXd face_weights(const Cell &cell) const;
+
+  dealii::FE_Q<dim> scalar_fe_;
+  dealii::FESystem<dim> fe_;
+  dealii::MappingQ<dim> mapping_;
+  dealii::DoFHandler<dim> dof_handler_;
+  unsigned int n_quadrature_points_;
+  VolumetricQuadrature volumetric_quadrature_;
+  std::vector<unsigned int> hierarchic_;  ///< numbers in scalar_fe_ of the nodes in lexicographic order
+  std::vector<unsigned int> node_of_dof_; ///< of u_z
+  // Of a section:
+  std::vector<double> axis_face_points_; ///< 0 to 1
+  Eigen::MatrixXd axis_face_values_;     ///< at the face's nodes of FE_Q, of the basis at axis_face_points_
+  Eigen::MatrixXd axis_face_basis_;
+};
+
+using Discretization = DisplacementSpace<3>;
+using SectionDiscretization = DisplacementSpace<2>;
+} // namespace orthocone

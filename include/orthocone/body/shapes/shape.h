@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/parameters/options.h>
+#include <orthocone/surface/model_symmetry.h>
+
+#include <deal.II/grid/tria.h>
+
+#include <memory>
+
+namespace orthocone
+{
+/// Size of a model, found from the numbers of cells alone.
+struct ModelSize
+{
+  double cells;
+  double contact_nodes;
+  double dofs;
+  double stiffness_entries; ///< on and below the diagonal; where there is symmetry, to some 10 %
+};
+
+/// Shape of the body: what is meshed, and how large that is. Its base lies in z = 0, its axis is z. A new
+/// shape is a file with a class of this kind and a line in make_shape().
+class Shape
+{
+public:
+  virtual ~Shape() = default;
+
+  /// Fills `triangulation` with the hexahedra of the modelled part; its boundary ids are those of boundary.h.
+  virtual void make_solid(const SymmetryPlanes &planes, dealii::Triangulation<3> &triangulation) const = 0;
+
+  /// The same with the section (r, z) of a body of revolution. Throws std::logic_error for any other.
+  virtual void make_section(dealii::Triangulation<2> &triangulation) const;
+
+  virtual ModelSize size(const ModelSymmetry &symmetry) const = 0;
+};
+
+/// The shape that the options name, with the cells that they say.
+std::unique_ptr<Shape> make_shape(const GeometryOptions &geometry, const MeshOptions &mesh);
+} // namespace orthocone

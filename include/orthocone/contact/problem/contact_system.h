@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/contact/law/friction_law.h>
+#include <orthocone/surface/compliance.h>
+
+#include <vector>
+
+namespace orthocone
+{
+/// What is the same in all load steps: the compliance W of the contact nodes and the friction law of each of
+/// them.
+class ContactSystem
+{
+public:
+  /// `compliance` must outlive the system; `laws` holds one entry a node.
+  ContactSystem(const Compliance &compliance, std::vector<OrthotropicFriction> laws);
+
+  Eigen::Index n_nodes() const { return compliance_.n_nodes(); }
+  const Compliance &compliance() const { return compliance_; }
+
+  /// The law as given, and the same law with p scaled for the natural map.
+  const OrthotropicFriction &given_law(Eigen::Index node) const { return given_laws_[node]; }
+  const OrthotropicFriction &law(Eigen::Index node) const { return laws_[node]; }
+
+  /// Step of the natural map of a node, 1 / max(diagonal of its block of W).
+  double rho(Eigen::Index node) const { return rho_[node]; }
+
+  /// Compliance::softness().
+  double softness() const { return softness_; }
+
+  /// Residual below which rounding of the displacement decides: the machine's precision times the largest
+  /// product of a node's rho and the largest eigenvalue of W.
+  double rounding() const;
+
+private:
+  const Compliance &compliance_;
+  std::vector<OrthotropicFriction> given_laws_;
+  std::vector<OrthotropicFriction> laws_; ///< normalized
+  std::vector<double> rho_;
+  double softness_;
+};
+} // namespace orthocone

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <chrono>
+#include <vector>
+
+namespace orthocone
+{
+/// What a solver saw at one moment of a load step.
+struct TracePoint
+{
+  unsigned int iterations; ///< done so far
+  double residual;         ///< ContactStep::residual()
+  double force;            ///< ContactStep::force_scale(), N: residuals are relative to it
+  double seconds;          ///< wall time since the solver began
+};
+
+/// The residuals that a solver looked at in a load step, in their order.
+class Trace
+{
+public:
+  void add(unsigned int iterations, double residual, double force);
+  const std::vector<TracePoint> &points() const { return points_; }
+
+private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point begin_ = Clock::now();
+  std::vector<TracePoint> points_;
+};
+
+/// How an iteration went.
+enum class Verdict
+{
+  converged,  ///< within the tolerance
+  slow,       ///< the residual still fell when the iterations were used up
+  rounding,   ///< the residual reached what rounding leaves, but not the tolerance
+  cycling,    ///< the residual no longer fell, and the forces stayed in bounds
+  diverged,   ///< the forces grew without bound, or are no longer numbers
+  unbalanced, ///< the held face runs away: no contact forces balance what drives it
+};
+
+/// The word of a verdict.
+const char *to_word(Verdict verdict);
+
+/// Judges an iteration by its trace. `rounding`: residual below which rounding decides.
+Verdict judge(const std::vector<TracePoint> &trace, double tolerance, double rounding);
+
+/// How many iterations more would bring the residual within the tolerance if it went on falling as in the
+/// second half of the trace; 0 where it does not fall.
+double iterations_to_go(const std::vector<TracePoint> &trace, double tolerance);
+} // namespace orthocone

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/contact/problem/convergence.h>
+#include <orthocone/contact/problem/law_errors.h>
+#include <orthocone/parameters/options.h>
+
+#include <memory>
+
+namespace orthocone
+{
+/// What a solver tells of one load step. All figures are recomputed from the final forces by make_report(),
+/// so that no solver judges itself.
+struct SolverReport
+{
+  bool converged = false;
+  unsigned int iterations = 0; ///< sweeps and Newton iterations together
+  double residual = 0;         ///< ContactStep::residual()
+  Eigen::Index worst_node = 0; ///< node with the largest part of the residual
+  double penetration = 0;      ///< largest -gap (mm), the paper's own measure of convergence
+  unsigned int n_parts = 1;    ///< 1, unless the step had to be divided
+  bool is_released = false;    ///< no force presses any more: the motion of the face is the first that opens
+  LawErrors law;               ///< the same solution against the contact law in its own terms
+  Trace trace{};               ///< of the step, or of the part of it that failed
+  Verdict verdict = Verdict::slow;
+};
+
+/// Report on `unknowns` as the solution of `step`.
+SolverReport make_report(const ContactStep &step, const Eigen::VectorXd &unknowns, unsigned int iterations,
+                         double tolerance, Trace trace = {});
+
+/// Solver of the contact problem of a load step. Failure is a value of the report, not an exception.
+class ContactSolver
+{
+public:
+  virtual ~ContactSolver() = default;
+
+  /// Improves `unknowns` (ContactStep), on entry the start, until the residual of the step is within the
+  /// tolerance.
+  virtual SolverReport solve(const ContactStep &step, Eigen::VectorXd &unknowns) const = 0;
+};
+
+/// The solver that the options name, for all steps of `system`, which must outlive it. The constructor
+/// prepares what stays the same from step to step. Throws std::invalid_argument if the method needs what the
+/// backend of the compliance does not have.
+std::unique_ptr<ContactSolver> make_contact_solver(const ContactSystem &system,
+                                                   const ContactSolverOptions &options);
+} // namespace orthocone

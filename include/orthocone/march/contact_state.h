@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/contact/problem/contact_step.h>
+#include <orthocone/parameters/options.h>
+#include <orthocone/scene/load_program.h>
+#include <orthocone/surface/model_symmetry.h>
+#include <orthocone/surface/rigid_motion.h>
+
+namespace orthocone
+{
+/// All that the next step needs to know of the past, and all that output reads. Per node of the model, local
+/// axes.
+struct ContactState
+{
+  explicit ContactState(Eigen::Index n_nodes);
+
+  Eigen::Index n_nodes() const { return accumulated_slip.size(); }
+
+  unsigned int step = 0;
+  RigidMotion motion{};              ///< of the held face
+  FaceState leg_begin{};             ///< of it when the present leg began
+  NodeVector force;                  ///< of the plane on the body, N
+  NodeVector displacement;           ///< relative to the plane (gap, slip), mm
+  Eigen::VectorXd accumulated_slip;  ///< path length of the slip in steps that begin or end in contact, mm
+  Eigen::VectorXd dissipated_energy; ///< N mm
+  Eigen::VectorXd slip_at_stick;     ///< slip (x, y) where the node last stuck or turned round, mm
+  std::vector<NodeStatus> status;
+};
+
+/// How far a node has slipped since it last stuck or turned round, mm.
+double slip_since_stick(const ContactState &state, Eigen::Index node);
+
+/// Work of friction, N mm, along a node's slip `change` (mm) while its tangential force goes from `before` to
+/// `after` (N); not negative if `after` opposes the slip. docs/theory.md, section 4.
+double dissipation(const Eigen::Vector2d &before, const Eigen::Vector2d &after,
+                   const Eigen::Vector2d &change);
+
+/// Compliance (mm/N) of each node of the model by which a gap at the end of a step tells when the node has
+/// lifted off: (1 - nu^2) / (0.7 E h), that of a half-space under a square of side h, divided by the share of
+/// the force that the model's node carries. h^2 is the area of a node of the whole body, h the width of a
+/// ring: the same for every model.
+Eigen::VectorXd opening_compliance(const ContactSurface &surface, const ModelSymmetry &symmetry,
+                                   const MaterialOptions &material);
+
+/// Enters the solution of a step into the state: displacement, status, accumulated slip and dissipation,
+/// which is the work of the mean friction force, or of the final one where the slip reverses or the node
+/// lifts off. `opening`: opening_compliance().
+void advance(ContactState &state, const ContactStep &step, const Eigen::VectorXd &opening,
+             const Eigen::VectorXd &unknowns, const RigidMotion &motion);
+} // namespace orthocone

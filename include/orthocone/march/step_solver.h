@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/contact/solvers/contact_solver.h>
+#include <orthocone/march/contact_state.h>
+#include <orthocone/scene/load_program.h>
+#include <orthocone/scene/scene.h>
+
+#include <map>
+
+namespace orthocone
+{
+/// Forces from which the next step may start, besides those of the last step. Each vector holds three forces
+/// a node and behind them the motion of the held face.
+struct StartMemory
+{
+  NodeVector change;                           ///< of the forces in the last step
+  std::map<unsigned int, NodeVector> of_phase; ///< forces at each phase of the last cycle
+  std::map<unsigned int, NodeVector> drift;    ///< their change from the cycle before that
+
+  /// Most that both maps may hold. A cycle of so many steps that they would hold more starts its later phases
+  /// from the step before.
+  static constexpr std::size_t most_bytes = 32000000;
+};
+
+/// Chooses the forces from which a step starts: those of the last step, their extrapolation along the leg
+/// (exact while the load is proportional), those at the same phase of the last cycle (exact once the response
+/// is periodic), these with their drift from cycle to cycle, and none (exact at full unloading).
+class StartForces
+{
+public:
+  /// Unknowns of `problem`, whose face has these components: the first candidate whose residual is within the
+  /// tolerance, which costs one product with W, or the one with the least.
+  Eigen::VectorXd best(const ContactStep &problem, const std::vector<unsigned int> &components,
+                       const ContactState &state, const LoadStep &step, double tolerance) const;
+
+  /// To be called with every solved step.
+  void remember(const ContactState &before, const ContactState &after, const LoadStep &step);
+
+  const StartMemory &memory() const { return memory_; }
+  void restore(const StartMemory &memory) { memory_ = memory; }
+
+private:
+  StartMemory memory_;
+};
+
+/// Solves load steps one after another. A step that fails is halved, from the state before it, so that the
+/// slip history of the attempt is forgotten.
+class StepSolver
+{
+public:
+  /// By the scene's own solver, or by another one. `scene` must outlive this.
+  explicit StepSolver(const Scene &scene);
+  StepSolver(const Scene &scene, const ContactSolverOptions &options);
+
+  /// Advances `state` to the end of `step`. On failure (report.converged is false) `state` is as before.
+  SolverReport solve(ContactState &state, const LoadStep &step) const;
+
+  /// The held face when the leg of a step began; `before`: the state before the step.
+  FaceState leg_begin(const ContactState &before, const LoadStep &step) const;
+
+  /// How much of the leg of a step without equilibrium is still carried, from the state before the step:
+  /// bisected to 1 % of the leg.
+  double carried_share(const ContactState &before, const LoadStep &step) const;
+
+  /// To be called with the states before and after every step that is accepted: later steps start from it.
+  void accept(const ContactState &before, const ContactState &after, const LoadStep &step);
+
+  /// What a solver of the same problem needs to go on as this one would.
+  const StartMemory &memory() const { return starts_.memory(); }
+  void restore(const StartMemory &memory) { starts_.restore(memory); }
+
+private:
+  /// What a step is solved from.
+  struct Attempt
+  {
+    FaceTarget target;
+    ContactStep problem;
+    std::vector<unsigned int> components; ///< of its free face
+  };
+
+  Attempt attempt(const ContactState &state, const FaceTarget &target) const;
+  SolverReport solve_to(ContactState &state, const Attempt &attempt, Eigen::VectorXd unknowns,
+                        unsigned int n_halvings) const;
+  SolverReport solve_halves(ContactState &state, const FaceTarget &target, const SolverReport &failure,
+                            unsigned int n_halvings) const;
+  SolverReport release(ContactState &state, const Attempt &attempt) const;
+  void accept_unknowns(ContactState &state, const Attempt &attempt, const Eigen::VectorXd &unknowns) const;
+  Eigen::VectorXd present_unknowns(const ContactState &state, const Attempt &attempt) const;
+
+  const Scene &scene_;
+  Eigen::VectorXd opening_; ///< opening_compliance()
+  double tolerance_;
+  std::unique_ptr<ContactSolver> solver_;
+  StartForces starts_;
+};
+} // namespace orthocone

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/output/log.h>
+#include <orthocone/output/run_folder.h>
+
+#include <functional>
+#include <future>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace orthocone
+{
+/// Numbers of the steps that have a field file, in their order.
+struct FieldSteps
+{
+  std::vector<unsigned int> contact;
+  std::vector<unsigned int> volume;
+};
+
+/// Name of the field file of a step; `kind`: "contact" or "volume".
+std::string field_file(const std::string &kind, unsigned int step);
+
+/// Throws FileError if the field file of one of the steps is missing or cut off.
+void require_fields(const RunFolder &folder, const std::string &kind, const std::vector<unsigned int> &steps);
+
+/// The field files of a run and the .pvd file that names them. The content of a file is made on a thread of
+/// its own, while the next step is solved, and written when the next one comes. The .pvd file can only be
+/// replaced as a whole, which would cost more and more from step to step: it is written when the last time
+/// was a while ago, or by flush().
+class FieldList
+{
+public:
+  FieldList(const RunFolder &folder, const std::string &name);
+
+  /// Names the files of these steps and no others; without any there is no .pvd file.
+  void set(const std::vector<unsigned int> &steps);
+
+  /// Begins to make the field file of a step. `make` returns its content, and must not write anything else.
+  void add(unsigned int step, const std::function<std::string()> &make);
+
+  /// Steps whose files are written.
+  std::vector<unsigned int> steps() const;
+
+  /// Whether `step` or a later one has been added.
+  bool has(unsigned int step) const;
+
+  /// Writes what has been added, and brings the .pvd file up to date.
+  void flush();
+
+private:
+  void write_pending();
+  void write_list();
+
+  const RunFolder &folder_;
+  std::string name_;
+  std::vector<std::pair<double, std::string>> files_;
+  bool is_up_to_date_ = true;
+  Stopwatch since_writing_;
+  double least_seconds_ = 0; ///< from one writing to the next
+  unsigned int pending_step_ = 0;
+  std::future<std::string> pending_;
+};
+} // namespace orthocone

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// The CSV files of a run. Nothing in them depends on the clock but timing.csv: the same run with the same
+// number of threads gives the same bytes.
+#pragma once
+
+#include <orthocone/output/run_folder.h>
+#include <orthocone/parameters/options.h>
+#include <orthocone/results/cycles.h>
+#include <orthocone/results/solved_step.h>
+
+namespace orthocone
+{
+/// history.csv, checks.csv and timing.csv: one row a step.
+class History
+{
+public:
+  explicit History(const RunFolder &folder);
+
+  /// Starts the tables with the names of their columns.
+  void start() const;
+  void write(const SolvedStep &step) const;
+
+private:
+  const RunFolder &folder_;
+};
+
+/// Names of the tables of these probes.
+std::vector<std::string> probe_files(const std::vector<Probe> &probes);
+
+/// probe-NAME.csv: the node nearest to each probe, in the image where the probe lies.
+class ProbeHistories
+{
+public:
+  ProbeHistories(const RunFolder &folder, const std::vector<Probe> &probes,
+                 const ContactFieldEvaluator &evaluator);
+
+  /// Starts the tables that are not there yet.
+  void start(const TableMarks &there) const;
+  void write(const ContactState &state) const;
+
+private:
+  struct Place
+  {
+    std::string file;
+    unsigned int node;
+    Eigen::Matrix2d map; ///< from the model to the image
+  };
+
+  const RunFolder &folder_;
+  const ContactFieldEvaluator &evaluator_;
+  std::vector<Place> places_;
+};
+
+/// cycles.csv: a row for every completed cycle, and for cycles that are jumped.
+class CycleTable
+{
+public:
+  explicit CycleTable(const RunFolder &folder)
+      : folder_(folder)
+  {
+  }
+
+  void start() const;
+  void write(const CycleRow &row) const;
+
+private:
+  const RunFolder &folder_;
+};
+} // namespace orthocone

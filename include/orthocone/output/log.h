@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/base/stopwatch.h>
+#include <orthocone/contact/solvers/contact_solver.h>
+#include <orthocone/output/motion_text.h>
+#include <orthocone/output/run_folder.h>
+#include <orthocone/results/totals.h>
+
+namespace orthocone
+{
+/// log.txt and what the screen shows: one line a step, in place on a terminal.
+class Log
+{
+public:
+  Log(const RunFolder &folder, bool is_quiet);
+
+  /// A line for the screen and for log.txt.
+  void line(const std::string &text);
+
+  /// A line for log.txt alone.
+  void note(const std::string &text) const;
+
+  /// Elapsed and remaining time count from here, where the first `n_done` of `steps` are solved already.
+  void start_steps(unsigned int n_done, const std::vector<LoadStep> &steps);
+
+  /// Progress after `step`.
+  void progress(const LoadStep &step, const Totals &totals, const SolverReport &report);
+
+  /// Ends a line that is shown in place.
+  void finish_progress();
+
+private:
+  const RunFolder &folder_;
+  bool is_quiet_;
+  bool is_terminal_;
+  bool is_in_place_ = false;
+  Stopwatch watch_;
+  unsigned int n_done_ = 0;
+  unsigned int n_steps_ = 0;
+  MotionText motion_text_;
+};
+} // namespace orthocone

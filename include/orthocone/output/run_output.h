@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/output/field_list.h>
+#include <orthocone/output/history.h>
+#include <orthocone/results/cycles.h>
+#include <orthocone/scene/load_program.h>
+
+namespace orthocone
+{
+/// The files of a run that grow with its steps: tables and fields. Of earlier steps it knows only the names
+/// of their files.
+class RunOutput
+{
+public:
+  /// All but `options` must outlive the output.
+  RunOutput(const RunFolder &folder, const OutputOptions &options, const Scene &scene,
+            const ContactFieldEvaluator &evaluator);
+
+  /// Starts the tables.
+  void start() const;
+
+  /// Brings the files back to what they were after `step`, with these tables and fields; probes that are new
+  /// since then get tables that begin here. The files are those that find_checkpoint() has seen.
+  void return_to(unsigned int step, const TableMarks &tables, const FieldSteps &fields);
+
+  void write(const SolvedStep &step);
+  void write(const CycleRow &row) const { cycles_.write(row); }
+
+  /// Writes what is still due after the last step of a run that ends before its program does.
+  void end_with(const ContactState &state);
+
+  /// Steps whose field files are written; complete after flush().
+  FieldSteps fields() const { return {contact_.steps(), volume_.steps()}; }
+
+  /// Writes the field files that are still being made, and brings the .pvd files up to date.
+  void flush();
+
+private:
+  bool is_due(unsigned int interval, unsigned int step) const;
+  void write_fields(const ContactState &state, const Eigen::VectorXd &volume);
+
+  const RunFolder &folder_;
+  const OutputOptions options_;
+  unsigned int last_step_; ///< of the program, or of the run if that ended before
+  const Scene &scene_;
+  const ContactFieldEvaluator &evaluator_;
+  const History history_;
+  const ProbeHistories probes_;
+  const CycleTable cycles_;
+  FieldList contact_;
+  FieldList volume_;
+};
+} // namespace orthocone

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/accuracy/accuracy.h>
+#include <orthocone/base/phases.h>
+#include <orthocone/contact/solvers/contact_solver.h>
+#include <orthocone/results/cycles.h>
+#include <orthocone/results/step_checks.h>
+#include <orthocone/scene/load_program.h>
+#include <orthocone/scene/model_choice.h>
+
+#include <array>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace orthocone
+{
+/// Largest values over the run and the steps that had them.
+struct Peaks
+{
+  void consider(unsigned int step, const Totals &totals);
+
+  std::pair<double, unsigned int> slip{0, 0};     ///< mm
+  std::pair<double, unsigned int> pressure{0, 0}; ///< MPa
+  std::pair<double, unsigned int> force_z{0, 0};  ///< N
+};
+
+/// The strongest friction that no node can wedge under, and where one would first.
+struct CriticalFrictionRecord
+{
+  double factor = 0;                      ///< CriticalFriction::factor
+  std::array<double, 2> position{{0, 0}}; ///< mm
+};
+
+/// What adds up from step to step, also over interruptions, and what is known before the first step.
+struct RunRecord
+{
+  /// `before`: of the step before.
+  void add_step(unsigned int step, const Totals &before, const Totals &totals, const SolverReport &report,
+                const StepChecks &checks);
+
+  unsigned int n_iterations = 0;
+  double largest_residual = 0;
+  Verdict verdict = Verdict::converged; ///< of the last step that was tried
+  double largest_energy = 0;            ///< StepChecks::energy, N mm
+  Peaks peaks{};
+  std::pair<double, unsigned int> energy_defect{0, 0}; ///< the largest, and its step
+  double work = 0;                                     ///< of the upper face in all computed steps, N mm
+  double dissipation = 0;                              ///< in all computed steps, N mm
+  double missing = 0; ///< sum of |work - change of elastic energy - dissipation| of all computed steps, N mm
+  std::optional<AccuracyEstimate> accuracy{}; ///< where Mesh/Accuracy chose the mesh
+  CriticalFrictionRecord critical_friction{}; ///< of the model, not kept in checkpoints
+  PhaseSeconds seconds{};
+  double total_seconds = 0;
+};
+
+/// Everything that summary.json tells.
+struct Summary
+{
+  std::string status; ///< "complete", or why not
+  const Parameters &parameters;
+  const ModelChoice &model;
+  const BodyUnknowns &unknowns;
+  unsigned int n_steps;
+  unsigned int n_solved;
+  double total_dissipation; ///< N mm
+  const RunRecord &record;
+  const CycleMemory &cycles;
+};
+
+/// Text of summary.json.
+std::string summary_json(const Summary &summary);
+
+/// The same of a run that failed before its first step.
+std::string summary_json_before_steps(const std::string &status, const Parameters &parameters);
+
+/// What the model gives reason to warn of before the first step, besides parameter_warnings().
+std::vector<std::string> model_warnings(const RunRecord &record);
+
+/// What the load steps leave of the energy balance, in a line: an error of work and dissipation that more
+/// steps lower.
+std::string describe_energy(const RunRecord &record);
+
+/// "critical friction 7.21 times the given one, at (9.95, 0.98) mm".
+std::string describe(const CriticalFrictionRecord &critical);
+
+/// parameter_warnings(), model_warnings(), and what the steps so far give reason to warn of.
+std::vector<std::string> all_warnings(const Parameters &parameters, const RunRecord &record);
+
+/// Wall times of the phases in a line.
+std::string describe_seconds(const RunRecord &record);
+
+/// "model          quarter (why)" and the line of friction: "associated", "collinear", both or neither, and
+/// its angle.
+std::string describe_model(const ModelChoice &model);
+std::string describe_friction(const FrictionOptions &friction);
+
+/// The resolved model in a few lines: kind, cells, unknowns, contact nodes, steps.
+std::string describe_model(const Parameters &parameters, const ModelChoice &model,
+                           const BodyUnknowns &unknowns, unsigned int n_steps);
+} // namespace orthocone

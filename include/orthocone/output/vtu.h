@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/body/body.h>
+#include <orthocone/results/contact_fields.h>
+
+#include <string>
+
+namespace orthocone
+{
+/// VTU text of the contact surface of the whole body: the modelled part and its images, so that pictures
+/// do not depend on the model. Each contact node of the whole body is one point; faces are cut at their nodes
+/// into bilinear quadrilaterals (triangles on the axis).
+std::string contact_vtu(const ContactFieldEvaluator &evaluator, const ContactState &state);
+
+/// VTU text of the modelled part of the body: displacement (mm), stress and von Mises stress (MPa). Each
+/// element has points of its own, because stress jumps between elements. Between them are trilinear
+/// hexahedra. A section lies in the plane y = 0 and has one Lagrange cell an element.
+template<int dim>
+std::string volume_vtu(const DisplacementSpace<dim> &space, const MaterialOptions &material,
+                       const Eigen::VectorXd &displacement);
+
+/// That of the body's displacement space, of all degrees of freedom.
+inline std::string volume_vtu(const Body &body, const MaterialOptions &material,
+                              const Eigen::VectorXd &displacement)
+{
+  return body.visit([&](const auto &discretization)
+                    { return volume_vtu(discretization, material, displacement); });
+}
+} // namespace orthocone

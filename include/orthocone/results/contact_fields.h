@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/march/contact_state.h>
+#include <orthocone/results/held_face.h>
+#include <orthocone/results/stick_area.h>
+#include <orthocone/scene/scene.h>
+
+#include <variant>
+#include <vector>
+
+namespace orthocone
+{
+/// What users look at, at one node of the contact surface; vectors in global axes (x, y, z).
+struct ContactFields
+{
+  Eigen::Vector3d displacement = Eigen::Vector3d::Zero();      ///< mm
+  Eigen::Vector3d slip = Eigen::Vector3d::Zero();              ///< mm, tangential
+  double accumulated_slip = 0;                                 ///< mm
+  double gap = 0;                                              ///< mm, > 0 open
+  double pressure = 0;                                         ///< MPa
+  Eigen::Vector3d friction_traction = Eigen::Vector3d::Zero(); ///< MPa, of the plane on the body
+  double friction_criterion = -1; ///< ||r_t||_m / r_n - 1; -1 without pressure, 0 without friction
+  NodeStatus status = NodeStatus::open;
+  Eigen::Vector3d nodal_force = Eigen::Vector3d::Zero(); ///< N, of one node of the whole surface
+  double dissipated_energy = 0;                          ///< N/mm, accumulated, per area
+};
+
+/// The same at an image of the node; `map`: from the model to the image.
+ContactFields mapped(ContactFields fields, const Eigen::Matrix2d &map);
+
+/// A field of the files on the contact surface. A new one is a line in contact_field_list().
+struct ContactField
+{
+  using Scalar = double ContactFields::*;
+  using Vector = Eigen::Vector3d ContactFields::*;
+  using Derived = double (*)(const ContactFields &);
+
+  const char *name;
+  const char *unit; ///< empty for shares and counts
+  const char *how;
+  std::variant<Scalar, Vector, Derived> of;
+
+  unsigned int n_components() const { return std::holds_alternative<Vector>(of) ? 3 : 1; }
+
+  /// The first n_components() of what it returns.
+  Eigen::Vector3d value(const ContactFields &fields) const;
+};
+
+/// In the order of the files.
+const std::vector<ContactField> &contact_field_list();
+
+/// Computes the fields of the nodes of a state. Only reads.
+class ContactFieldEvaluator
+{
+public:
+  /// `scene` must outlive the evaluator.
+  explicit ContactFieldEvaluator(const Scene &scene);
+
+  ContactFields fields(const ContactState &state, unsigned int node) const;
+  std::vector<ContactFields> all_fields(const ContactState &state) const;
+
+  /// Area that sticks in the whole body, mm^2.
+  double stick_area(const ContactState &state) const;
+
+  /// Where a node lies as seen from the centre of the held face, mm.
+  Eigen::Vector3d arm(const unsigned int node) const { return arm_of(surface_.nodes[node], geometry_); }
+
+  const ContactSurface &surface() const { return surface_; }
+  const ModelSymmetry &symmetry() const { return symmetry_; }
+  const Compliance &compliance() const { return compliance_; }
+
+private:
+  const ContactSurface &surface_;
+  const ModelSymmetry &symmetry_;
+  const Compliance &compliance_;
+  LocalAxes axes_;
+  OrthotropicFriction law_;
+  Eigen::VectorXd shares_; ///< ModelSymmetry::force_shares()
+  StickArea stick_area_;
+  GeometryOptions geometry_;
+};
+} // namespace orthocone

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/contact/solvers/contact_solver.h>
+#include <orthocone/results/step_checks.h>
+#include <orthocone/results/totals.h>
+#include <orthocone/scene/load_program.h>
+
+#include <string>
+
+namespace orthocone
+{
+/// A solved step, as the tables tell it.
+struct SolvedStep
+{
+  const ContactState &state;
+  const Totals &before; ///< of the step before
+  const Totals &totals;
+  const SolverReport &report;
+  const StepChecks &checks;
+  double seconds; ///< of the solver
+  LoadStep step{};
+  ContactMethod method = ContactMethod::newton;
+  std::string driven{}; ///< components of the held face that the step drives, such as "ux uy uz"
+};
+} // namespace orthocone

@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/contact/problem/contact_step.h>
+#include <orthocone/parameters/options.h>
+#include <orthocone/surface/contact_surface.h>
+
+#include <optional>
+
+namespace orthocone
+{
+/// What the border of the stick zone shows in at a contact node.
+struct StickSample
+{
+  NodeStatus status = NodeStatus::open;
+  double reserve = 0; ///< friction traction that is missing to slip, MPa; of nodes that stick
+  double slip = 0;    ///< since the node last stuck, mm; of nodes that slip
+};
+
+/// Where the stick zone ends between a node that sticks and one that slips, `length` mm away across the
+/// border, as a share of the way from the first. At a border at rest the reserve grows like K sqrt(distance)
+/// into the stick zone and the slip like edge_compliance K distance^(3/2) out of it (edge of a contact with
+/// friction, e.g. Johnson, Contact Mechanics, 1985, 7.2); the one K that lets both distances add up to
+/// `length` places it. Half way where neither is known.
+double stick_share(double reserve, double slip, double edge_compliance, double length);
+
+/// Area of the part of the contact surface that sticks. A sum of the lumped areas of the nodes that stick
+/// would be right to the size of a cell only; here the border runs through the cells between the nodes.
+class StickArea
+{
+public:
+  StickArea(const ContactSurface &surface, const MaterialOptions &material);
+
+  /// Area in mm^2 of the modelled part; one sample a node.
+  double operator()(const std::vector<StickSample> &samples) const;
+
+private:
+  using Place = std::array<double, 2>; ///< mm
+  /// A cell between four nodes (anticlockwise) of a face.
+  struct Cell
+  {
+    std::array<unsigned int, 4> nodes;
+    std::array<Place, 4> positions;
+    double area; ///< mm^2
+  };
+  /// A ring between two nodes of the face of a section.
+  struct Ring
+  {
+    std::array<unsigned int, 2> nodes;
+    std::array<double, 2> radii; ///< mm
+  };
+  /// Where stick ends on a side of a cell.
+  struct Border
+  {
+    double along; ///< 0 to 1
+    Place place;
+  };
+  using Borders = std::vector<Border>;
+
+  void add_cells(const ContactSurface &surface, const std::vector<unsigned int> &face);
+  double border(const StickSample &first, const StickSample &second, double length) const;
+  Borders borders_of(const Cell &cell, const std::array<bool, 4> &sticks,
+                     const std::vector<StickSample> &samples, const std::optional<Place> &normal) const;
+  static std::optional<Place> normal_of(const Borders &borders);
+  double share(const Cell &cell, const std::vector<StickSample> &samples) const;
+  double area(const Ring &ring, const std::vector<StickSample> &samples) const;
+
+  double edge_compliance_; ///< mm^2/N
+  std::vector<Cell> cells_;
+  std::vector<Ring> rings_;
+};
+} // namespace orthocone

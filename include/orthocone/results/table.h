@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// The shape of a CSV file: header and rows come from one list of columns, so that a new column is one line.
+#pragma once
+
+#include <orthocone/base/text.h>
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace orthocone
+{
+inline std::string cell(const double value)
+{
+  return to_text(value);
+}
+inline std::string cell(const unsigned int value)
+{
+  return std::to_string(value);
+}
+inline std::string cell(const std::string &value)
+{
+  return value;
+}
+
+/// A column of a table whose rows are made of a `Row`.
+template<typename Row>
+struct Column
+{
+  /// `value_of`: number, count or word of a row. `unit`: empty for counts, shares and words.
+  template<typename ValueOf>
+  Column(const char *const name_, const char *const unit_, const char *const how_, const ValueOf &value_of)
+      : name(name_),
+        unit(unit_),
+        how(how_),
+        of([value_of](const Row &row) { return cell(value_of(row)); })
+  {
+  }
+
+  const char *name; ///< in the header of the file
+  const char *unit;
+  const char *how; ///< what the number tells
+  std::function<std::string(const Row &)> of;
+};
+
+template<typename Row>
+using Columns = std::vector<Column<Row>>;
+
+/// The first line of a table, with its end.
+template<typename Row>
+std::string header_line(const Columns<Row> &columns)
+{
+  std::string text;
+  for (const Column<Row> &column : columns)
+    text += (text.empty() ? "" : ",") + std::string(column.name);
+  return text + "\n";
+}
+
+/// A line of a table, with its end.
+template<typename Row>
+std::string row_line(const Columns<Row> &columns, const Row &row)
+{
+  std::string text;
+  for (const Column<Row> &column : columns)
+    text += (text.empty() ? "" : ",") + column.of(row);
+  return text + "\n";
+}
+} // namespace orthocone

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// The columns of the CSV files of a run. Readers find columns by name: new ones come at the end, none
+// changes.
+#pragma once
+
+#include <orthocone/results/cycles.h>
+#include <orthocone/results/solved_step.h>
+#include <orthocone/results/table.h>
+
+namespace orthocone
+{
+/// A contact node after a step, as the table of a probe tells it.
+struct ProbedStep
+{
+  const ContactState &state;
+  ContactFields fields; ///< of the image where the probe lies
+};
+
+const Columns<SolvedStep> &history_columns();
+const Columns<SolvedStep> &checks_columns();
+const Columns<SolvedStep> &timing_columns();
+const Columns<ProbedStep> &probe_columns();
+const Columns<CycleRow> &cycle_columns();
+} // namespace orthocone

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/results/contact_fields.h>
+
+namespace orthocone
+{
+/// Figures of the whole body after a step, whatever part of it is modelled.
+struct Totals
+{
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< of the plane on the body (x, y, z), N
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero(); ///< its moment about the centre of the held face, N mm
+  double max_slip = 0;                              ///< mm
+  double max_accumulated_slip = 0;                  ///< mm
+  double min_pressure = 0;                          ///< MPa
+  double max_pressure = 0;                          ///< MPa
+  unsigned int n_open = 0;
+  unsigned int n_stick = 0;
+  unsigned int n_slip = 0;
+  double stick_area = 0;        ///< mm^2; its border runs through the cells (StickArea)
+  double total_dissipation = 0; ///< N mm
+  double elastic_energy = 0;    ///< N mm
+};
+
+Totals compute_totals(const ContactFieldEvaluator &evaluator, const ContactState &state);
+} // namespace orthocone

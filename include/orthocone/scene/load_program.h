@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/parameters/options.h>
+#include <orthocone/surface/model_symmetry.h>
+#include <orthocone/surface/rigid_motion.h>
+
+#include <string>
+#include <vector>
+
+namespace orthocone
+{
+/// What drives the components of the held face to the end of a step, or to a point on the way there.
+struct FaceTarget
+{
+  std::array<bool, n_rigid_components> by_force{};
+  RigidMotion motion{}; ///< of the components that motions drive
+  Wrench force{};       ///< on the held face, of the components that forces drive
+
+  bool has_forces() const;
+
+  /// Whether all forces that drive are zero, and the normal one is among them: nothing presses.
+  bool is_release() const;
+};
+
+/// Motion and wrench of the held face at a moment.
+struct FaceState
+{
+  RigidMotion motion{};
+  Wrench wrench{};
+};
+
+/// One load step: what drives the held face at its end, and its place in the program.
+struct LoadStep
+{
+  RigidMotion motion;       ///< of the held face at the end of the step, where motions drive it
+  unsigned int number;      ///< counted from 1
+  unsigned int step_of_leg; ///< counted from 1
+  unsigned int cycle;       ///< counted from 1; 0 in the preload
+  unsigned int phase;       ///< step of the cycle (or of the preload), counted from 0
+  Wrench force{};           ///< on the held face at the end of the step, where forces drive it
+  std::array<bool, n_rigid_components> by_force{};
+  /// Components that the leg has taken over from the other kind: they start from where the face is when the
+  /// leg begins, and `motion` or `force` has the target of the leg.
+  std::array<bool, n_rigid_components> from_present{};
+  double share = 1; ///< of the leg that is done at the end of the step
+
+  /// What drives the face at the end of the step, in a leg that began with the face as `begin` says.
+  FaceTarget target(const FaceState &begin) const;
+
+  /// The same step with what target() says.
+  LoadStep resolved(const FaceState &begin) const;
+
+  /// The components that are driven, such as "ux uy Fz", of those that `symmetry` and the held face leave.
+  std::string driven(const ModelSymmetry &symmetry, TopFace top_face) const;
+};
+
+/// All steps of a load program, in order. Cycles repeat the same positions to the last bit.
+std::vector<LoadStep> load_steps(const LoadOptions &load);
+
+/// Largest |u| over the corners of the program in a direction (0: x, 1: y, 2: z), where motions drive it.
+double largest_motion(const LoadOptions &load, unsigned int direction);
+
+/// The largest of these.
+double largest_motion(const LoadOptions &load);
+
+/// Whether a leg moves or loads a component (0 to 5) away from zero.
+bool drives(const LoadOptions &load, unsigned int component);
+
+/// Whether a force drives a component in some leg.
+bool is_driven_by_force(const LoadOptions &load, unsigned int component);
+} // namespace orthocone

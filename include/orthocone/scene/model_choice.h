@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/parameters/options.h>
+#include <orthocone/surface/model_symmetry.h>
+
+namespace orthocone
+{
+/// The part of the body that is modelled, and why.
+struct ModelChoice
+{
+  ModelSymmetry symmetry;
+  std::string reason;
+};
+
+/// The model that the parameters ask for; `auto` takes the smallest that is exact for the scene. Throws
+/// InputError, naming the possible models, for one that is not.
+ModelChoice choose_model(const Parameters &parameters);
+} // namespace orthocone

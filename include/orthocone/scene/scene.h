@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/base/phases.h>
+#include <orthocone/body/backends/condensed_body.h>
+#include <orthocone/body/body.h>
+#include <orthocone/contact/problem/contact_system.h>
+#include <orthocone/contact/problem/free_face.h>
+#include <orthocone/scene/load_program.h>
+#include <orthocone/scene/model_choice.h>
+
+#include <functional>
+
+namespace orthocone
+{
+/// What is pressed on what, for one choice of parameters: the body meshed, factorized and condensed when the
+/// scene is constructed, and the contact system on its surface. Nothing in it changes from step to step, so
+/// that several marches can share it.
+class Scene
+{
+public:
+  /// `on_meshed` is called with the meshed body before the long work begins. Throws InputError, or
+  /// std::runtime_error if the stiffness cannot be factorized.
+  Scene(const Parameters &parameters, const ModelChoice &choice,
+        const std::function<void(const Body &)> &on_meshed = {});
+  Scene(const Scene &) = delete; // its modules refer to each other
+  Scene &operator=(const Scene &) = delete;
+
+  const Parameters &parameters() const { return parameters_; }
+  const ModelChoice &choice() const { return choice_; }
+  const ModelSymmetry &symmetry() const { return choice_.symmetry; }
+  const Body &body() const { return body_; }
+  const ContactSurface &surface() const { return body_.unknowns().contact_surface(); }
+  const Stiffness &stiffness() const { return stiffness_; }
+  const CondensedBody &condensed() const { return condensed_; }
+  const LocalAxes &axes() const { return axes_; }
+  const OrthotropicFriction &law() const { return law_; }
+  const ContactSystem &system() const { return system_; }
+
+  /// Wrench on the held face of the whole body that balances the contact forces (local axes, N) of the model.
+  Wrench held_wrench(const NodeVector &force) const;
+
+  /// What the contact nodes are moved by where motions drive the held face, mm; the rest of it does not move.
+  NodeVector moved_with(const FaceTarget &target) const;
+
+  /// The face as the forces of a target drive it: one column for each component that the model has.
+  FreeFace free_face(const FaceTarget &target) const;
+
+  /// The components (0 to 5) of the columns.
+  std::vector<unsigned int> free_components(const FaceTarget &target) const;
+
+  /// Wall time of mesh, assembly, factorization and condensation.
+  const PhaseSeconds &seconds() const { return seconds_; }
+
+private:
+  const Parameters parameters_;
+  const ModelChoice choice_;
+  PhaseSeconds seconds_;
+  Body body_;
+  Stiffness stiffness_;
+  StiffnessFactor factor_;
+  LocalAxes axes_;
+  CondensedBody condensed_;
+  OrthotropicFriction law_;
+  ContactSystem system_;
+};
+} // namespace orthocone

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <array>
+#include <vector>
+
+namespace orthocone
+{
+/// A node of the contact surface.
+struct ContactNode
+{
+  std::array<double, 2> position;   ///< x, y in mm
+  double area;                      ///< lumped face weight of the model's faces, or of their rings (mm^2)
+  std::array<unsigned int, 3> dofs; ///< of u_x, u_y, u_z
+  std::array<bool, 3> is_free;      ///< false where symmetry holds the direction
+  double height = 0;                ///< z in mm; 0 where the base is flat
+};
+
+/// Contact nodes and the faces between them, free of mesh types.
+struct ContactSurface
+{
+  unsigned int degree = 1;
+  std::vector<ContactNode> nodes;
+  /// (degree + 1)^2 nodes a face, lexicographic; degree + 1 from the axis outwards where a section has faces
+  std::vector<std::vector<unsigned int>> faces;
+};
+} // namespace orthocone

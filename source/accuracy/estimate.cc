@@ -1,0 +1,206 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/accuracy/estimate.h>
+
+#include <orthocone/base/errors.h>
+#include <orthocone/base/stopwatch.h>
+#include <orthocone/body/backends/stiffness_factor.h>
+#include <orthocone/march/step_solver.h>
+#include <orthocone/scene/load_program.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <limits>
+#include <optional>
+#include <sstream>
+
+namespace orthocone
+{
+namespace
+{
+constexpr double bytes_per_number = 8;
+constexpr double gigabyte = 1e9;
+constexpr double dense_matrices = 3;     // of the size of the compliance, at most at a time
+constexpr double bytes_per_step = 100;   // of the load program and the lists of files
+constexpr double memory_bandwidth = 8e9; // bytes/s that one core of a usual machine reads
+
+/// Floating point operations per second of a matrix product that fits into the cache.
+double measured_flop_rate()
+{
+  constexpr Eigen::Index n = 300;
+  constexpr unsigned int n_products = 3;
+  const Eigen::MatrixXd a = Eigen::MatrixXd::Constant(n, n, 0.5);
+  Eigen::MatrixXd product = a;
+  double best = 0;
+  for (unsigned int i = 0; i < n_products; ++i)
+  {
+    const Stopwatch watch;
+    product.noalias() = a * a;
+    best = std::max(best, 2. * n * n * n / std::max(watch.seconds(), 1e-9));
+  }
+  return best;
+}
+
+/// What the program keeps of its steps, bytes.
+double step_memory(const LoadOptions &load, const double n_contact)
+{
+  const auto n_steps = static_cast<double>(load_steps(load).size());
+  const double starts = 2 * n_steps / std::max(1U, load.cycles) * n_contact * bytes_per_number;
+  // Kept, and once more as text of a checkpoint.
+  return bytes_per_step * n_steps + 3 * std::min(starts, static_cast<double>(StartMemory::most_bytes));
+}
+
+double cube(const double value)
+{
+  return value * value * value;
+}
+
+double fields_written_per_step(const unsigned int interval)
+{
+  return interval == 0 ? 0 : 1. / interval;
+}
+
+double drawn_nodes(const ContactSurface &surface, const ModelSymmetry &symmetry)
+{
+  double n = 0;
+  for (const ContactNode &node : surface.nodes)
+    n += symmetry.n_images(surface, node);
+  return n;
+}
+} // namespace
+
+ModelSize model_size(const Parameters &parameters, const ModelSymmetry &symmetry)
+{
+  return make_shape(parameters.geometry, parameters.mesh)->size(symmetry);
+}
+
+void require_countable(const ModelSize &size)
+{
+  constexpr double most = std::numeric_limits<int>::max();
+  const double compliance = 9 * size.contact_nodes * size.contact_nodes;
+  if (size.stiffness_entries <= most && compliance <= most)
+    return;
+  std::ostringstream text;
+  text
+      << std::setprecision(2) << "the model has about "
+      << (compliance > most ? size.contact_nodes : size.stiffness_entries)
+      << (compliance > most ? " contact nodes, whose compliance has" : " entries in its stiffness, which are")
+      << " more than the 2^31 numbers that a factorization can count: a coarser mesh or a reduced Mesh/Model "
+         "needs less";
+  throw TooLargeError(text.str());
+}
+
+Estimate estimate(const Parameters &parameters, const Body &body, const ModelSymmetry &symmetry)
+{
+  const BodyUnknowns &unknowns = body.unknowns();
+  dealii::SparsityPattern pattern;
+  body.make_pattern(pattern);
+  const FactorizationCost cost = factorization_cost(pattern, unknowns.n_interior());
+  const double rate = measured_flop_rate();
+  const double n_contact = 3. * unknowns.contact_surface().nodes.size();
+  const double n_entries = pattern.n_nonzero_elements();
+  Estimate result{};
+  // The program itself; the stiffness and CHOLMOD's copy of it, with their indices; the factor.
+  result.gigabytes = 0.15 +
+                     (2 * 1.5 * n_entries + cost.entries + dense_matrices * n_contact * n_contact) *
+                         bytes_per_number / gigabyte +
+                     step_memory(parameters.load, n_contact) / gigabyte;
+  const unsigned int dim = symmetry.is_axisymmetric() ? 2 : 3;
+  const double n_cell = dim * std::pow(parameters.mesh.degree + 1, dim);
+  const double assembly =
+      unknowns.n_cells() * std::pow(parameters.mesh.n_quadrature_points(), dim) * 2 * n_cell * n_cell;
+  // Factorizations reach half of the speed of large products; METIS takes about as long again on small
+  // models.
+  result.set_up_seconds = 0.2 + 4 * assembly / rate + 3 * cost.flops / rate + 2 * cube(n_contact) / rate;
+  // Products with half of the compliance in single precision: a hundred and more where the start is far off,
+  // two in many steps.
+  const double contact = 20 * n_contact * n_contact * bytes_per_number / 4 / memory_bandwidth;
+  const double checks = (2 * cost.entries + 3 * n_entries) * bytes_per_number / memory_bandwidth;
+  const double n_drawn = drawn_nodes(unknowns.contact_surface(), symmetry);
+  const double output =
+      1.5e-6 * (unknowns.n_dofs() * fields_written_per_step(parameters.output.volume_interval) +
+                9 * n_drawn * fields_written_per_step(parameters.output.contact_interval));
+  result.step_seconds = contact + checks + output;
+  return result;
+}
+
+Estimate least_estimate(const ModelSize &size)
+{
+  const double n_contact = 3 * size.contact_nodes;
+  Estimate result{};
+  result.gigabytes =
+      (1.5 * size.stiffness_entries + dense_matrices * n_contact * n_contact) * bytes_per_number / gigabyte;
+  result.set_up_seconds = 2 * cube(n_contact) / measured_flop_rate();
+  result.step_seconds = 2 * n_contact * n_contact * bytes_per_number / 4 / memory_bandwidth;
+  return result;
+}
+
+/// What the model needs, or nothing where that is surely less than `gigabytes`. The estimate meshes the model
+/// and finds an order, so it is made only where the answer depends on it.
+static std::optional<double> needed_gigabytes(const Parameters &parameters, const ModelSymmetry &symmetry,
+                                              const double gigabytes)
+{
+  constexpr double most_per_unknown = 1e-4, program = 0.2; // far more than any model needs
+  const ModelSize size = model_size(parameters, symmetry);
+  const double steps = step_memory(parameters.load, 3 * size.contact_nodes) / gigabyte;
+  if (const double least = least_estimate(size).gigabytes; least > gigabytes)
+    return least;
+  require_countable(size);
+  if (size.dofs * most_per_unknown + program + steps < gigabytes)
+    return std::nullopt;
+  return estimate(parameters, Body(parameters, symmetry), symmetry).gigabytes;
+}
+
+bool is_too_large(const Parameters &parameters, const ModelSymmetry &symmetry, const double gigabytes)
+{
+  try
+  {
+    return needed_gigabytes(parameters, symmetry, gigabytes).value_or(0) > gigabytes;
+  }
+  catch (const TooLargeError &)
+  {
+    return true;
+  }
+}
+
+std::string lack_of_memory(const double needed, const MemoryLimit &limit)
+{
+  if (needed <= limit.gigabytes)
+    return {};
+  std::ostringstream text;
+  text << std::setprecision(2) << "memory: the model needs about " << needed << " GB, and " << limit.source
+       << " " << limit.gigabytes
+       << " GB; a coarser mesh or a reduced Mesh/Model needs less, --insist runs all the same";
+  return text.str();
+}
+
+void require_memory(const Parameters &parameters, const ModelSymmetry &symmetry, const MemoryLimit &limit)
+{
+  const double needed = needed_gigabytes(parameters, symmetry, limit.gigabytes).value_or(0);
+  if (const std::string lack = lack_of_memory(needed, limit); !lack.empty())
+    throw InputError(lack);
+}
+
+std::string describe(const Estimate &estimate, const unsigned int n_steps, const MemoryLimit &limit,
+                     const bool is_least)
+{
+  const char *const about = is_least ? "more than " : "about ";
+  std::ostringstream text;
+  text << std::setprecision(2) << "memory         " << about << estimate.gigabytes << " GB; " << limit.source
+       << " " << (limit.gigabytes < 10 ? limit.gigabytes : std::round(limit.gigabytes)) << " GB\n"
+       << "time           " << about << estimate.set_up_seconds + n_steps * estimate.step_seconds
+       << " s: set-up " << estimate.set_up_seconds << " s, " << n_steps << " load steps of "
+       << estimate.step_seconds << " s" << (is_least ? "" : " (to a factor of 3)");
+  return text.str();
+}
+
+std::string describe(const ModelSize &size)
+{
+  std::ostringstream text;
+  text << std::setprecision(2) << "mesh           about " << size.cells << " cells\n"
+       << "unknowns       about " << size.dofs << "\n"
+       << "contact nodes  about " << size.contact_nodes;
+  return text.str();
+}
+} // namespace orthocone

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "commands.h"
+
+#include <orthocone/accuracy/estimate.h>
+#include <orthocone/base/text.h>
+#include <orthocone/body/backends/stiffness_factor.h>
+#include <orthocone/body/shapes/mesh_ladder.h>
+#include <orthocone/output/summary.h>
+#include <orthocone/scene/load_program.h>
+
+#include <iostream>
+
+namespace orthocone
+{
+namespace
+{
+void print_warnings(const Parameters &parameters, const std::string &lack)
+{
+  for (const std::string &warning : parameter_warnings(parameters))
+    std::cout << "warning: " << warning << "\n";
+  if (!lack.empty())
+    std::cout << "warning: " << lack << "\n";
+  if (!std::cout.flush())
+    throw FileError("standard output: cannot be written");
+}
+
+/// The mesh is not chosen yet: it takes a search, which is a part of the run.
+void print_unknown_mesh(const Parameters &parameters, const ModelChoice &model)
+{
+  std::cout << describe_model(model) << "mesh           is chosen by the run, for errors of "
+            << to_text(parameters.mesh.accuracy) << " %\n"
+            << describe_friction(parameters.friction) << "load steps     "
+            << load_steps(parameters.load).size() << "\n";
+  print_warnings(parameters, "");
+}
+
+/// That the memory does not hold it, and that a factorization cannot count it: a bigger machine would not
+/// help then.
+std::string why_too_large(const ModelSize &size, const std::string &lack)
+{
+  try
+  {
+    require_countable(size);
+  }
+  catch (const TooLargeError &error)
+  {
+    return lack.empty() ? error.what() : lack + "\nwarning: " + error.what();
+  }
+  return lack;
+}
+
+/// A mesh of so many unknowns that it takes longer than somebody who checks waits.
+void print_large_model(const Parameters &parameters, const ModelChoice &model, const ModelSize &size)
+{
+  const auto n_steps = static_cast<unsigned int>(load_steps(parameters.load).size());
+  const MemoryLimit limit = memory_limit();
+  const Estimate least = least_estimate(size);
+  std::cout << describe_model(model) << describe(size) << "\n"
+            << describe_friction(parameters.friction) << "load steps     " << n_steps << "\n"
+            << describe(least, n_steps, limit, true) << "\n";
+  print_warnings(parameters, why_too_large(size, lack_of_memory(least.gigabytes, limit)));
+}
+
+void print_model(const Parameters &parameters, const ModelChoice &model)
+{
+  const auto n_steps = static_cast<unsigned int>(load_steps(parameters.load).size());
+  const MemoryLimit limit = memory_limit();
+  const Body body(parameters, model.symmetry);
+  std::cout << describe_model(parameters, model, body.unknowns(), n_steps) << "\n";
+  try
+  {
+    const Estimate cost = estimate(parameters, body, model.symmetry);
+    std::cout << describe(cost, n_steps, limit, false) << "\n";
+    print_warnings(parameters, lack_of_memory(cost.gigabytes, limit));
+  }
+  catch (const TooLargeError &error)
+  {
+    const Estimate least = least_estimate(model_size(parameters, model.symmetry));
+    std::cout << describe(least, n_steps, limit, true) << "\n";
+    print_warnings(parameters, error.what());
+  }
+}
+} // namespace
+
+int check(const CommandLine &line, const Parameters &given)
+{
+  constexpr double largest_meshed = 1e6; // unknowns
+  const ModelChoice model = resolve(line, given);
+  Parameters parameters = given;
+  if (given.mesh.accuracy == 0)
+    parameters.mesh = resolved_mesh(given.geometry, given.mesh, model.symmetry.is_axisymmetric());
+  const ModelSize size = model_size(parameters, model.symmetry);
+  if (given.mesh.accuracy != 0)
+    print_unknown_mesh(given, model);
+  else if (size.dofs > largest_meshed)
+    print_large_model(parameters, model, size);
+  else
+    print_model(parameters, model);
+  return static_cast<int>(ExitCode::done);
+}
+} // namespace orthocone

@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "command_line.h"
+
+#include <orthocone/base/errors.h>
+#include <orthocone/base/text.h>
+
+#include <boost/program_options.hpp>
+
+#include <sstream>
+
+namespace orthocone
+{
+namespace
+{
+namespace po = boost::program_options;
+
+po::options_description visible_options()
+{
+  po::options_description options("options");
+  options.add_options()("set", po::value<std::vector<std::string>>(),
+                        "\"Section/Entry=value\": overrides one entry; may be repeated")(
+      "output,o", po::value<std::string>(), "run folder (default: output/<parameter file's stem>)")(
+      "check", "read everything, print the resolved model, compute nothing")(
+      "resume", "continue from the checkpoint in the run folder")(
+      "insist", "run even if the memory is likely not to suffice")(
+      "defaults", "print a complete commented parameter file and stop")("quiet,q", "print errors only")(
+      "help,h", "print this text and stop")("version",
+                                            "print the versions of program and libraries and stop");
+  return options;
+}
+
+CommandLine from(const po::variables_map &values)
+{
+  CommandLine line;
+  if (values.count("set") != 0)
+    line.overrides = values["set"].as<std::vector<std::string>>();
+  if (values.count("output") != 0)
+    line.output_folder = values["output"].as<std::string>();
+  if (values.count("file") != 0)
+    line.parameter_file = values["file"].as<std::string>();
+  line.check = values.count("check") != 0;
+  line.resume = values.count("resume") != 0;
+  line.insist = values.count("insist") != 0;
+  line.defaults = values.count("defaults") != 0;
+  line.quiet = values.count("quiet") != 0;
+  line.help = values.count("help") != 0;
+  line.version = values.count("version") != 0;
+  return line;
+}
+} // namespace
+
+/// Whether an option that wants a value stands before another option.
+static bool is_followed_by_option(const std::string &option, const int argc, const char *const *const argv)
+{
+  for (int i = 1; i + 1 < argc; ++i)
+    if (argv[i] == option && argv[i + 1][0] == '-')
+      return true;
+  return false;
+}
+
+CommandLine parse_command_line(const int argc, const char *const *const argv)
+{
+  po::options_description all;
+  all.add(visible_options()).add_options()("file", po::value<std::string>());
+  po::positional_options_description positional;
+  positional.add("file", 1);
+  po::variables_map values;
+  try
+  {
+    // No abbreviations: an option that is added later must not change what a script means.
+    constexpr auto style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
+    po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
+              values);
+  }
+  catch (const po::error &error)
+  {
+    throw InputError(std::string("command line: ") + shown(error.what()) +
+                     "; 'orthocone --help' lists the options");
+  }
+  CommandLine line = from(values);
+  if (values.count("output") != 0 &&
+      (line.output_folder.empty() || is_followed_by_option("--output", argc, argv) ||
+       is_followed_by_option("-o", argc, argv)))
+    throw InputError(
+        "command line: --output = '" + shown(line.output_folder) +
+        "': allowed is the name of a folder (one that begins with '-' is written behind '--output=')");
+  if (line.parameter_file.empty() && !line.defaults && !line.help && !line.version)
+    throw InputError(
+        "command line: a parameter file is missing, as in 'orthocone prm/paper/case_b.prm'; 'orthocone "
+        "--help' lists the options");
+  return line;
+}
+
+std::string usage()
+{
+  std::ostringstream text;
+  text << "orthocone [options] FILE.prm\n\n"
+       << "Elastic body on a rigid plane under cyclic loads with orthotropic friction.\n\n"
+       << visible_options()
+       << "\nexample: orthocone prm/paper/case_b.prm --set \"Mesh/Resolution=fine\" -o output/fine\n"
+       << "\nexit codes: 0 done, 2 wrong command line or parameter file, 3 a load step could not "
+       << "be solved or failed a check,\n            4 a file could not be read or written, 130 interrupted "
+          "(--resume goes "
+          "on)\n";
+  return text.str();
+}
+} // namespace orthocone

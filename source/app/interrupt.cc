@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "interrupt.h"
+
+#include <orthocone/base/errors.h>
+
+#include <unistd.h>
+
+#include <cerrno>
+#include <csignal>
+#include <cstddef>
+
+namespace orthocone
+{
+namespace
+{
+volatile std::sig_atomic_t was_interrupted = 0;
+volatile std::sig_atomic_t lets_steps_finish = 0;
+
+/// Nothing can be done about a failure here.
+template<std::size_t size>
+void tell(const char (&text)[size])
+{
+  [[maybe_unused]] const auto n = ::write(STDERR_FILENO, text, size - 1);
+}
+
+void on_signal(int)
+{
+  const int error = errno;
+  if (lets_steps_finish == 0)
+  {
+    tell("\northocone: interrupted during the set-up; the same command with --resume goes on\n");
+    ::_exit(static_cast<int>(ExitCode::interrupted));
+  }
+  was_interrupted = 1;
+  tell("\northocone: stops after this step; the same signal again stops at once\n");
+  errno = error;
+}
+} // namespace
+
+void catch_signals()
+{
+  std::signal(SIGXFSZ, SIG_IGN);
+  std::signal(SIGPIPE, SIG_IGN);
+  struct sigaction action
+  {
+  };
+  action.sa_handler = on_signal;
+  action.sa_flags = SA_RESETHAND | SA_RESTART;
+  for (const int number : {SIGINT, SIGTERM, SIGHUP})
+  {
+    struct sigaction before
+    {
+    };
+    sigaction(number, nullptr, &before);
+    if (before.sa_handler != SIG_IGN) // as nohup has it
+      sigaction(number, &action, nullptr);
+  }
+}
+
+void let_steps_finish()
+{
+  lets_steps_finish = 1;
+}
+
+bool stop_is_requested()
+{
+  return was_interrupted != 0;
+}
+} // namespace orthocone

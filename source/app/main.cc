@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "commands.h"
+#include "interrupt.h"
+
+#include <orthocone/base/memory.h>
+#include <orthocone/base/text.h>
+#include <orthocone/base/version.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <unistd.h>
+
+#include <filesystem>
+#include <iostream>
+#include <new>
+#include <sstream>
+
+namespace orthocone
+{
+int fail(const ExitCode code, const std::string &message)
+{
+  std::cerr << "orthocone: " << message << std::endl;
+  return static_cast<int>(code);
+}
+
+ModelChoice resolve(const CommandLine &line, const Parameters &parameters)
+{
+  try
+  {
+    check_parameters(parameters);
+    return choose_model(parameters);
+  }
+  catch (const InputError &error)
+  {
+    throw InputError(shown_path(line.parameter_file) + ": " + error.what());
+  }
+}
+
+namespace
+{
+void print_defaults()
+{
+  write_parameters(Parameters(), std::cout);
+}
+
+int dispatch(const int argc, const char *const *const argv)
+{
+  const CommandLine line = parse_command_line(argc, argv);
+  if (line.help)
+    std::cout << usage();
+  else if (line.version)
+    for (const auto &[name, version] : versions())
+      std::cout << name << " " << version << "\n";
+  else if (line.defaults)
+    print_defaults();
+  else
+  {
+    require_address_space();
+    catch_signals();
+    const ParameterFile file = read_parameter_file(line.parameter_file, line.overrides);
+    return line.check ? check(line, file.parameters) : run(line, file);
+  }
+  if (!std::cout.flush())
+    throw FileError("standard output: cannot be written");
+  return static_cast<int>(ExitCode::done);
+}
+
+/// The exit code, whatever happens.
+int guarded_dispatch(const int argc, const char *const *const argv)
+{
+  try
+  {
+    return dispatch(argc, argv);
+  }
+  catch (const InputError &error)
+  {
+    return fail(ExitCode::wrong_input, error.what());
+  }
+  catch (const FileError &error)
+  {
+    return fail(ExitCode::file_error, error.what());
+  }
+  catch (const std::filesystem::filesystem_error &error)
+  {
+    return fail(ExitCode::file_error, shown_path(error.path1().string()) + ": " + error.code().message());
+  }
+  catch (const dealii::ExceptionBase &error)
+  {
+    std::ostringstream text;
+    error.print_info(text);
+    return fail(ExitCode::unsolved_step, trimmed(text.str()));
+  }
+  catch (const std::bad_alloc &)
+  {
+    return fail(ExitCode::unsolved_step,
+                "memory runs out; a coarser mesh or a reduced Mesh/Model needs less");
+  }
+  catch (const std::exception &error)
+  {
+    return fail(ExitCode::unsolved_step, error.what());
+  }
+}
+} // namespace
+} // namespace orthocone
+
+int main(const int argc, const char *const *const argv)
+{
+  const int code = orthocone::guarded_dispatch(argc, argv);
+  std::cout.flush();
+  // No file is open any more. Without memory OpenBLAS, told to end, would wait for its threads for ever.
+  ::_exit(code);
+}

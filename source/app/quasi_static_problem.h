@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/accuracy/mesh_search.h>
+#include <orthocone/base/errors.h>
+#include <orthocone/output/checkpoint.h>
+#include <orthocone/output/log.h>
+#include <orthocone/output/run_output.h>
+
+namespace orthocone
+{
+/// A body on the rigid plane through a load program, step after step. Owns every module by value; the member
+/// list is the wiring diagram of the program.
+class QuasiStaticProblem
+{
+public:
+  /// What came of a run; `message` tells the user why it did not come to its end.
+  struct Outcome
+  {
+    ExitCode code = ExitCode::done;
+    std::string message{};
+  };
+
+  /// Builds, factorizes and condenses the body, unless `chosen` brings it; nothing is written but the log.
+  /// `parameters` have the chosen mesh. Throws InputError or FileError. `folder` must outlive the problem.
+  QuasiStaticProblem(const Parameters &parameters, const ModelChoice &choice, const RunFolder &folder,
+                     Log &log, ChosenMesh chosen);
+
+  /// Solves all steps and writes the run folder, from the start or from a checkpoint on. The files of solved
+  /// steps stay if one fails. `on_resumed` is called once the files are what they were at the checkpoint.
+  Outcome run(const std::optional<Checkpoint> &checkpoint, const std::function<void()> &on_resumed = {});
+
+private:
+  ChosenMesh with_scene(ChosenMesh chosen, const ModelChoice &choice) const;
+  void announce(const ModelChoice &choice, const Body &body) const;
+  CriticalFrictionRecord critical_friction_of_model() const;
+  void begin(const std::optional<Checkpoint> &checkpoint);
+  Outcome march();
+  Outcome advance_to(const LoadStep &step);
+  std::string failure_text(const LoadStep &step, const SolverReport &report) const;
+  void write(const SolvedStep &solved);
+  void end_cycle(const CycleRow &row);
+  Outcome with_checkpoint(Outcome outcome);
+  void save_checkpoint();
+  void finish(const Outcome &outcome);
+  void finish_if_possible(const Outcome &outcome);
+
+  const Parameters parameters_;
+  const RunFolder &folder_;
+  Log &log_;
+  const std::vector<LoadStep> steps_;
+  Stopwatch total_;
+  const ChosenMesh chosen_;
+  const Scene &scene_; ///< owned by chosen_
+  StepSolver solver_;
+  const ContactFieldEvaluator evaluator_;
+  ContactState state_;
+  const CriticalFrictionRecord critical_friction_;
+  RunRecord record_;
+  Totals totals_; ///< of state_
+  StepChecker checker_;
+  CycleWatch cycles_;
+  RunOutput output_;
+  Stopwatch since_checkpoint_;
+  double checkpoint_pause_;   ///< least seconds to the next one
+  double seconds_before_ = 0; ///< wall time of the runs before the checkpoint
+};
+} // namespace orthocone

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "commands.h"
+#include "quasi_static_problem.h"
+
+#include <orthocone/accuracy/estimate.h>
+#include <orthocone/base/text.h>
+#include <orthocone/body/backends/stiffness_factor.h>
+#include <orthocone/body/shapes/mesh_ladder.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
+#include <new>
+#include <sstream>
+
+namespace orthocone
+{
+namespace
+{
+namespace fs = std::filesystem;
+
+std::string complete_text(const Parameters &parameters)
+{
+  std::ostringstream text;
+  write_parameters(parameters, text);
+  return text.str();
+}
+
+/// What a run is asked for, and what it says before it has a log.
+struct Assignment
+{
+  const CommandLine &line;
+  const ParameterFile &file;
+  const ModelChoice model;
+  std::string lines{}; ///< for log.txt, which begins when it is known that the run does
+
+  void tell(const std::string &text)
+  {
+    lines += text + "\n";
+    if (!line.quiet)
+      std::cout << text << std::endl;
+  }
+};
+
+/// Of the parameter file, to tell it from others of its name.
+std::string path_of(const CommandLine &line)
+{
+  return shown_path(fs::absolute(line.parameter_file).lexically_normal().string());
+}
+
+std::string input_name(const CommandLine &line)
+{
+  return is_json(line.parameter_file) ? "input.json" : "input.prm";
+}
+
+/// Puts the parameters into the run folder: as the user wrote them, and complete.
+void keep_parameters(const RunFolder &folder, Assignment &task, const Parameters &parameters)
+{
+  const std::string path = path_of(task.line);
+  if (const auto earlier =
+          folder.start_anew(complete_text(parameters), path, probe_files(parameters.output.probes)))
+    task.tell("warning: " + folder.path() + " held the results of another file, " + *earlier +
+              "; those of this run take their place (--output DIR keeps both)");
+  folder.write(input_name(task.line), task.file.text);
+}
+
+/// The same for a run that goes on, perhaps with more cycles, probes or fields than it began with.
+void update_parameters(const RunFolder &folder, const Assignment &task, const Parameters &parameters)
+{
+  const std::string text = complete_text(parameters);
+  if (folder.has(input_name(task.line)) && folder.has("parameters.prm") &&
+      folder.read("parameters.prm") == text)
+    return;
+  folder.write("parameters.prm", text);
+  folder.write(input_name(task.line), task.file.text);
+}
+
+/// A path without detours such as a/../b, which would make the folder a on the way.
+fs::path without_detours(const fs::path &path)
+{
+  const auto goes_back = [](const fs::path &part, const fs::path &next)
+  { return part != ".." && next == ".."; };
+  if (std::adjacent_find(path.begin(), path.end(), goes_back) == path.end())
+    return path;
+  std::error_code code;
+  const fs::path direct = fs::weakly_canonical(path, code);
+  return code ? path : direct;
+}
+
+fs::path run_folder_of(const CommandLine &line)
+{
+  if (!line.output_folder.empty())
+    return without_detours(line.output_folder);
+  const fs::path stem = fs::path(line.parameter_file).stem();
+  return "output" / (stem == "." || stem == ".." ? fs::path(line.parameter_file).filename() : stem);
+}
+
+/// Refuses a model for which there is not enough memory, before anything is touched.
+void require_memory_for(const Assignment &task)
+{
+  Parameters parameters = task.file.parameters;
+  if (task.line.insist || parameters.mesh.accuracy != 0) // a search looks at the memory itself
+    return;
+  parameters.mesh =
+      resolved_mesh(parameters.geometry, parameters.mesh, task.model.symmetry.is_axisymmetric());
+  try
+  {
+    require_memory(parameters, task.model.symmetry, memory_limit());
+  }
+  catch (const TooLargeError &error)
+  {
+    throw InputError(shown_path(task.line.parameter_file) + ": " + error.what());
+  }
+  catch (const InputError &error)
+  {
+    throw InputError(shown_path(task.line.parameter_file) + ": " + error.what());
+  }
+}
+
+/// The mesh, the folder, and the steps. Throws what the libraries throw.
+QuasiStaticProblem::Outcome solve(Assignment &task, const RunFolder &folder)
+{
+  const Parameters &given = task.file.parameters;
+  folder.require_own(probe_files(given.output.probes));
+  const auto checkpoint =
+      task.line.resume ? find_checkpoint(folder, given, shown_path(task.line.parameter_file)) : std::nullopt;
+  // A search for a mesh may take minutes: what is wrong with the folder is told before, and an older run in
+  // it is no longer there to be resumed.
+  if (given.mesh.accuracy != 0 && !task.line.resume)
+    keep_parameters(folder, task, given);
+  ChosenMesh chosen = checkpoint
+                          ? ChosenMesh{given.mesh, mesh_of(*checkpoint, given)}
+                          : choose_mesh(given, task.model, [&](const std::string &text) { task.tell(text); });
+  Parameters parameters = given;
+  parameters.mesh = chosen.mesh;
+  if (task.line.resume && !checkpoint)
+    require_nothing_to_lose(folder, parameters);
+  if (!checkpoint)
+    keep_parameters(folder, task, parameters);
+  Log log(folder, task.line.quiet);
+  if (task.line.resume && !checkpoint)
+    log.line("no checkpoint in " + folder.path() + ": starts with the first load step");
+  if (!task.lines.empty())
+    folder.append("log.txt", task.lines);
+  QuasiStaticProblem problem(parameters, task.model, folder, log, std::move(chosen));
+  if (checkpoint)
+    folder.mark(path_of(task.line), probe_files(parameters.output.probes));
+  return problem.run(checkpoint, [&] { update_parameters(folder, task, parameters); });
+}
+
+QuasiStaticProblem::Outcome out_of_memory()
+{
+  return {ExitCode::unsolved_step, "memory runs out; a coarser mesh or a reduced Mesh/Model needs less"};
+}
+} // namespace
+
+int run(const CommandLine &line, const ParameterFile &file)
+{
+  Assignment task{line, file, resolve(line, file.parameters)};
+  require_memory_for(task);
+  const RunFolder folder(run_folder_of(line));
+  QuasiStaticProblem::Outcome outcome;
+  try
+  {
+    outcome = solve(task, folder);
+  }
+  catch (const std::bad_alloc &)
+  {
+    outcome = out_of_memory();
+  }
+  catch (const InputError &)
+  {
+    throw;
+  }
+  catch (const FileError &)
+  {
+    throw;
+  }
+  catch (const fs::filesystem_error &)
+  {
+    throw;
+  }
+  catch (const std::exception &error)
+  {
+    outcome = {ExitCode::unsolved_step, error.what()};
+  }
+  if (outcome.code == ExitCode::unsolved_step && !folder.has("summary.json"))
+    folder.write("summary.json", summary_json_before_steps(outcome.message, file.parameters));
+  return outcome.code == ExitCode::done ? static_cast<int>(outcome.code)
+                                        : fail(outcome.code, outcome.message);
+}
+} // namespace orthocone

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "step_messages.h"
+
+#include <orthocone/contact/solvers/diagnosis.h>
+#include <orthocone/output/motion_text.h>
+#include <orthocone/parameters/values.h>
+
+#include <iomanip>
+#include <sstream>
+
+namespace orthocone
+{
+namespace
+{
+/// "load step 3 of 45 (u_z = -0.06 mm)".
+std::string name_of(const LoadStep &step, const std::vector<LoadStep> &steps)
+{
+  return "load step " + std::to_string(step.number) + " of " + std::to_string(steps.size()) + " (" +
+         MotionText(steps)(step, " = ") + ")";
+}
+} // namespace
+
+std::string unsolved_step_text(const LoadStep &step, const std::vector<LoadStep> &steps,
+                               const ContactSolverOptions &options, const SolverReport &report,
+                               const ContactNode &worst)
+{
+  std::ostringstream text;
+  text << name_of(step, steps) << " is not solved by " << to_word(options.method)
+       << ", not even in eighths: residual " << report.residual << " > tolerance " << options.tolerance
+       << ", penetration " << report.penetration << " mm, worst node at (" << worst.position[0] << ", "
+       << worst.position[1] << ") mm after " << report.iterations
+       << " iterations.\nThe files of the steps before stay. " << diagnosis(options, report);
+  return text.str();
+}
+
+std::string no_equilibrium_text(const LoadStep &step, const std::vector<LoadStep> &steps,
+                                const double carried)
+{
+  constexpr double percent = 100;
+  std::ostringstream text;
+  text << name_of(step, steps)
+       << " has no equilibrium: what drives the held face is more than contact and friction "
+       << "can carry.\nThe first " << std::setprecision(3) << percent * carried
+       << " % of the leg are carried (to 1 %), and the files of the steps before stay. Drive it less far, or "
+          "by a motion.";
+  return text.str();
+}
+
+std::string wrong_step_text(const LoadStep &step, const std::vector<LoadStep> &steps,
+                            const std::string &which)
+{
+  return name_of(step, steps) + " is solved, but not right: " + which +
+         ".\nThe files of the steps before stay; section Checks has the bounds.";
+}
+} // namespace orthocone

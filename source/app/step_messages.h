@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// What users read of a step at which the run ends.
+#pragma once
+
+#include <orthocone/contact/solvers/contact_solver.h>
+#include <orthocone/scene/load_program.h>
+#include <orthocone/surface/contact_surface.h>
+
+#include <string>
+#include <vector>
+
+namespace orthocone
+{
+/// Of a step of the program `steps` that no halving solves, and what to try.
+std::string unsolved_step_text(const LoadStep &step, const std::vector<LoadStep> &steps,
+                               const ContactSolverOptions &options, const SolverReport &report,
+                               const ContactNode &worst);
+
+/// Of a step that is solved, but does not pass the check that `which` tells.
+/// A step that forces drive beyond what can be carried. `carried`: StepSolver::carried_share().
+std::string no_equilibrium_text(const LoadStep &step, const std::vector<LoadStep> &steps, double carried);
+
+std::string wrong_step_text(const LoadStep &step, const std::vector<LoadStep> &steps,
+                            const std::string &which);
+} // namespace orthocone

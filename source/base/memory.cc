@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/base/memory.h>
+
+#include <orthocone/base/errors.h>
+
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <limits>
+#include <sstream>
+
+namespace orthocone
+{
+namespace
+{
+constexpr double gigabyte = 1e9;
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+/// Address space beyond the libraries' that every run needs: buffers of OpenBLAS and stacks of threads.
+constexpr double least_address_space = 0.25e9;
+
+/// What estimates count for the program, which is mapped already.
+constexpr double program = 0.15e9;
+
+double page_size()
+{
+  return static_cast<double>(sysconf(_SC_PAGE_SIZE));
+}
+
+/// The number that a file begins with; infinite without one, as "max".
+double number_in(const std::string &file)
+{
+  std::ifstream stream(file);
+  double value = 0;
+  return stream >> value ? value : infinity;
+}
+
+/// The limit of this process' control group and of those above it, bytes.
+double control_group_limit()
+{
+  double limit = infinity;
+  std::ifstream groups("/proc/self/cgroup");
+  for (std::string line; std::getline(groups, line);)
+  {
+    const bool is_unified = line.compare(0, 3, "0::") == 0;
+    if (!is_unified && line.find(":memory:") == std::string::npos)
+      continue;
+    const std::string root = is_unified ? "/sys/fs/cgroup" : "/sys/fs/cgroup/memory";
+    const std::string file = is_unified ? "/memory.max" : "/memory.limit_in_bytes";
+    std::string path = line.substr(line.rfind(':') + 1);
+    // Within a container the path may be that of the host, and the root is the container's own group.
+    for (;; path.erase(path.rfind('/')))
+    {
+      limit = std::min(limit, number_in(root + path + file));
+      if (path.find('/') == std::string::npos)
+        break;
+    }
+  }
+  return limit;
+}
+
+/// What is left of the address space, bytes.
+double free_address_space()
+{
+  rlimit limit{};
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
+    return infinity;
+  const double pages = number_in("/proc/self/statm");
+  return static_cast<double>(limit.rlim_cur) - (std::isfinite(pages) ? pages * page_size() : 0);
+}
+} // namespace
+
+MemoryLimit memory_limit()
+{
+  MemoryLimit limit{static_cast<double>(sysconf(_SC_PHYS_PAGES)) * page_size() / gigabyte,
+                    "this machine has"};
+  const auto consider = [&limit](const double bytes, const char *const source)
+  {
+    if (bytes / gigabyte < limit.gigabytes)
+      limit = {bytes / gigabyte, source};
+  };
+  consider(control_group_limit(), "the control group allows");
+  consider(std::max(0., free_address_space() - least_address_space) + program, "'ulimit -v' leaves");
+  return limit;
+}
+
+void require_address_space()
+{
+  const double available = free_address_space();
+  if (available >= least_address_space)
+    return;
+  std::ostringstream text;
+  text.precision(2);
+  text << "memory: 'ulimit -v' leaves " << std::max(0., available) / gigabyte
+       << " GB of address space beside the libraries; allowed is " << least_address_space / gigabyte
+       << " GB and more, or 'ulimit -v unlimited'";
+  throw InputError(text.str());
+}
+} // namespace orthocone

@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/base/text.h>
+
+#include <algorithm>
+
+namespace orthocone
+{
+namespace
+{
+constexpr std::size_t most_bytes = 200;
+
+/// The first bytes of `text`, at most `most`, without a part of a UTF-8 character at the end.
+std::string beginning(const std::string &text, const std::size_t most)
+{
+  constexpr std::size_t longest_character = 4;
+  std::size_t size = most;
+  while (size + longest_character > most && continues_character(text[size]))
+    --size;
+  return text.substr(0, size);
+}
+
+/// Bytes of the UTF-8 character at `place`; 0 if there is none.
+std::size_t character_size(const std::string &text, const std::size_t place)
+{
+  const auto first = static_cast<unsigned char>(text[place]);
+  const std::size_t size = first < 0x80                    ? 1
+                           : first >= 0xc2 && first < 0xe0 ? 2
+                           : first >= 0xe0 && first < 0xf0 ? 3
+                           : first >= 0xf0 && first < 0xf5 ? 4
+                                                           : 0;
+  for (std::size_t i = 1; i < size; ++i)
+    if (place + i >= text.size() || !continues_character(text[place + i]))
+      return 0;
+  return size;
+}
+
+/// Characters that move the cursor, or turn the direction of what follows.
+bool is_control(const std::string &character)
+{
+  const auto byte = [&](const std::size_t i) { return static_cast<unsigned char>(character[i]); };
+  if (character.size() == 1)
+    return byte(0) < 0x20 || byte(0) == 0x7f;
+  if (character.size() == 2)
+    return byte(0) == 0xc2 && byte(1) < 0xa0;
+  const bool is_mark =
+      byte(0) == 0xe2 && byte(1) == 0x80 && (byte(2) == 0x8e || byte(2) == 0x8f || byte(2) >= 0xa8);
+  const bool turns = byte(0) == 0xe2 && byte(1) == 0x81 && byte(2) >= 0xa6 && byte(2) <= 0xa9;
+  return character.size() == 3 && ((is_mark && byte(2) <= 0xae) || turns);
+}
+
+/// As in C and JSON.
+std::string escape(const std::string &bytes)
+{
+  constexpr const char *digits = "0123456789abcdef";
+  if (bytes == "\n" || bytes == "\t" || bytes == "\r")
+    return bytes == "\n" ? "\\n" : bytes == "\t" ? "\\t" : "\\r";
+  std::string result;
+  for (const char byte : bytes)
+    result += {'\\', 'x', digits[static_cast<unsigned char>(byte) / 16],
+               digits[static_cast<unsigned char>(byte) % 16]};
+  return result;
+}
+
+std::string escaped(const std::string &text)
+{
+  std::string result;
+  for (std::size_t i = 0; i < text.size();)
+  {
+    const std::size_t size = character_size(text, i);
+    const std::string character = text.substr(i, std::max<std::size_t>(size, 1));
+    result += size == 0 || is_control(character) ? escape(character) : character;
+    i += character.size();
+  }
+  return result;
+}
+
+/// The last bytes of `text`, at most `most`, without a part of a UTF-8 character at the beginning.
+std::string ending(const std::string &text, const std::size_t most)
+{
+  std::size_t first = text.size() - most;
+  while (first < text.size() && continues_character(text[first]))
+    ++first;
+  return text.substr(first);
+}
+} // namespace
+
+std::string shown(const std::string &text)
+{
+  return text.size() <= most_bytes ? escaped(text) : escaped(beginning(text, most_bytes)) + "...";
+}
+
+std::string shown_path(const std::string &path)
+{
+  return path.size() <= most_bytes ? escaped(path) : "..." + escaped(ending(path, most_bytes));
+}
+} // namespace orthocone

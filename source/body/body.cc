@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/body/body.h>
+
+namespace orthocone
+{
+Body::Solid::Solid(const Parameters &parameters, const SymmetryPlanes &planes)
+    : mesh(parameters.geometry, parameters.mesh, planes),
+      discretization(mesh.triangulation(), parameters.mesh, parameters.geometry.top_face)
+{
+}
+
+Body::Section::Section(const Parameters &parameters)
+    : mesh(parameters.geometry, parameters.mesh),
+      discretization(mesh.triangulation(), parameters.mesh, parameters.geometry.top_face)
+{
+}
+
+Body::Shape Body::shape_of(const Parameters &parameters, const ModelSymmetry &symmetry)
+{
+  if (symmetry.is_axisymmetric())
+    return Shape(std::in_place_type<Section>, parameters);
+  return Shape(std::in_place_type<Solid>, parameters, symmetry.planes());
+}
+
+Body::Body(const Parameters &parameters, const ModelSymmetry &symmetry)
+    : shape_(shape_of(parameters, symmetry))
+{
+}
+
+const BodyUnknowns &Body::unknowns() const
+{
+  return std::visit([](const auto &shape) -> const BodyUnknowns & { return shape.discretization; }, shape_);
+}
+
+void Body::make_pattern(dealii::SparsityPattern &pattern) const
+{
+  std::visit([&](const auto &shape) { make_stiffness_pattern(shape.discretization, pattern); }, shape_);
+}
+
+Stiffness Body::stiffness(const MaterialOptions &material) const
+{
+  // A stiffness cannot be moved, as std::visit might.
+  if (const auto *const solid = std::get_if<Solid>(&shape_))
+    return Stiffness(solid->discretization, material);
+  return Stiffness(std::get<Section>(shape_).discretization, material);
+}
+} // namespace orthocone

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/body/fe/cell_fields.h>
+
+#include "cell_dofs.h"
+#include "dof_places.h"
+#include "strain_terms.h"
+
+#include <deal.II/base/quadrature_lib.h>
+
+namespace orthocone
+{
+using Eigen::VectorXd;
+
+namespace
+{
+/// Strain from values of the nodes, dim a + c.
+template<int dim>
+Strain strain_at(const dealii::FEValues<dim> &values, const unsigned int q, const VectorXd &nodal)
+{
+  dealii::Tensor<2, 3> gradient;
+  for (unsigned int a = 0; a < values.dofs_per_cell; ++a)
+  {
+    const Eigen::Vector3d terms = StrainTerms<dim>::of(values, a, q);
+    for (unsigned int c = 0; c < dim; ++c)
+      for (unsigned int m = 0; m < 3; ++m)
+        if (const auto place = StrainTerms<dim>::place(c, m))
+          gradient[(*place)[0]][(*place)[1]] += nodal[dim * a + c] * terms[m];
+  }
+  return symmetrize(gradient);
+}
+
+template<int dim>
+Eigen::Vector3d displacement_at(const dealii::FEValues<dim> &values, const unsigned int q,
+                                const VectorXd &nodal)
+{
+  dealii::Point<dim> displacement;
+  for (unsigned int a = 0; a < values.dofs_per_cell; ++a)
+    for (unsigned int c = 0; c < dim; ++c)
+      displacement[c] += nodal[dim * a + c] * values.shape_value(a, q);
+  return in_space(displacement);
+}
+
+const dealii::UpdateFlags needed =
+    dealii::update_values | dealii::update_gradients | dealii::update_quadrature_points;
+} // namespace
+
+template<int dim>
+CellFields<dim>::CellFields(const DisplacementSpace<dim> &space, const Material &material,
+                            const dealii::Quadrature<dim> &points, const VectorXd &displacement)
+    : space_(space),
+      displacement_(displacement),
+      material_(material),
+      values_(space.mapping(), space.scalar_fe(), points, needed),
+      quadrature_values_(space.mapping(), space.scalar_fe(), dealii::QGauss<dim>(space.n_quadrature_points()),
+                         needed | dealii::update_JxW_values),
+      divergence_(space.scalar_fe().degree, quadrature_values_.get_quadrature()),
+      polynomials_(ProjectedDivergence<dim>(space.scalar_fe().degree, points).polynomials().transpose())
+{
+}
+
+/// Values of the nodes of FE_Q, dim a + c.
+template<int dim>
+VectorXd CellFields<dim>::nodal_values(const typename DisplacementSpace<dim>::Cell &cell) const
+{
+  const auto dofs = dofs_by_node<dim>(cell);
+  VectorXd values(dofs.size());
+  for (std::size_t i = 0; i < dofs.size(); ++i)
+    values[static_cast<Eigen::Index>(i)] = displacement_[static_cast<Eigen::Index>(dofs[i])];
+  return space_.has_axis_face(cell) ? VectorXd(space_.axis_face_basis() * values) : values;
+}
+
+template<int dim>
+VectorXd CellFields<dim>::projected_volume_changes(const typename DisplacementSpace<dim>::Cell &cell,
+                                                   const VectorXd &nodal)
+{
+  quadrature_values_.reinit(typename dealii::Triangulation<dim>::active_cell_iterator(cell));
+  divergence_.reset(1);
+  for (const unsigned int q : quadrature_values_.quadrature_point_indices())
+    divergence_.add(q, VectorXd::Constant(1, trace(strain_at(quadrature_values_, q, nodal))),
+                    StrainTerms<dim>::volume(quadrature_values_, q));
+  return polynomials_ * divergence_.coefficients();
+}
+
+template<int dim>
+std::vector<PointFields> CellFields<dim>::in(const typename DisplacementSpace<dim>::Cell &cell)
+{
+  const bool is_reduced = space_.volumetric_quadrature() == VolumetricQuadrature::reduced;
+  const VectorXd nodal = nodal_values(cell);
+  const VectorXd changes = is_reduced ? projected_volume_changes(cell, nodal) : VectorXd();
+  values_.reinit(typename dealii::Triangulation<dim>::active_cell_iterator(cell));
+  std::vector<PointFields> fields(values_.n_quadrature_points);
+  for (const unsigned int q : values_.quadrature_point_indices())
+  {
+    const Strain strain = strain_at(values_, q, nodal);
+    fields[q].place = in_space(values_.quadrature_point(q));
+    fields[q].displacement = displacement_at(values_, q, nodal);
+    fields[q].stress = material_.stress(strain, is_reduced ? changes[q] : trace(strain));
+  }
+  return fields;
+}
+
+template class CellFields<2>;
+template class CellFields<3>;
+} // namespace orthocone

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "cell_stiffness.h"
+
+namespace orthocone
+{
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+
+namespace
+{
+/// Factors of the products of terms in the entry of components c and d.
+template<int dim>
+Matrix3d factors_of(const ElasticTangent &tangent, const unsigned int c, const unsigned int d)
+{
+  Matrix3d factors = Matrix3d::Zero();
+  for (unsigned int m = 0; m < 3; ++m)
+    for (unsigned int n = 0; n < 3; ++n)
+    {
+      const auto row = StrainTerms<dim>::place(c, m);
+      const auto column = StrainTerms<dim>::place(d, n);
+      if (row && column)
+        factors(m, n) = tangent[(*row)[0]][(*row)[1]][(*column)[0]][(*column)[1]];
+    }
+  return factors;
+}
+
+/// Which terms of a component are changes of volume.
+template<int dim>
+Vector3d divergence_factors_of(const unsigned int c)
+{
+  Vector3d factors = Vector3d::Zero();
+  for (unsigned int m = 0; m < 3; ++m)
+    if (const auto place = StrainTerms<dim>::place(c, m); place && (*place)[0] == (*place)[1])
+      factors[m] = 1;
+  return factors;
+}
+} // namespace
+
+template<int dim>
+CellStiffness<dim>::CellStiffness(const DisplacementSpace<dim> &space, const Material &material)
+    : space_(space),
+      values_(space.mapping(), space.scalar_fe(), dealii::QGauss<dim>(space.n_quadrature_points()),
+              dealii::update_values | dealii::update_gradients | dealii::update_quadrature_points |
+                  dealii::update_JxW_values),
+      volumetric_modulus_(material.volumetric_modulus()),
+      mu_(material.shear_modulus())
+{
+  const bool is_reduced = space.volumetric_quadrature() == VolumetricQuadrature::reduced;
+  lambda_ = is_reduced ? 0 : volumetric_modulus_;
+  if (is_reduced)
+    divergence_.emplace(space.scalar_fe().degree, values_.get_quadrature());
+  const ElasticTangent tangent = is_reduced ? material.tangent_at_constant_volume() : material.tangent();
+  for (unsigned int c = 0; c < dim; ++c)
+  {
+    divergence_factors_[c] = divergence_factors_of<dim>(c);
+    for (unsigned int d = 0; d < dim; ++d)
+      factors_[dim * c + d] = factors_of<dim>(tangent, c, d);
+  }
+}
+
+// FEValues cannot be copied.
+template<int dim>
+CellStiffness<dim>::CellStiffness(const CellStiffness &other)
+    : space_(other.space_),
+      values_(other.values_.get_mapping(), other.values_.get_fe(), other.values_.get_quadrature(),
+              other.values_.get_update_flags()),
+      divergence_(other.divergence_),
+      volumetric_modulus_(other.volumetric_modulus_),
+      lambda_(other.lambda_),
+      mu_(other.mu_),
+      factors_(other.factors_),
+      divergence_factors_(other.divergence_factors_)
+{
+}
+
+template<int dim>
+void CellStiffness<dim>::integrate()
+{
+  const unsigned int n_nodes = values_.dofs_per_cell;
+  terms_.resize(n_terms * n_nodes);
+  divergences_.resize(dim * n_nodes);
+  products_.setZero(terms_.size(), terms_.size());
+  if (divergence_)
+    divergence_->reset(divergences_.size());
+  for (const unsigned int q : values_.quadrature_point_indices())
+  {
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      terms_.segment<n_terms>(n_terms * a) = StrainTerms<dim>::of(values_, a, q);
+    const double volume = StrainTerms<dim>::volume(values_, q);
+    products_.noalias() += (volume * terms_) * terms_.transpose();
+    if (!divergence_)
+      continue;
+    for (unsigned int a = 0; a < n_nodes; ++a)
+      for (unsigned int c = 0; c < dim; ++c)
+        divergences_[dim * a + c] = divergence_factors_[c].dot(terms_.segment<n_terms>(n_terms * a));
+    divergence_->add(q, divergences_, volume);
+  }
+}
+
+/// Hooke's law in closed form: lambda d_i N_a d_j N_b + mu (d_j N_a d_i N_b + delta_ij grad N_a . grad N_b).
+template<>
+void CellStiffness<3>::combine()
+{
+  matrix_.resizeLike(products_);
+  for (Eigen::Index b = 0; b < products_.cols(); b += 3)
+    for (Eigen::Index a = 0; a < products_.rows(); a += 3)
+    {
+      const Matrix3d block = products_.block<3, 3>(a, b);
+      matrix_.block<3, 3>(a, b) =
+          lambda_ * block + mu_ * block.transpose() + mu_ * block.trace() * Matrix3d::Identity();
+    }
+}
+
+template<>
+void CellStiffness<2>::combine()
+{
+  const Eigen::Index n_nodes = values_.dofs_per_cell;
+  matrix_.resize(2 * n_nodes, 2 * n_nodes);
+  for (Eigen::Index b = 0; b < n_nodes; ++b)
+    for (Eigen::Index a = 0; a < n_nodes; ++a)
+      for (Eigen::Index c = 0; c < 2; ++c)
+        for (Eigen::Index d = 0; d < 2; ++d)
+          matrix_(2 * a + c, 2 * b + d) =
+              factors_[2 * c + d].cwiseProduct(products_.block<3, 3>(3 * a, 3 * b)).sum();
+}
+
+template<int dim>
+const MatrixXd &CellStiffness<dim>::of(const typename DisplacementSpace<dim>::Cell &cell)
+{
+  values_.reinit(typename dealii::Triangulation<dim>::active_cell_iterator(cell));
+  integrate();
+  combine();
+  if (divergence_)
+    matrix_ += volumetric_modulus_ * divergence_->products();
+  if (space_.has_axis_face(cell))
+    matrix_ = (space_.axis_face_basis().transpose() * matrix_ * space_.axis_face_basis()).eval();
+  return matrix_;
+}
+
+template class CellStiffness<2>;
+template class CellStiffness<3>;
+} // namespace orthocone

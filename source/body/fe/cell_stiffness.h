@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include "strain_terms.h"
+
+#include <orthocone/body/fe/displacement_space.h>
+#include <orthocone/body/fe/projected_divergence.h>
+#include <orthocone/body/materials/material.h>
+
+#include <deal.II/base/quadrature_lib.h>
+#include <deal.II/fe/fe_values.h>
+
+#include <array>
+#include <optional>
+
+namespace orthocone
+{
+/// Stiffness of one cell after the other, of a section those of the rings, from one tangent for all.
+template<int dim>
+class CellStiffness
+{
+public:
+  CellStiffness(const DisplacementSpace<dim> &space, const Material &material);
+  CellStiffness(const CellStiffness &other);
+
+  /// Numbered dim a + c by scalar node a and component c; N/mm.
+  const Eigen::MatrixXd &of(const typename DisplacementSpace<dim>::Cell &cell);
+
+private:
+  void integrate();
+  void combine();
+
+  static constexpr unsigned int n_terms = 3;
+  const DisplacementSpace<dim> &space_;
+  dealii::FEValues<dim> values_;
+  std::optional<ProjectedDivergence<dim>> divergence_; ///< with reduced volumetric quadrature
+  double volumetric_modulus_;
+  double lambda_ = 0; ///< what combine() takes care of: 0 with reduced volumetric quadrature
+  double mu_;
+  /// By components (dim c + d): what the products of terms of two nodes contribute to their entry (c, d).
+  std::array<Eigen::Matrix3d, static_cast<std::size_t>(dim *dim)> factors_;
+  std::array<Eigen::Vector3d, dim> divergence_factors_; ///< of the terms, by components
+  Eigen::VectorXd terms_;                               ///< at a quadrature point, n_terms a node
+  Eigen::VectorXd divergences_;
+  Eigen::MatrixXd products_; ///< integrals of the products of terms
+  Eigen::MatrixXd matrix_;
+};
+} // namespace orthocone

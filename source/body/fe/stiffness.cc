@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/body/fe/stiffness.h>
+
+#include "cell_dofs.h"
+#include "cell_stiffness.h"
+
+#include <deal.II/base/work_stream.h>
+#include <deal.II/lac/dynamic_sparsity_pattern.h>
+#include <deal.II/lac/vector.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace orthocone
+{
+namespace
+{
+template<int dim>
+struct CellMatrix
+{
+  Eigen::MatrixXd matrix; ///< numbered as `dofs`
+  std::vector<dealii::types::global_dof_index> dofs;
+};
+
+template<int dim>
+void assemble(const DisplacementSpace<dim> &space, const Material &material,
+              dealii::SparseMatrix<double> &matrix)
+{
+  const auto work = [](const typename DisplacementSpace<dim>::Cell &cell, CellStiffness<dim> &stiffness,
+                       CellMatrix<dim> &copy)
+  {
+    copy.matrix = stiffness.of(cell);
+    copy.dofs = dofs_by_node<dim>(cell);
+  };
+  const auto add = [&](const CellMatrix<dim> &copy) { add_cell_matrix(copy.matrix, copy.dofs, matrix); };
+  const auto &dof_handler = space.dof_handler();
+  dealii::WorkStream::run(dof_handler.begin_active(), dof_handler.end(), work, add,
+                          CellStiffness<dim>(space, material), CellMatrix<dim>());
+}
+} // namespace
+
+template<int dim>
+void make_stiffness_pattern(const DisplacementSpace<dim> &space, dealii::SparsityPattern &pattern)
+{
+  const unsigned int n_free = space.n_free();
+  dealii::DynamicSparsityPattern entries(n_free);
+  std::vector<dealii::types::global_dof_index> dofs(space.fe().n_dofs_per_cell());
+  std::vector<dealii::types::global_dof_index> columns;
+  for (const auto &cell : space.dof_handler().active_cell_iterators())
+  {
+    cell->get_dof_indices(dofs);
+    std::sort(dofs.begin(), dofs.end());
+    columns.clear();
+    for (const auto row : dofs)
+    {
+      if (row >= n_free)
+        break;
+      columns.push_back(row);
+      entries.add_entries(row, columns.begin(), columns.end(), true);
+    }
+  }
+  pattern.copy_from(entries);
+}
+
+template<int dim>
+Stiffness::Stiffness(const DisplacementSpace<dim> &space, const MaterialOptions &material)
+{
+  make_stiffness_pattern(space, pattern_);
+  matrix_.reinit(pattern_);
+  assemble(space, Material(material), matrix_);
+}
+
+template void make_stiffness_pattern(const Discretization &, dealii::SparsityPattern &);
+template void make_stiffness_pattern(const SectionDiscretization &, dealii::SparsityPattern &);
+template Stiffness::Stiffness(const Discretization &, const MaterialOptions &);
+template Stiffness::Stiffness(const SectionDiscretization &, const MaterialOptions &);
+
+double Stiffness::rounding(const Eigen::VectorXd &displacement) const
+{
+  Eigen::VectorXd sums = Eigen::VectorXd::Zero(displacement.size());
+  for (unsigned int row = 0; row < matrix_.m(); ++row)
+    for (auto entry = matrix_.begin(row); entry != matrix_.end(row); ++entry)
+    {
+      const unsigned int column = entry->column();
+      const double size = std::abs(entry->value());
+      sums[row] += size * std::abs(displacement[column]);
+      if (column != row)
+        sums[column] += size * std::abs(displacement[row]);
+    }
+  return std::numeric_limits<double>::epsilon() * sums.norm();
+}
+
+Eigen::VectorXd Stiffness::vmult(const Eigen::VectorXd &displacement) const
+{
+  // Both triangles have the diagonal.
+  const dealii::Vector<double> u(displacement.begin(), displacement.end());
+  dealii::Vector<double> forces(u.size());
+  matrix_.vmult(forces, u);
+  matrix_.Tvmult_add(forces, u);
+  for (unsigned int row = 0; row < matrix_.m(); ++row)
+    forces[row] -= matrix_.diag_element(row) * u[row];
+  return Eigen::Map<const Eigen::VectorXd>(forces.data(), displacement.size());
+}
+} // namespace orthocone

@@ -1,0 +1,163 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "o_grid.h"
+#include "ring_manifold.h"
+#include "shapes.h"
+#include "size_formula.h"
+
+#include <orthocone/base/grading.h>
+#include <orthocone/body/shapes/boundary.h>
+
+#include <deal.II/grid/grid_generator.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace orthocone
+{
+namespace
+{
+constexpr unsigned int n_ring_blocks = 4;
+constexpr dealii::types::manifold_id first_ring_manifold = 1;
+
+/// Quarter turns from the positive x axis to the outer block in which a cell lies, or n_ring_blocks for the
+/// core.
+unsigned int block_of(const dealii::Point<3> &centre, const double half_side)
+{
+  const double x = centre[0];
+  const double y = centre[1];
+  if (std::max(std::abs(x), std::abs(y)) < half_side)
+    return n_ring_blocks;
+  if (std::abs(x) > std::abs(y))
+    return x > 0 ? 0 : 2;
+  return y > 0 ? 1 : 3;
+}
+
+bool lies_in_plane(const dealii::Triangulation<3>::face_iterator &face, const unsigned int axis,
+                   const double value, const double tolerance)
+{
+  for (const unsigned int vertex : face->vertex_indices())
+    if (std::abs(face->vertex(vertex)[axis] - value) > tolerance)
+      return false;
+  return true;
+}
+
+Boundary boundary_of(const dealii::Triangulation<3>::face_iterator &face, const GeometryOptions &geometry,
+                     const SymmetryPlanes &planes)
+{
+  constexpr double relative_tolerance = 1e-12;
+  const double z_tolerance = relative_tolerance * geometry.height;
+  const double r_tolerance = relative_tolerance * geometry.radius;
+  if (lies_in_plane(face, 2, 0, z_tolerance))
+    return Boundary::contact_surface;
+  if (lies_in_plane(face, 2, geometry.height, z_tolerance))
+    return Boundary::top_face;
+  if (planes.normal_to_x && lies_in_plane(face, 0, 0, r_tolerance))
+    return Boundary::plane_normal_to_x;
+  if (planes.normal_to_y && lies_in_plane(face, 1, 0, r_tolerance))
+    return Boundary::plane_normal_to_y;
+  return Boundary::lateral_surface;
+}
+std::vector<double> radii(const double radius, const MeshOptions &options)
+{
+  const unsigned int n_core = (options.core_cells + 1) / 2;
+  const double core = core_half_side(radius, options.core_ratio);
+  std::vector<double> positions;
+  for (unsigned int i = 0; i < n_core; ++i)
+    positions.push_back(core * i / n_core);
+  for (const double depth : graded_positions(options.n_rings(), options.rim_grading))
+    positions.push_back(core + depth * (radius - core));
+  positions.back() = radius;
+  return positions;
+}
+
+std::vector<double> differences(const std::vector<double> &positions)
+{
+  std::vector<double> steps;
+  for (std::size_t i = 1; i < positions.size(); ++i)
+    steps.push_back(positions[i] - positions[i - 1]);
+  return steps;
+}
+
+/// The boundaries of a coloured rectangle: left, right, lower, upper.
+constexpr std::array<Boundary, 4> section_boundaries{
+    {Boundary::axis, Boundary::lateral_surface, Boundary::contact_surface, Boundary::top_face}};
+
+class Cylinder : public Shape
+{
+public:
+  Cylinder(const GeometryOptions &geometry, const MeshOptions &mesh)
+      : geometry_(geometry),
+        mesh_(mesh)
+  {
+  }
+
+  void make_solid(const SymmetryPlanes &planes, dealii::Triangulation<3> &triangulation) const override;
+  void make_section(dealii::Triangulation<2> &triangulation) const override;
+  ModelSize size(const ModelSymmetry &symmetry) const override;
+
+private:
+  void curve_rings(dealii::Triangulation<3> &triangulation) const;
+
+  const GeometryOptions geometry_;
+  const MeshOptions mesh_;
+};
+
+void Cylinder::make_solid(const SymmetryPlanes &planes, dealii::Triangulation<3> &triangulation) const
+{
+  dealii::Triangulation<2> disc;
+  make_o_grid_disc(geometry_.radius, mesh_, planes, disc);
+  dealii::GridGenerator::extrude_triangulation(
+      disc, positions_graded_to_both_ends(geometry_.height, mesh_.layers, mesh_.layer_grading),
+      triangulation);
+  for (const auto &face : triangulation.active_face_iterators())
+    if (face->at_boundary())
+      face->set_boundary_id(boundary_of(face, geometry_, planes));
+  curve_rings(triangulation);
+}
+
+void Cylinder::curve_rings(dealii::Triangulation<3> &triangulation) const
+{
+  const double half_side = core_half_side(geometry_.radius, mesh_.core_ratio);
+  for (const auto &cell : triangulation.active_cell_iterators())
+    if (const unsigned int block = block_of(cell->center(), half_side); block < n_ring_blocks)
+      cell->set_all_manifold_ids(first_ring_manifold + block);
+  for (unsigned int block = 0; block < n_ring_blocks; ++block)
+    triangulation.set_manifold(first_ring_manifold + block, RingManifold(geometry_.radius, half_side, block));
+}
+
+void Cylinder::make_section(dealii::Triangulation<2> &triangulation) const
+{
+  constexpr bool colourize = true;
+  dealii::GridGenerator::subdivided_hyper_rectangle(
+      triangulation,
+      {differences(radii(geometry_.radius, mesh_)),
+       differences(positions_graded_to_both_ends(geometry_.height, mesh_.layers, mesh_.layer_grading))},
+      dealii::Point<2>(0, 0), dealii::Point<2>(geometry_.radius, geometry_.height), colourize);
+  for (const auto &face : triangulation.active_face_iterators())
+    if (face->at_boundary())
+      face->set_boundary_id(section_boundaries[face->boundary_id()]);
+}
+
+ModelSize Cylinder::size(const ModelSymmetry &symmetry) const
+{
+  const double core = mesh_.core_cells;
+  const double rings = mesh_.n_rings();
+  if (symmetry.is_axisymmetric())
+    return section_size(std::ceil(core / 2) + rings, mesh_.layers, mesh_.degree, geometry_.top_face);
+  const unsigned int n_copies = symmetry.n_copies();
+  const double faces = (core * core + 4 * core * rings) / n_copies;
+  const double diameter = n_copies == 1 ? 0 : core + 2 * rings; // or two radii of a quarter
+  const std::array<double, 2> planes{
+      {n_copies == 4 ? diameter / 2 : diameter, n_copies == 4 ? diameter / 2 : 0}};
+  return solid_size({faces, 4 * core / n_copies + diameter, planes}, mesh_.layers, mesh_.degree,
+                    geometry_.top_face);
+}
+} // namespace
+
+std::unique_ptr<Shape> make_cylinder(const GeometryOptions &geometry, const MeshOptions &mesh)
+{
+  return std::make_unique<Cylinder>(geometry, mesh);
+}
+} // namespace orthocone

@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/contact/law/friction_law.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace orthocone
+{
+namespace
+{
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+constexpr unsigned int most_newton_steps = 200;
+
+/// Tangential part of the nearest point for the multiplier lambda: r_i = tau_i / (1 + lambda / mu_i^2).
+Vector2d tangential_point(const OrthotropicFriction &law, const Vector3d &tau, const double lambda)
+{
+  return {tau[1] / (1 + lambda / (law.mu_x * law.mu_x)), tau[2] / (1 + lambda / (law.mu_y * law.mu_y))};
+}
+
+/// d/dlambda of ||r_t(lambda)||_m.
+double norm_slope(const OrthotropicFriction &law, const Vector2d &r, const double norm, const double lambda)
+{
+  const double x = law.mu_x * law.mu_x;
+  const double y = law.mu_y * law.mu_y;
+  return -(r[0] * r[0] / (x * (x + lambda)) + r[1] * r[1] / (y * (y + lambda))) / norm;
+}
+
+/// Multiplier of the nearest point for tau outside of the cone and of its polar: the only root of the
+/// decreasing function psi(lambda) = ||r_t(lambda)||_m (1 - lambda) - tau_n on (0, infinity).
+///
+/// Newton's method runs on psi / ||r_t||_m, which is linear in lambda for a circular cone; a bracket catches
+/// the rest. The root of psi is 1 for tau_n = 0 and lies on the side of 1 that the sign of tau_n tells.
+/// The quartic that multiplying out gives is not used: its terms cancel for small coefficients.
+double multiplier(const OrthotropicFriction &law, const Vector3d &tau)
+{
+  double lower = tau[0] > 0 ? 0 : 1;
+  double upper = tau[0] > 0 ? 1 : std::numeric_limits<double>::infinity();
+  double lambda = tau[0] > 0 ? 0 : 1;
+  constexpr double settled = 4 * std::numeric_limits<double>::epsilon();
+  for (unsigned int step = 0; step < most_newton_steps && tau[0] != 0; ++step)
+  {
+    const Vector2d r = tangential_point(law, tau, lambda);
+    const double norm = friction_norm(law, r[0], r[1]);
+    const double value = 1 - lambda - tau[0] / norm;
+    (value > 0 ? lower : upper) = lambda;
+    const double slope = -1 + tau[0] * norm_slope(law, r, norm, lambda) / (norm * norm);
+    const double change = value / slope;
+    // Before the bracket is looked at, one end of which is the root by now.
+    if (slope < 0 && std::abs(change) <= settled * lambda)
+      return lambda - change;
+    const double next = lambda - change;
+    const bool is_inside = slope < 0 && next > lower && next < upper;
+    const double moved = is_inside ? next : std::isinf(upper) ? 2 * lower + 1 : 0.5 * (lower + upper);
+    const bool has_settled = std::abs(moved - lambda) <= settled * moved;
+    lambda = moved;
+    if (has_settled)
+      break;
+  }
+  return lambda;
+}
+
+Vector3d surface_point(const OrthotropicFriction &law, const Vector3d &tau, const double lambda)
+{
+  const Vector2d r = tangential_point(law, tau, lambda);
+  return {friction_norm(law, r[0], r[1]), r[0], r[1]};
+}
+} // namespace
+
+bool is_frictionless(const OrthotropicFriction &law)
+{
+  return law.mu_x == 0;
+}
+
+Vector2d slip_weights(const OrthotropicFriction &law)
+{
+  if (is_frictionless(law))
+    return Vector2d::Zero();
+  const double x = law.p_x / law.mu_x;
+  const double y = law.p_y / law.mu_y;
+  return {x * x, y * y};
+}
+
+OrthotropicFriction normalized(const OrthotropicFriction &law)
+{
+  if (is_frictionless(law))
+    return law;
+  const double scale = std::max(law.p_x / law.mu_x, law.p_y / law.mu_y);
+  return {law.mu_x, law.mu_y, law.p_x / scale, law.p_y / scale};
+}
+
+double friction_norm(const OrthotropicFriction &law, const double r_x, const double r_y)
+{
+  if (is_frictionless(law))
+    return r_x == 0 && r_y == 0 ? 0 : std::numeric_limits<double>::infinity();
+  const double x = r_x / law.mu_x;
+  const double y = r_y / law.mu_y;
+  return std::sqrt(x * x + y * y);
+}
+
+double dual_norm(const OrthotropicFriction &law, const double v_x, const double v_y)
+{
+  const double x = law.mu_x * v_x;
+  const double y = law.mu_y * v_y;
+  return std::sqrt(x * x + y * y);
+}
+
+ConeZone cone_zone(const OrthotropicFriction &law, const Vector3d &tau)
+{
+  if (dual_norm(law, tau[1], tau[2]) + tau[0] <= 0)
+    return ConeZone::polar;
+  if (is_frictionless(law))
+    return ConeZone::outside;
+  return friction_norm(law, tau[1], tau[2]) <= tau[0] ? ConeZone::inside : ConeZone::outside;
+}
+
+Vector3d project(const OrthotropicFriction &law, const Vector3d &tau)
+{
+  switch (cone_zone(law, tau))
+  {
+  case ConeZone::polar:
+    return Vector3d::Zero();
+  case ConeZone::inside:
+    return tau;
+  case ConeZone::outside:
+    break;
+  }
+  if (is_frictionless(law))
+    return {tau[0], 0, 0};
+  return surface_point(law, tau, multiplier(law, tau));
+}
+
+Projection project_with_derivative(const OrthotropicFriction &law, const Vector3d &tau)
+{
+  Projection projection;
+  projection.zone = cone_zone(law, tau);
+  if (projection.zone == ConeZone::inside)
+    projection.point = tau;
+  if (projection.zone != ConeZone::outside)
+    return projection;
+  if (is_frictionless(law))
+  {
+    projection.point = {tau[0], 0, 0};
+    projection.ray = Vector3d::UnitX();
+    projection.side = Vector3d::UnitY();
+    projection.normal = Vector3d::UnitZ();
+    return projection;
+  }
+  const double lambda = multiplier(law, tau);
+  projection.point = surface_point(law, tau, lambda);
+  const Vector3d &r = projection.point;
+  const double x = 1 / (law.mu_x * law.mu_x);
+  const double y = 1 / (law.mu_y * law.mu_y);
+  projection.ray = r.normalized();
+  projection.normal = Vector3d(-r[0], x * r[1], y * r[2]).normalized();
+  projection.side = projection.normal.cross(projection.ray);
+  // Second derivative of the Lagrangian along `side`: diag(1 - lambda, 1 + lambda/mu_x^2, 1 + lambda/mu_y^2).
+  const Vector3d s = projection.side.cwiseAbs2();
+  projection.stiffness = 1 / (1 + lambda * (x * s[1] + y * s[2] - s[0]));
+  return projection;
+}
+
+Eigen::Matrix3d Projection::derivative() const
+{
+  if (zone == ConeZone::inside)
+    return Eigen::Matrix3d::Identity();
+  return ray * ray.transpose() + stiffness * side * side.transpose();
+}
+
+Vector3d modified_displacement(const OrthotropicFriction &law, const Vector3d &d)
+{
+  const Vector2d weighted = slip_weights(law).cwiseProduct(d.tail<2>());
+  return {d[0] + dual_norm(law, weighted[0], weighted[1]), weighted[0], weighted[1]};
+}
+
+Eigen::Matrix3d modified_displacement_derivative(const OrthotropicFriction &law, const Vector3d &d)
+{
+  const Vector2d weights = slip_weights(law);
+  const Vector2d weighted = weights.cwiseProduct(d.tail<2>());
+  const double norm = dual_norm(law, weighted[0], weighted[1]);
+  Eigen::Matrix3d derivative = Vector3d(1, weights[0], weights[1]).asDiagonal();
+  if (norm > 0)
+    derivative.row(0).tail<2>() =
+        weights.cwiseProduct(Vector2d(law.mu_x * law.mu_x * weighted[0], law.mu_y * law.mu_y * weighted[1])) /
+        norm;
+  return derivative;
+}
+
+Vector2d slip_direction(const OrthotropicFriction &law, const double r_x, const double r_y)
+{
+  return {-r_x / (law.p_x * law.p_x), -r_y / (law.p_y * law.p_y)};
+}
+
+Vector2d sliding_traction(const OrthotropicFriction &law, const double d_x, const double d_y)
+{
+  const Vector2d force(-law.p_x * law.p_x * d_x, -law.p_y * law.p_y * d_y);
+  return force / friction_norm(law, force[0], force[1]);
+}
+} // namespace orthocone

@@ -1,0 +1,174 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/contact/problem/contact_step.h>
+
+#include <orthocone/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace orthocone
+{
+using Eigen::Index;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+namespace
+{
+/// Norm of the penetrations among gaps.
+double penetration(const NodeVector &q)
+{
+  double sum = 0;
+  for (Index i = 0; i < q.size(); i += 3)
+    sum += q[i] < 0 ? q[i] * q[i] : 0;
+  return std::sqrt(sum);
+}
+
+/// Norm of the forces that would hold the nodes where they go by `free`, but for gaps, which cost none.
+double holding_force(const ContactSystem &system, const NodeVector &free)
+{
+  double sum = 0;
+  for (Index node = 0; node < system.n_nodes(); ++node)
+  {
+    const Vector3d held(std::min(free[3 * node], 0.), free[3 * node + 1], free[3 * node + 2]);
+    sum += system.rho(node) * system.rho(node) * held.squaredNorm();
+  }
+  return std::sqrt(sum);
+}
+} // namespace
+
+NodeVector step_displacement(const NodeVector &free, const NodeVector &previous)
+{
+  eigen_assert(previous.size() == free.size());
+  NodeVector q = free;
+  for (Index node = 0; node < free.size() / 3; ++node)
+    q.segment<2>(3 * node + 1) -= previous.segment<2>(3 * node + 1);
+  return q;
+}
+
+ContactStep::ContactStep(const ContactSystem &system, NodeVector q, FreeFace face)
+    : system_(&system),
+      q_(std::move(q)),
+      face_(std::move(face))
+{
+  eigen_assert(q_.size() == 3 * n_nodes());
+  // The gap that a free face leaves is not known yet, but what it must carry is.
+  least_force_ = face_.n() == 0 ? penetration(q_) / system.softness() : face_.balance().norm();
+  rounding_force_ = 2 * std::numeric_limits<double>::epsilon() * holding_force(system, q_);
+}
+
+NodeVector ContactStep::change_of_displacement(const VectorXd &change) const
+{
+  NodeVector d;
+  if (face_.n() == 0)
+  {
+    system_->compliance().vmult(d, change);
+    return d;
+  }
+  system_->compliance().vmult(d, change.head(q_.size()));
+  d.noalias() += face_.columns() * change.tail(face_.n());
+  return d;
+}
+
+NodeVector ContactStep::displacement(const VectorXd &unknowns) const
+{
+  NodeVector d = change_of_displacement(unknowns);
+  d += q_;
+  return d;
+}
+
+VectorXd ContactStep::admissible(VectorXd unknowns) const
+{
+  for (Index node = 0; node < n_nodes(); ++node)
+    unknowns.segment<3>(3 * node) = project(law(node), unknowns.segment<3>(3 * node));
+  return unknowns;
+}
+
+VectorXd ContactStep::imbalance(const VectorXd &unknowns) const
+{
+  return face_.n() == 0 ? VectorXd()
+                        : VectorXd(face_.columns().transpose() * unknowns.head(q_.size()) - face_.balance());
+}
+
+VectorXd ContactStep::natural_map(const VectorXd &unknowns, const NodeVector &displacement) const
+{
+  VectorXd map(n_unknowns());
+  for (Index node = 0; node < n_nodes(); ++node)
+  {
+    const Vector3d r = unknowns.segment<3>(3 * node);
+    const Vector3d d = displacement.segment<3>(3 * node);
+    map.segment<3>(3 * node) =
+        is_free(r, d)
+            ? Vector3d::Zero()
+            : Vector3d(r - project(law(node), r - system_->rho(node) * modified_displacement(law(node), d)));
+  }
+  map.tail(face_.n()) = imbalance(unknowns);
+  return map;
+}
+
+double ContactStep::force_scale(const VectorXd &unknowns) const
+{
+  return std::max(unknowns.head(q_.size()).norm(), least_force_);
+}
+
+double ContactStep::residual(const VectorXd &unknowns) const
+{
+  return residual(unknowns, displacement(unknowns));
+}
+
+double ContactStep::residual(const VectorXd &unknowns, const NodeVector &displacement) const
+{
+  return residual_of(natural_map(unknowns, displacement), unknowns);
+}
+
+double ContactStep::residual_of(const VectorXd &map, const VectorXd &unknowns) const
+{
+  const double error = map.norm();
+  const double scale = force_scale(unknowns);
+  if (!std::isfinite(error) || !std::isfinite(scale) || !unknowns.allFinite())
+    return std::numeric_limits<double>::infinity();
+  return error <= rounding_force_ ? 0 : relative(error, scale);
+}
+
+/// Relative to what would hold the nodes where they would go without forces, but for gaps, which cost none.
+double ContactStep::negligible_force(const VectorXd &unknowns) const
+{
+  constexpr double rounding = 1e-12;
+  const NodeVector free = face_.n() == 0 ? q_ : NodeVector(q_ + face_.columns() * unknowns.tail(face_.n()));
+  double largest = 0;
+  for (Index node = 0; node < n_nodes(); ++node)
+  {
+    const double penetration = std::min(free[3 * node], 0.);
+    const double slip = free.segment<2>(3 * node + 1).norm();
+    largest = std::max(largest, system_->rho(node) * std::hypot(penetration, slip));
+  }
+  return rounding * largest;
+}
+
+NodeStatus ContactStep::status(const Index node, const Vector3d &force, const Vector3d &displacement) const
+{
+  const Vector3d g = modified_displacement(law(node), displacement);
+  switch (cone_zone(law(node), force - system_->rho(node) * g))
+  {
+  case ConeZone::polar:
+    return NodeStatus::open;
+  case ConeZone::inside:
+    return NodeStatus::stick;
+  case ConeZone::outside:
+    break;
+  }
+  return NodeStatus::slip;
+}
+
+std::vector<NodeStatus> ContactStep::statuses(const VectorXd &unknowns, const NodeVector &displacement) const
+{
+  const double negligible = negligible_force(unknowns);
+  std::vector<NodeStatus> all(n_nodes(), NodeStatus::open);
+  for (Index node = 0; node < n_nodes(); ++node)
+    if (unknowns[3 * node] > negligible)
+      all[node] = status(node, unknowns.segment<3>(3 * node), displacement.segment<3>(3 * node));
+  return all;
+}
+} // namespace orthocone

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/contact/problem/contact_system.h>
+
+#include <algorithm>
+#include <limits>
+#include <utility>
+
+namespace orthocone
+{
+ContactSystem::ContactSystem(const Compliance &compliance, std::vector<OrthotropicFriction> laws)
+    : compliance_(compliance),
+      given_laws_(std::move(laws)),
+      softness_(compliance.softness())
+{
+  eigen_assert(static_cast<Eigen::Index>(given_laws_.size()) == n_nodes());
+  for (Eigen::Index node = 0; node < n_nodes(); ++node)
+  {
+    laws_.push_back(normalized(given_laws_[node]));
+    rho_.push_back(1 / compliance_.diagonal_block(node).diagonal().maxCoeff());
+  }
+}
+
+double ContactSystem::rounding() const
+{
+  return std::numeric_limits<double>::epsilon() * softness_ * *std::max_element(rho_.begin(), rho_.end());
+}
+} // namespace orthocone

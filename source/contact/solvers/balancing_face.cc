@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "balancing_face.h"
+
+#include <algorithm>
+
+namespace orthocone
+{
+using Eigen::Index;
+using Eigen::VectorXd;
+
+BalancingFace::BalancingFace(const ContactStep &step, const VectorXd &unknowns)
+    : columns_(step.face().columns()),
+      softness_(step.system().softness()),
+      motion_(unknowns.tail(step.face().n())),
+      imbalance_(step.imbalance(unknowns))
+{
+}
+
+Eigen::Vector3d BalancingFace::displacement(const Index node) const
+{
+  return columns_.middleRows<3>(3 * node) * (motion_ + softness_ * imbalance_);
+}
+
+Eigen::Matrix3d BalancingFace::compliance(const Index node) const
+{
+  return softness_ * columns_.middleRows<3>(3 * node) * columns_.middleRows<3>(3 * node).transpose();
+}
+
+void BalancingFace::add(const Index node, const Eigen::Vector3d &change)
+{
+  imbalance_.noalias() += columns_.middleRows<3>(3 * node).transpose() * change;
+}
+
+bool BalanceWatch::runs_away(const ContactStep &step, const VectorXd &unknowns)
+{
+  constexpr double negligible = 1e-4, standing = 0.98;
+  constexpr unsigned int patience = 4;
+  if (step.face().n() == 0)
+    return false;
+  const double lacking = step.imbalance(unknowns).norm() / step.force_scale(unknowns);
+  const bool stands = lacking > negligible && lacking > standing * last_;
+  last_ = lacking;
+  n_standing_ = stands ? n_standing_ + 1 : 0;
+  if (n_standing_ < patience)
+    return false;
+  const auto statuses = step.statuses(unknowns, step.displacement(unknowns));
+  return std::none_of(statuses.begin(), statuses.end(),
+                      [](const NodeStatus status) { return status == NodeStatus::stick; });
+}
+} // namespace orthocone

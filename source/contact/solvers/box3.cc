@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "solvers.h"
+
+namespace orthocone
+{
+using Eigen::Index;
+using Eigen::Vector3d;
+
+Box3::Box3(const ContactSystem &system, const ContactSolverOptions &options)
+    : system_(system),
+      options_(options)
+{
+}
+
+SolverReport Box3::solve(const ContactStep &step, Eigen::VectorXd &unknowns) const
+{
+  constexpr unsigned int iterations_between_checks = 5;
+  const auto iterate = [&](Eigen::VectorXd &x)
+  {
+    const BalancingFace face(step, x);
+    x.tail(step.face().n()) = face.motion();
+    const NodeVector d = step.displacement(x);
+    for (Index node = 0; node < step.n_nodes(); ++node)
+    {
+      const OrthotropicFriction &law = system_.given_law(node);
+      const Vector3d g = modified_displacement(law, d.segment<3>(3 * node));
+      const double rho = rho_of_box3(system_, node, options_.rho_factor);
+      x.segment<3>(3 * node) = project(law, x.segment<3>(3 * node) - rho * g);
+    }
+  };
+  return iterate_until_converged(step, options_, iterations_between_checks, unknowns, iterate);
+}
+} // namespace orthocone

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "solvers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace orthocone
+{
+namespace
+{
+/// Whether forces drive the face and no node sticks. Where an iteration does not settle then, the load is at
+/// the border of what friction carries, or beyond.
+bool nothing_holds(const ContactStep &step, const Eigen::VectorXd &unknowns, const NodeVector &displacement)
+{
+  const auto statuses = step.statuses(unknowns, displacement);
+  return step.face().n() > 0 &&
+         std::find(statuses.begin(), statuses.end(), NodeStatus::stick) == statuses.end();
+}
+} // namespace
+
+SolverReport make_report(const ContactStep &step, const Eigen::VectorXd &unknowns,
+                         const unsigned int iterations, const double tolerance, Trace trace)
+{
+  const NodeVector d = step.displacement(unknowns);
+  const Eigen::VectorXd map = step.natural_map(unknowns, d);
+  SolverReport report;
+  report.iterations = iterations;
+  report.residual = step.residual_of(map, unknowns);
+  report.converged = report.residual <= tolerance;
+  report.law = law_errors(step, unknowns, d);
+  trace.add(iterations, report.residual, step.force_scale(unknowns));
+  report.verdict = judge(trace.points(), tolerance, step.system().rounding());
+  if (report.verdict == Verdict::cycling && nothing_holds(step, unknowns, d))
+    report.verdict = Verdict::unbalanced;
+  report.trace = std::move(trace);
+  double worst = -1;
+  for (Eigen::Index node = 0; node < step.n_nodes(); ++node)
+  {
+    const double error = map.segment<3>(3 * node).norm();
+    if (error > worst || std::isnan(error))
+    {
+      worst = error;
+      report.worst_node = node;
+    }
+    report.penetration = std::max(report.penetration, -d[3 * node]);
+  }
+  return report;
+}
+
+SolverReport unbalanced_report(const ContactStep &step, const Eigen::VectorXd &unknowns,
+                               const unsigned int iterations, const double tolerance, Trace trace)
+{
+  SolverReport report = make_report(step, unknowns, iterations, tolerance, std::move(trace));
+  report.verdict = Verdict::unbalanced;
+  return report;
+}
+
+const Eigen::MatrixXd &dense_compliance(const ContactSystem &system, const char *const method)
+{
+  const Eigen::MatrixXd *const matrix = system.compliance().dense();
+  if (matrix == nullptr)
+    throw std::invalid_argument(std::string("Contact solver/Method = ") + method +
+                                " needs the dense compliance, which this backend does not have");
+  return *matrix;
+}
+
+std::unique_ptr<ConditionSolver> condition_solver(const ContactSystem &system, const char *const method)
+{
+  auto solver = system.compliance().condition_solver(system.softness());
+  if (solver == nullptr)
+    throw std::invalid_argument(std::string("Contact solver/Method = ") + method +
+                                " needs a solver of linearized laws, which this backend does not have");
+  return solver;
+}
+
+std::unique_ptr<ContactSolver> make_contact_solver(const ContactSystem &system,
+                                                   const ContactSolverOptions &options)
+{
+  switch (options.method)
+  {
+  case ContactMethod::newton:
+    return std::make_unique<SemismoothNewton>(system, options);
+  case ContactMethod::gauss_seidel:
+    return std::make_unique<GaussSeidel>(system, options);
+  case ContactMethod::uzawa:
+    return std::make_unique<Uzawa>(system, options);
+  case ContactMethod::feng2006:
+    return std::make_unique<Feng2006>(system, options);
+  case ContactMethod::box3:
+    return std::make_unique<Box3>(system, options);
+  case ContactMethod::plain_newton:
+    return std::make_unique<PlainNewton>(system, options);
+  }
+  throw std::invalid_argument("unknown contact method");
+}
+} // namespace orthocone

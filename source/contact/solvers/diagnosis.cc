@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/contact/solvers/diagnosis.h>
+
+#include <orthocone/base/text.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace orthocone
+{
+namespace
+{
+/// How many iterations would have been enough for the part of the step that was tried last, or 0 if nobody
+/// knows.
+double enough_iterations(const ContactSolverOptions &options, const SolverReport &report)
+{
+  const double more = iterations_to_go(report.trace.points(), options.tolerance);
+  return more > 0 ? report.trace.points().back().iterations + more : 0;
+}
+
+double least_residual(const SolverReport &report)
+{
+  double least = report.residual;
+  for (const TracePoint &point : report.trace.points())
+    least = std::min(least, point.residual);
+  return least;
+}
+
+std::string why(const ContactSolverOptions &options, const SolverReport &report)
+{
+  std::ostringstream text;
+  text << std::setprecision(2);
+  switch (report.verdict)
+  {
+  case Verdict::slow:
+    text << "The iteration is slow: "
+         << (enough_iterations(options, report) > 0 ? "the residual still fell at the end"
+                                                    : "too few iterations to tell more");
+    break;
+  case Verdict::rounding:
+    text << "Rounding stops the iteration: the residual came down to " << least_residual(report);
+    break;
+  case Verdict::cycling:
+    text << "The iteration cycles: the residual was " << least_residual(report)
+         << " at best and does not fall any more";
+    break;
+  case Verdict::diverged:
+    text << "The iteration diverges: the forces "
+         << (std::isfinite(report.residual) ? "grow without bound" : "are no longer numbers");
+    break;
+  case Verdict::unbalanced:
+    text << "No equilibrium: what drives the held face is more than contact and friction can carry";
+    break;
+  case Verdict::converged:
+    break;
+  }
+  return text.str();
+}
+
+std::string more_iterations(const ContactSolverOptions &options, const SolverReport &report)
+{
+  std::ostringstream text;
+  text << "Try more Contact solver/Maximum iterations";
+  if (const double enough = enough_iterations(options, report); enough > 0)
+    text << " (at this rate, some " << std::setprecision(0) << std::fixed << enough
+         << " for each part of the step)";
+  text << (options.method == ContactMethod::newton ? "." : ", or Method = newton.");
+  return text.str();
+}
+
+std::string remedy(const ContactSolverOptions &options, const SolverReport &report)
+{
+  const bool is_default = options.method == ContactMethod::newton && options.rho_factor == 1;
+  if (report.verdict == Verdict::slow)
+    return more_iterations(options, report);
+  if (report.verdict == Verdict::unbalanced)
+    return "Drive it less far, or by a motion.";
+  if (report.verdict == Verdict::rounding)
+    return "Take a larger Contact solver/Tolerance.";
+  if (!is_default)
+    return "Try Contact solver/Method = newton with Rho factor = 1.";
+  if (!std::isfinite(report.residual))
+    return "Are lengths in mm, forces in N, moduli in MPa?";
+  return "Try smaller load steps or Contact solver/Method = gauss-seidel; near incompressibility, "
+         "Mesh/Volumetric "
+         "quadrature = reduced; and see what log.txt says of the critical friction.";
+}
+} // namespace
+
+std::string diagnosis(const ContactSolverOptions &options, const SolverReport &report)
+{
+  return why(options, report) + ". " + remedy(options, report);
+}
+} // namespace orthocone

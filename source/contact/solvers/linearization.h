@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/contact/problem/contact_step.h>
+
+namespace orthocone
+{
+/// The natural map at given unknowns, linearized: what Newton's method wants of every node and of the face.
+struct Linearization
+{
+  ContactConditions conditions;
+  double error; ///< norm of the natural map, N
+};
+
+/// `displacement` belongs to `unknowns`; the map is the one with `rho_factor` times the rho of the system.
+Linearization linearize(const ContactStep &step, const Eigen::VectorXd &unknowns,
+                        const NodeVector &displacement, double rho_factor = 1);
+
+/// Newton's change of the unknowns, up to a relative error `accuracy` or what can be had. Not finite if the
+/// linearization is singular.
+Eigen::VectorXd newton_change(const ConditionSolver &solver, const Linearization &linearization,
+                              double accuracy);
+} // namespace orthocone

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/march/contact_state.h>
+
+#include <orthocone/base/numbers.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace orthocone
+{
+using Eigen::Index;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+ContactState::ContactState(const Index n_nodes)
+    : force(NodeVector::Zero(3 * n_nodes)),
+      displacement(NodeVector::Zero(3 * n_nodes)),
+      accumulated_slip(VectorXd::Zero(n_nodes)),
+      dissipated_energy(VectorXd::Zero(n_nodes)),
+      slip_at_stick(VectorXd::Zero(2 * n_nodes)),
+      status(n_nodes, NodeStatus::open)
+{
+}
+
+namespace
+{
+/// Share of the step in which a node that ends with a gap touched the plane, if its normal force fell evenly
+/// from `before` to what would pull the gap shut.
+double share_in_contact(const double before, const double gap, const double compliance)
+{
+  return before > 0 ? before / (before + std::max(gap, 0.) / compliance) : 0;
+}
+
+/// To be called with the status at the end of a step, and the slip at its beginning still in the state.
+void remember_stick(ContactState &state, const Index node, const Vector2d &change)
+{
+  const Vector2d before = state.displacement.segment<2>(3 * node + 1);
+  auto mark = state.slip_at_stick.segment<2>(2 * node);
+  if (state.status[node] != NodeStatus::slip)
+    mark = before + change;
+  else if (change.dot(before - mark) < 0)
+    mark = before;
+}
+} // namespace
+
+// The mean of the forces before and after is exact while
+// they are proportional. Where the old force drives the slip, this reverses within the step and all of it is
+// against the force that the law gives at the end, unless the old force is small against that. Continuous in
+// both forces: which case it is must not depend on rounding.
+double dissipation(const Vector2d &before, const Vector2d &after, const Vector2d &change)
+{
+  const double old_work = -before.dot(change);
+  const double new_work = -after.dot(change);
+  return 0.5 * (new_work + (old_work < 0 ? std::min(-old_work, new_work) : old_work));
+}
+
+double slip_since_stick(const ContactState &state, const Index node)
+{
+  return (state.displacement.segment<2>(3 * node + 1) - state.slip_at_stick.segment<2>(2 * node)).norm();
+}
+
+// A mirrored node's w_nn is that of all its images, so it would not do here.
+VectorXd opening_compliance(const ContactSurface &surface, const ModelSymmetry &symmetry,
+                            const MaterialOptions &material)
+{
+  constexpr double square = 0.7;
+  const double nu = material.poisson_ratio;
+  const VectorXd shares = symmetry.force_shares(surface);
+  VectorXd compliance(shares.size());
+  for (Index i = 0; i < shares.size(); ++i)
+  {
+    const ContactNode &node = surface.nodes[static_cast<std::size_t>(i)];
+    const double radius = node.position[0];
+    const bool is_ring = symmetry.is_axisymmetric() && radius > 0;
+    const double width = is_ring ? node.area / (2 * pi * radius) : 0;
+    const double side = is_ring ? width : std::sqrt(node.area / shares[i]);
+    // Of a force that a ring carries, its square of side h has h^2 / area.
+    const double share = is_ring ? node.area / (width * width) : shares[i];
+    compliance[i] = (1 - nu * nu) / (square * material.young_modulus * side) / share;
+  }
+  return compliance;
+}
+
+void advance(ContactState &state, const ContactStep &step, const VectorXd &opening, const VectorXd &unknowns,
+             const RigidMotion &motion)
+{
+  // Relative to the last step, the displacement is (gap, change of slip).
+  const NodeVector d = step.displacement(unknowns);
+  const NodeVector force = unknowns.head(d.size());
+  const std::vector<NodeStatus> statuses = step.statuses(unknowns, d);
+  for (Index node = 0; node < state.n_nodes(); ++node)
+  {
+    const Vector2d change = d.segment<2>(3 * node + 1);
+    const bool was_open = state.status[node] == NodeStatus::open;
+    state.status[node] = statuses[node];
+    const bool is_open = state.status[node] == NodeStatus::open;
+    if (!was_open || !is_open)
+      state.accumulated_slip[node] += change.norm();
+    const double share = is_open ? share_in_contact(state.force[3 * node], d[3 * node], opening[node]) : 1;
+    // A node that sticks has no slip: what the solver's tolerance leaves of one may have any direction.
+    if (state.status[node] != NodeStatus::stick)
+      state.dissipated_energy[node] +=
+          share * dissipation(state.force.segment<2>(3 * node + 1), force.segment<2>(3 * node + 1), change);
+    remember_stick(state, node, change);
+    state.displacement[3 * node] = d[3 * node];
+    state.displacement.segment<2>(3 * node + 1) += change;
+  }
+  state.force = force;
+  state.motion = motion;
+}
+} // namespace orthocone

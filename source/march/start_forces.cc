@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/march/step_solver.h>
+
+#include <limits>
+
+namespace orthocone
+{
+using Eigen::VectorXd;
+
+namespace
+{
+/// Forces, and the motion of the held face behind them.
+NodeVector with_motion(const ContactState &state)
+{
+  NodeVector all(state.force.size() + n_rigid_components);
+  all << state.force, state.motion.components;
+  return all;
+}
+
+/// Such a vector as unknowns of a step whose face has these components.
+VectorXd unknowns_of(const NodeVector &all, const ContactStep &problem,
+                     const std::vector<unsigned int> &components)
+{
+  const Eigen::Index n = 3 * problem.n_nodes();
+  VectorXd motions(components.size());
+  for (std::size_t j = 0; j < components.size(); ++j)
+    motions[static_cast<Eigen::Index>(j)] = all[n + components[j]];
+  VectorXd unknowns(problem.n_unknowns());
+  unknowns << all.head(n), problem.face().unknowns(motions);
+  return unknowns;
+}
+} // namespace
+
+VectorXd StartForces::best(const ContactStep &problem, const std::vector<unsigned int> &components,
+                           const ContactState &state, const LoadStep &step, const double tolerance) const
+{
+  const NodeVector present = with_motion(state);
+  std::vector<NodeVector> candidates;
+  if (const auto last_cycle = memory_.of_phase.find(step.phase);
+      step.cycle > 0 && last_cycle != memory_.of_phase.end()) // in the first cycle: of the search for a mesh
+  {
+    candidates.push_back(last_cycle->second);
+    if (const auto drift = memory_.drift.find(step.phase); drift != memory_.drift.end())
+      candidates.push_back(last_cycle->second + drift->second);
+  }
+  if (step.step_of_leg > 1)
+    candidates.push_back(present + memory_.change);
+  candidates.push_back(present); // full unloading
+  candidates.back().head(state.force.size()).setZero();
+  candidates.push_back(present);
+  double least = std::numeric_limits<double>::infinity();
+  VectorXd best;
+  for (std::size_t i = 0; i < candidates.size() && least > tolerance; ++i)
+  {
+    VectorXd unknowns = unknowns_of(candidates[i], problem, components);
+    if (const double residual = problem.residual(unknowns); residual < least || best.size() == 0)
+    {
+      least = residual;
+      best = std::move(unknowns);
+    }
+  }
+  if (least > tolerance)
+    return best;
+  // This is the solution then. A sum of forces leaves the cone by rounding, which the residual does not see
+  // where friction is next to nothing.
+  VectorXd inside = problem.admissible(best);
+  return problem.residual(inside) <= tolerance ? inside : best;
+}
+
+void StartForces::remember(const ContactState &before, const ContactState &after, const LoadStep &step)
+{
+  const NodeVector end = with_motion(after);
+  memory_.change = end - with_motion(before);
+  if (step.cycle == 0)
+    return;
+  const std::size_t bytes = end.size() * sizeof(double);
+  if (2 * bytes * (memory_.of_phase.size() + 1) > StartMemory::most_bytes &&
+      memory_.of_phase.count(step.phase) == 0)
+    return;
+  NodeVector &of_phase = memory_.of_phase[step.phase];
+  if (of_phase.size() > 0)
+    memory_.drift[step.phase] = end - of_phase;
+  of_phase = end;
+}
+} // namespace orthocone

@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/march/step_solver.h>
+
+#include <algorithm>
+
+namespace orthocone
+{
+using Eigen::Index;
+using Eigen::VectorXd;
+
+namespace
+{
+/// A share of the way from a state to a target.
+FaceTarget on_the_way(const FaceState &from, const FaceTarget &target, const double share)
+{
+  FaceTarget middle = target;
+  middle.motion.components = (1 - share) * from.motion.components + share * target.motion.components;
+  middle.force.components = (1 - share) * from.wrench.components + share * target.force.components;
+  return middle;
+}
+
+/// The least motion along the normal that leaves no node under pressure, where nothing presses.
+double opening_motion(const NodeVector &free_gap)
+{
+  double motion = -free_gap[0];
+  for (Index i = 0; i < free_gap.size(); i += 3)
+    motion = std::max(motion, -free_gap[i]);
+  return motion;
+}
+} // namespace
+
+StepSolver::StepSolver(const Scene &scene)
+    : StepSolver(scene, scene.parameters().contact_solver)
+{
+}
+
+StepSolver::StepSolver(const Scene &scene, const ContactSolverOptions &options)
+    : scene_(scene),
+      opening_(opening_compliance(scene.surface(), scene.symmetry(), scene.parameters().material)),
+      tolerance_(options.tolerance),
+      solver_(make_contact_solver(scene.system(), options))
+{
+}
+
+StepSolver::Attempt StepSolver::attempt(const ContactState &state, const FaceTarget &target) const
+{
+  return {target,
+          ContactStep(scene_.system(), step_displacement(scene_.moved_with(target), state.displacement),
+                      scene_.free_face(target)),
+          scene_.free_components(target)};
+}
+
+SolverReport StepSolver::solve(ContactState &state, const LoadStep &step) const
+{
+  constexpr unsigned int most_halvings = 3;
+  const ContactState before = state;
+  state.leg_begin = leg_begin(state, step);
+  const Attempt whole = attempt(state, step.target(state.leg_begin));
+  const SolverReport report =
+      whole.target.is_release()
+          ? release(state, whole)
+          : solve_to(state, whole, starts_.best(whole.problem, whole.components, state, step, tolerance_),
+                     most_halvings);
+  if (report.converged)
+    state.step = step.number;
+  else
+    state = before;
+  return report;
+}
+
+FaceState StepSolver::leg_begin(const ContactState &before, const LoadStep &step) const
+{
+  return step.step_of_leg == 1 ? FaceState{before.motion, scene_.held_wrench(before.force)}
+                               : before.leg_begin;
+}
+
+double StepSolver::carried_share(const ContactState &before, const LoadStep &step) const
+{
+  constexpr double fine = 0.01; // of the leg
+  const FaceState now{before.motion, scene_.held_wrench(before.force)};
+  const FaceTarget end = step.target(leg_begin(before, step));
+  const double first = step.share * (step.step_of_leg - 1) / step.step_of_leg;
+  double carried = first, lost = step.share;
+  while (lost - carried > fine)
+  {
+    const double share = 0.5 * (carried + lost);
+    ContactState state = before;
+    const Attempt attempt =
+        this->attempt(state, on_the_way(now, end, (share - first) / (step.share - first)));
+    (solve_to(state, attempt, present_unknowns(state, attempt), 0).converged ? carried : lost) = share;
+  }
+  return carried;
+}
+
+void StepSolver::accept(const ContactState &before, const ContactState &after, const LoadStep &step)
+{
+  starts_.remember(before, after, step);
+}
+
+VectorXd StepSolver::present_unknowns(const ContactState &state, const Attempt &attempt) const
+{
+  VectorXd motions(attempt.components.size());
+  for (std::size_t j = 0; j < attempt.components.size(); ++j)
+    motions[static_cast<Index>(j)] = state.motion[attempt.components[j]];
+  VectorXd unknowns(attempt.problem.n_unknowns());
+  unknowns << state.force, attempt.problem.face().unknowns(motions);
+  return unknowns;
+}
+
+void StepSolver::accept_unknowns(ContactState &state, const Attempt &attempt, const VectorXd &unknowns) const
+{
+  const FreeFace &face = attempt.problem.face();
+  const VectorXd motions = face.motions(unknowns.tail(face.n()));
+  RigidMotion motion = attempt.target.motion;
+  for (unsigned int i = 0; i < n_rigid_components; ++i)
+    if (attempt.target.by_force[i])
+      motion[i] = state.motion[i]; // of those that symmetry holds: zero
+  for (std::size_t j = 0; j < attempt.components.size(); ++j)
+    motion[attempt.components[j]] = motions[static_cast<Index>(j)];
+  advance(state, attempt.problem, opening_, unknowns, motion);
+}
+
+SolverReport StepSolver::solve_to(ContactState &state, const Attempt &attempt, VectorXd unknowns,
+                                  const unsigned int n_halvings) const
+{
+  const SolverReport report = solver_->solve(attempt.problem, unknowns);
+  if (report.converged)
+  {
+    accept_unknowns(state, attempt, unknowns);
+    return report;
+  }
+  const bool has_equilibrium = report.verdict != Verdict::unbalanced;
+  return n_halvings > 0 && has_equilibrium ? solve_halves(state, attempt.target, report, n_halvings - 1)
+                                           : report;
+}
+
+SolverReport StepSolver::solve_halves(ContactState &state, const FaceTarget &target,
+                                      const SolverReport &failure, const unsigned int n_halvings) const
+{
+  const Attempt half =
+      attempt(state, on_the_way({state.motion, scene_.held_wrench(state.force)}, target, 0.5));
+  const SolverReport first = solve_to(state, half, present_unknowns(state, half), n_halvings);
+  SolverReport report = first;
+  if (first.converged)
+  {
+    const Attempt rest = attempt(state, target);
+    report = solve_to(state, rest, present_unknowns(state, rest), n_halvings);
+  }
+  report.iterations += failure.iterations + (first.converged ? first.iterations : 0);
+  report.n_parts += first.n_parts;
+  report.law.merge(first.law);
+  report.residual = std::max(report.residual, first.residual);
+  report.penetration = std::max(report.penetration, first.penetration);
+  return report;
+}
+
+/// Nothing presses: there are no contact forces. The motion is not determined then; it is the first on the
+/// way at which they vanish.
+SolverReport StepSolver::release(ContactState &state, const Attempt &attempt) const
+{
+  constexpr unsigned int normal = 2;
+  FaceTarget open{{}, attempt.target.motion, {}};
+  for (const unsigned int component : attempt.components)
+    open.motion[component] = component == normal ? 0 : state.motion[component];
+  open.motion[normal] = opening_motion(scene_.moved_with(open));
+  const Attempt apart = this->attempt(state, open);
+  const VectorXd none = VectorXd::Zero(apart.problem.n_unknowns());
+  SolverReport report = make_report(apart.problem, none, 0, tolerance_);
+  report.is_released = true;
+  if (report.converged)
+    accept_unknowns(state, apart, none);
+  return report;
+}
+} // namespace orthocone

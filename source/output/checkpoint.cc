@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/output/checkpoint.h>
+
+#include <orthocone/base/errors.h>
+#include <orthocone/base/text.h>
+#include <orthocone/parameters/parameters.h>
+
+#include <algorithm>
+#include <set>
+#include <sstream>
+
+namespace orthocone
+{
+namespace
+{
+constexpr const char *file_name = "checkpoint/state";
+
+/// Whether a run may go on with another value of an entry: what steps are still to come, what is written, how
+/// a step is solved and judged, but not what was computed.
+bool may_change(const std::string &entry)
+{
+  static const std::set<std::string> free_entries{"Contact solver/Maximum iterations",
+                                                  "Contact solver/Method",
+                                                  "Contact solver/Relaxation",
+                                                  "Contact solver/Rho factor",
+                                                  "Load program/Cycles",
+                                                  "Load program/Jump cycles",
+                                                  "Load program/Jump when periodic",
+                                                  "Load program/Stop when periodic",
+                                                  "Output/Checkpoint",
+                                                  "Output/Contact fields",
+                                                  "Output/Volume fields"};
+  return entry.compare(0, 7, "Checks/") == 0 || free_entries.count(entry) > 0;
+}
+
+/// Probes may be added to those that are there.
+bool has_all_probes(const std::string &now, const std::string &earlier)
+{
+  const auto probes = split(now, ';');
+  const auto before = split(earlier, ';');
+  return std::all_of(before.begin(), before.end(),
+                     [&](const std::string &probe)
+                     { return std::find(probes.begin(), probes.end(), probe) != probes.end(); });
+}
+
+void require_same_past(const Checkpoint &checkpoint, const Parameters &parameters, const RunFolder &folder,
+                       const std::string &file)
+{
+  std::map<std::string, std::string> earlier(checkpoint.parameters.begin(), checkpoint.parameters.end());
+  const auto refuse = [&](const std::string &entry, const std::string &value, const std::string &allowed)
+  {
+    throw InputError(file + ": " + entry + " = " + value + ", but the run in " + folder.path() +
+                     " was started with " + earlier[entry] + "; allowed for --resume is " + allowed +
+                     " (or start anew, with another --output DIR)");
+  };
+  for (const auto &[entry, value] : entry_values(parameters))
+    if (entry == "Output/Probes")
+    {
+      if (!has_all_probes(value, earlier[entry]))
+        refuse(entry, value, "what has these probes and perhaps more");
+    }
+    else if (!may_change(entry) && earlier[entry] != value)
+      refuse(entry, value, "the same value");
+  if (load_steps(parameters.load).size() < checkpoint.state.step)
+    refuse("Load program/Cycles", std::to_string(parameters.load.cycles),
+           "what has the " + std::to_string(checkpoint.state.step) + " load steps that are done");
+}
+} // namespace
+
+void require_nothing_to_lose(const RunFolder &folder, const Parameters &parameters)
+{
+  std::ostringstream text;
+  write_parameters(parameters, text);
+  if (folder.has("history.csv") && folder.has("parameters.prm") &&
+      folder.read("parameters.prm") != text.str())
+    throw FileError(
+        folder.path(file_name) +
+        ": is missing, and the folder holds results of other parameters; without --resume the run "
+        "starts anew");
+}
+
+MeshOptions mesh_of(const Checkpoint &checkpoint, const Parameters &given)
+{
+  return with_section(given, "Mesh", checkpoint.mesh).mesh;
+}
+
+void write_checkpoint(const RunFolder &folder, const Checkpoint &checkpoint)
+{
+  folder.write_durably(file_name, encode(checkpoint));
+}
+
+std::optional<Checkpoint> find_checkpoint(const RunFolder &folder, const Parameters &parameters,
+                                          const std::string &file)
+{
+  if (!folder.has(file_name))
+    return std::nullopt;
+  const std::string bytes = folder.read(file_name);
+  try
+  {
+    const Checkpoint checkpoint = decode(bytes);
+    require_same_past(checkpoint, parameters, folder, file);
+    folder.require_tables(checkpoint.tables);
+    require_fields(folder, "contact", checkpoint.fields.contact);
+    require_fields(folder, "volume", checkpoint.fields.volume);
+    return checkpoint;
+  }
+  catch (const CheckpointError &error)
+  {
+    throw FileError(folder.path(file_name) + ": " + error.what() + "; without --resume the run starts anew");
+  }
+}
+} // namespace orthocone

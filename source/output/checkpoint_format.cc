@@ -1,0 +1,267 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// Bytes of a checkpoint. CBOR keeps doubles to the last bit.
+#include "checkpoint_json.h"
+
+#include <boost/crc.hpp>
+
+#include <sstream>
+
+namespace orthocone
+{
+namespace
+{
+using Eigen::Index;
+using namespace checkpoint_json;
+
+constexpr const char *magic = "orthocone-checkpoint";
+
+std::uint32_t checksum(const std::string &bytes)
+{
+  boost::crc_32_type crc;
+  crc.process_bytes(bytes.data(), bytes.size());
+  return crc.checksum();
+}
+
+Json state_json(const ContactState &state)
+{
+  return {{"step", state.step},
+          {"motion", array_json(state.motion.components)},
+          {"leg_motion", array_json(state.leg_begin.motion.components)},
+          {"leg_wrench", array_json(state.leg_begin.wrench.components)},
+          {"n_nodes", state.n_nodes()},
+          {"force", array_json(state.force)},
+          {"displacement", array_json(state.displacement)},
+          {"accumulated_slip", array_json(state.accumulated_slip)},
+          {"dissipated_energy", array_json(state.dissipated_energy)},
+          {"slip_at_stick", array_json(state.slip_at_stick)},
+          {"status", state.status}};
+}
+
+ContactState state_from(const Json &json)
+{
+  const auto n = static_cast<Index>(count_from(json.at("n_nodes")));
+  ContactState state(0);
+  state.step = count_from(json.at("step"));
+  state.motion.components = array_from(json.at("motion"), n_rigid_components);
+  state.leg_begin.motion.components = array_from(json.at("leg_motion"), n_rigid_components);
+  state.leg_begin.wrench.components = array_from(json.at("leg_wrench"), n_rigid_components);
+  state.accumulated_slip = array_from(json.at("accumulated_slip"), n);
+  state.dissipated_energy = array_from(json.at("dissipated_energy"), n);
+  state.slip_at_stick = array_from(json.at("slip_at_stick"), 2 * n);
+  state.force = array_from(json.at("force"), 3 * n);
+  state.displacement = array_from(json.at("displacement"), 3 * n);
+  for (const auto &status : json.at("status"))
+    switch (status.get<int>())
+    {
+    case static_cast<int>(NodeStatus::open):
+    case static_cast<int>(NodeStatus::stick):
+    case static_cast<int>(NodeStatus::slip):
+      state.status.push_back(static_cast<NodeStatus>(status.get<int>()));
+      break;
+    default:
+      throw CheckpointError("is damaged (unknown status of a node)");
+    }
+  if (static_cast<Index>(state.status.size()) != n)
+    throw CheckpointError("is damaged (an array has the wrong size)");
+  return state;
+}
+
+Json phases_json(const std::map<unsigned int, NodeVector> &forces)
+{
+  Json json = Json::array();
+  for (const auto &[phase, force] : forces)
+    json.push_back({phase, array_json(force)});
+  return json;
+}
+
+std::map<unsigned int, NodeVector> phases_from(const Json &json, const Index n)
+{
+  std::map<unsigned int, NodeVector> forces;
+  for (const auto &entry : json)
+    forces[count_from(entry.at(0))] = array_from(entry.at(1), n);
+  return forces;
+}
+
+Json starts_json(const StartMemory &starts)
+{
+  return {{"change", array_json(starts.change)},
+          {"of_phase", phases_json(starts.of_phase)},
+          {"drift", phases_json(starts.drift)}};
+}
+
+StartMemory starts_from(const Json &json, const ContactState &state)
+{
+  const Index n = 3 * state.n_nodes() + n_rigid_components; // the motion of the held face behind the forces
+  // Before the first step there is no change, unless a search for a mesh has marched through it.
+  const bool has_change = state.step > 0 || !json.at("change").get_binary().empty();
+  return {array_from(json.at("change"), has_change ? n : 0), phases_from(json.at("of_phase"), n),
+          phases_from(json.at("drift"), n)};
+}
+
+Json row_json(const CycleRow &row)
+{
+  return {{"cycle", row.cycle},       {"peak_force_z", row.peak_force_z},
+          {"max_slip", row.max_slip}, {"last_step", row.last_step},
+          {"work", row.work},         {"iterations", row.iterations}};
+}
+
+/// What adds up in a cycle; the rest of the row is known at its end.
+CycleRow row_from(const Json &json)
+{
+  CycleRow row;
+  row.cycle = count_from(json.at("cycle"));
+  row.last_step = count_from(json.at("last_step"));
+  row.peak_force_z = number_from(json.at("peak_force_z"));
+  row.max_slip = number_from(json.at("max_slip"));
+  row.work = number_from(json.at("work"));
+  row.iterations = count_from(json.at("iterations"));
+  return row;
+}
+
+Json cycles_json(const CycleMemory &cycles)
+{
+  Json jumped = Json::array();
+  for (const StepRange &range : cycles.jumped)
+    jumped.push_back({range.first, range.last});
+  return {{"start", state_json(cycles.start)},
+          {"start_dissipation", cycles.start_dissipation},
+          {"largest_nodal_force", cycles.largest_nodal_force},
+          {"largest_force", cycles.largest_force},
+          {"row", row_json(cycles.row)},
+          {"n_completed", cycles.n_completed},
+          {"change", cycles.change},
+          {"periodic_since", cycles.periodic_since},
+          {"jumped", std::move(jumped)}};
+}
+
+CycleMemory cycles_from(const Json &json, const ContactState &state)
+{
+  CycleMemory cycles;
+  cycles.start = state_from(json.at("start"));
+  if (cycles.start.n_nodes() != state.n_nodes())
+    throw CheckpointError("is damaged (an array has the wrong size)");
+  cycles.start_dissipation = number_from(json.at("start_dissipation"));
+  cycles.largest_nodal_force = number_from(json.at("largest_nodal_force"));
+  cycles.largest_force = number_from(json.at("largest_force"));
+  cycles.row = row_from(json.at("row"));
+  cycles.n_completed = count_from(json.at("n_completed"));
+  cycles.change = number_from(json.at("change"));
+  cycles.periodic_since = count_from(json.at("periodic_since"));
+  for (const Json &range : json.at("jumped"))
+    cycles.jumped.push_back({count_from(range.at(0)), count_from(range.at(1))});
+  return cycles;
+}
+
+Json accuracy_json(const std::optional<AccuracyEstimate> &accuracy)
+{
+  return accuracy ? Json{accuracy->wanted, accuracy->values, accuracy->errors} : Json();
+}
+
+std::optional<AccuracyEstimate> accuracy_from(const Json &json)
+{
+  if (json.is_null())
+    return std::nullopt;
+  return AccuracyEstimate{json.at(0), json.at(1), json.at(2)};
+}
+
+Json record_json(const RunRecord &record)
+{
+  Json seconds{{"total", record.total_seconds}};
+  for (const auto &[name, phase] : phases)
+    seconds[name] = record.seconds.*phase;
+  return {{"n_iterations", record.n_iterations},
+          {"largest_residual", record.largest_residual},
+          {"largest_energy", record.largest_energy},
+          {"energy_defect", record.energy_defect},
+          {"energies", {record.work, record.dissipation, record.missing}},
+          {"peaks", {record.peaks.slip, record.peaks.pressure, record.peaks.force_z}},
+          {"accuracy", accuracy_json(record.accuracy)},
+          {"seconds", std::move(seconds)}};
+}
+
+RunRecord record_from(const Json &json)
+{
+  RunRecord record;
+  record.n_iterations = count_from(json.at("n_iterations"));
+  record.largest_residual = number_from(json.at("largest_residual"));
+  record.largest_energy = number_from(json.at("largest_energy"));
+  record.energy_defect = json.at("energy_defect");
+  const Json &energies = json.at("energies");
+  record.work = number_from(energies.at(0));
+  record.dissipation = number_from(energies.at(1));
+  record.missing = number_from(energies.at(2));
+  const Json &peaks = json.at("peaks");
+  record.peaks = {peaks.at(0), peaks.at(1), peaks.at(2)};
+  record.accuracy = accuracy_from(json.at("accuracy"));
+  const Json &seconds = json.at("seconds");
+  for (const auto &[name, phase] : phases)
+    record.seconds.*phase = seconds.at(name);
+  record.total_seconds = seconds.at("total");
+  return record;
+}
+
+Checkpoint from_json(const Json &json)
+{
+  Checkpoint checkpoint;
+  json.at("parameters").get_to(checkpoint.parameters);
+  json.at("mesh").get_to(checkpoint.mesh);
+  json.at("program").get_to(checkpoint.program);
+  checkpoint.tables = tables_from(json.at("tables"));
+  checkpoint.fields = {steps_from(json.at("fields").at(0)), steps_from(json.at("fields").at(1))};
+  checkpoint.state = state_from(json.at("state"));
+  checkpoint.starts = starts_from(json.at("starts"), checkpoint.state);
+  checkpoint.cycles = cycles_from(json.at("cycles"), checkpoint.state);
+  checkpoint.record = record_from(json.at("record"));
+  return checkpoint;
+}
+} // namespace
+
+std::string encode(const Checkpoint &checkpoint)
+{
+  const Json json{{"parameters", checkpoint.parameters},
+                  {"mesh", checkpoint.mesh},
+                  {"program", checkpoint.program},
+                  {"tables", tables_json(checkpoint.tables)},
+                  {"fields", {steps_json(checkpoint.fields.contact), steps_json(checkpoint.fields.volume)}},
+                  {"state", state_json(checkpoint.state)},
+                  {"starts", starts_json(checkpoint.starts)},
+                  {"cycles", cycles_json(checkpoint.cycles)},
+                  {"record", record_json(checkpoint.record)}};
+  std::string content;
+  Json::to_cbor(json, content);
+  std::ostringstream bytes;
+  bytes << magic << " " << checkpoint_format << " " << content.size() << " " << checksum(content) << "\n"
+        << content;
+  return bytes.str();
+}
+
+Checkpoint decode(const std::string &bytes)
+{
+  std::istringstream header(bytes.substr(0, bytes.find('\n')));
+  std::string word;
+  unsigned int version = 0;
+  std::size_t size = 0;
+  std::uint32_t sum = 0;
+  if (!(header >> word >> version >> size >> sum) || word != magic)
+    throw CheckpointError("is not a checkpoint");
+  if (version != checkpoint_format)
+    throw CheckpointError("has format version " + std::to_string(version) +
+                          ", and this program reads version " + std::to_string(checkpoint_format));
+  const std::string content = bytes.substr(std::min(bytes.size(), bytes.find('\n') + 1));
+  if (content.size() != size)
+    throw CheckpointError("is cut off: it has " + std::to_string(content.size()) + " bytes of " +
+                          std::to_string(size));
+  if (checksum(content) != sum)
+    throw CheckpointError("is damaged (its checksum is wrong)");
+  try
+  {
+    return from_json(json_from_cbor(content));
+  }
+  catch (const Json::exception &)
+  {
+    throw CheckpointError("is damaged (its content is not understood)");
+  }
+}
+} // namespace orthocone

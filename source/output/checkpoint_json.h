@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// Values of a checkpoint in CBOR. A checksum tells damage, not malice or a mistake of another program: what
+// is read is bounded and checked. Everything throws CheckpointError.
+#pragma once
+
+#include <orthocone/output/checkpoint.h>
+
+#include <nlohmann/json.hpp>
+
+namespace orthocone::checkpoint_json
+{
+using Json = nlohmann::json;
+
+/// A count, which the library would cut to 32 bits without a word.
+unsigned int count_from(const Json &json);
+
+/// A finite number.
+double number_from(const Json &json);
+
+/// An array of finite numbers, as bytes in the order of the machine.
+Json array_json(const Eigen::VectorXd &values);
+Eigen::VectorXd array_from(const Json &json, Eigen::Index size);
+
+Json tables_json(const TableMarks &tables);
+TableMarks tables_from(const Json &json);
+
+/// Steps in rising order; those at equal distances are one entry: first, distance, number.
+Json steps_json(const std::vector<unsigned int> &steps);
+std::vector<unsigned int> steps_from(const Json &json);
+
+/// The value of these bytes.
+Json json_from_cbor(const std::string &bytes);
+} // namespace orthocone::checkpoint_json

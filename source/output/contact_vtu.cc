@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "quadrilateral_vtu.h"
+
+#include <orthocone/output/vtu.h>
+
+namespace orthocone
+{
+namespace
+{
+using Eigen::Vector2d;
+
+std::vector<QuadrilateralSurface::Field> empty_fields(const Eigen::Index n_points)
+{
+  std::vector<QuadrilateralSurface::Field> all;
+  for (const ContactField &field : contact_field_list())
+    all.push_back({field.name, Eigen::MatrixXf(field.n_components(), n_points)});
+  return all;
+}
+
+/// The faces cut at their nodes. A cell of VTK with more points would be smooth, but VTK does not find the
+/// place in it where a sample is asked for: it interpolates elsewhere, or finds nothing.
+std::vector<std::array<std::int32_t, 4>> quadrilaterals(const WholeSurface &whole, const unsigned int degree)
+{
+  std::vector<std::array<std::int32_t, 4>> all;
+  for (const auto &face : whole.faces)
+    for (unsigned int j = 0; j < degree; ++j)
+      for (unsigned int i = 0; i < degree; ++i)
+      {
+        const auto node = [&](const unsigned int right, const unsigned int up)
+        { return static_cast<std::int32_t>(face[(j + up) * (degree + 1) + i + right]); };
+        all.push_back({{node(0, 0), node(1, 0), node(1, 1), node(0, 1)}});
+      }
+  return all;
+}
+} // namespace
+
+std::string contact_vtu(const ContactFieldEvaluator &evaluator, const ContactState &state)
+{
+  const ContactSurface &surface = evaluator.surface();
+  const WholeSurface whole = evaluator.symmetry().whole(surface);
+  const auto n_points = static_cast<Eigen::Index>(whole.nodes.size());
+  const auto fields = evaluator.all_fields(state);
+  QuadrilateralSurface drawn{surface.degree, Eigen::Matrix3Xf::Zero(3, n_points),
+                             quadrilaterals(whole, surface.degree), empty_fields(n_points)};
+  for (Eigen::Index point = 0; point < n_points; ++point)
+  {
+    const auto &[node, image] = whole.nodes[point];
+    const auto &place = surface.nodes[node].position;
+    drawn.points.col(point).head<2>() = (whole.images[image] * Vector2d(place[0], place[1])).cast<float>();
+    const ContactFields seen = mapped(fields[node], whole.images[image]);
+    for (std::size_t i = 0; i < drawn.fields.size(); ++i)
+    {
+      const ContactField &field = contact_field_list()[i];
+      drawn.fields[i].values.col(point) = field.value(seen).head(field.n_components()).cast<float>();
+    }
+  }
+  return quadrilateral_vtu(drawn);
+}
+} // namespace orthocone

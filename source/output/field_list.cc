@@ -1,0 +1,107 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/output/field_list.h>
+
+#include <orthocone/base/errors.h>
+
+#include <deal.II/base/data_out_base.h>
+
+#include <algorithm>
+#include <sstream>
+#include <system_error>
+
+namespace orthocone
+{
+FieldList::FieldList(const RunFolder &folder, const std::string &name)
+    : folder_(folder),
+      name_(name)
+{
+}
+
+std::string field_file(const std::string &kind, const unsigned int step)
+{
+  constexpr std::size_t digits = 4;
+  const std::string number = std::to_string(step);
+  return kind + "-" + std::string(digits - std::min(digits, number.size()), '0') + number + ".vtu";
+}
+
+void require_fields(const RunFolder &folder, const std::string &kind, const std::vector<unsigned int> &steps)
+{
+  for (const unsigned int step : steps)
+    if (const std::string file = field_file(kind, step);
+        !folder.has(file) || !folder.ends_with(file, "</VTKFile>\n"))
+      throw FileError(folder.path(file) + (folder.has(file) ? ": is cut off" : ": is missing") +
+                      ", so that the run cannot be continued; without --resume it starts anew");
+}
+
+void FieldList::set(const std::vector<unsigned int> &steps)
+{
+  files_.clear();
+  for (const unsigned int step : steps)
+    files_.emplace_back(step, field_file(name_, step));
+  is_up_to_date_ = files_.empty();
+  if (files_.empty())
+    folder_.remove(name_ + ".pvd");
+  flush();
+}
+
+std::vector<unsigned int> FieldList::steps() const
+{
+  std::vector<unsigned int> steps;
+  steps.reserve(files_.size());
+  for (const auto &[step, file] : files_)
+    steps.push_back(static_cast<unsigned int>(step));
+  return steps;
+}
+
+void FieldList::add(const unsigned int step, const std::function<std::string()> &make)
+{
+  write_pending();
+  pending_step_ = step;
+  try
+  {
+    pending_ = std::async(std::launch::async, make);
+  }
+  catch (const std::system_error &) // no thread to be had
+  {
+    pending_ = std::async(std::launch::deferred, make);
+  }
+}
+
+void FieldList::write_pending()
+{
+  if (!pending_.valid())
+    return;
+  const std::string file = field_file(name_, pending_step_);
+  folder_.write(file, pending_.get());
+  files_.emplace_back(pending_step_, file);
+  is_up_to_date_ = false;
+  if (since_writing_.seconds() >= least_seconds_)
+    write_list();
+}
+
+bool FieldList::has(const unsigned int step) const
+{
+  return (pending_.valid() && pending_step_ >= step) || (!files_.empty() && files_.back().first >= step);
+}
+
+void FieldList::flush()
+{
+  write_pending();
+  if (!is_up_to_date_)
+    write_list();
+}
+
+void FieldList::write_list()
+{
+  constexpr double usual_seconds = 1;
+  constexpr double least_pause = 50; // in multiples of the time that the writing takes
+  const Stopwatch watch;
+  std::ostringstream text;
+  dealii::DataOutBase::write_pvd_record(text, files_);
+  folder_.write(name_ + ".pvd", text.str());
+  is_up_to_date_ = true;
+  least_seconds_ = std::max(usual_seconds, least_pause * watch.seconds());
+  since_writing_ = Stopwatch();
+}
+} // namespace orthocone

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/output/log.h>
+
+#include <sys/ioctl.h>
+#include <unistd.h>
+
+#include <iomanip>
+#include <iostream>
+#include <sstream>
+
+namespace orthocone
+{
+namespace
+{
+/// The text, cut to the width of the terminal: a line that wraps cannot be overwritten in place.
+std::string fitted(const std::string &text)
+{
+  winsize size{};
+  const bool is_known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
+  return is_known ? text.substr(0, size.ws_col - 1) : text;
+}
+} // namespace
+
+Log::Log(const RunFolder &folder, const bool is_quiet)
+    : folder_(folder),
+      is_quiet_(is_quiet),
+      is_terminal_(isatty(STDOUT_FILENO) == 1)
+{
+}
+
+void Log::line(const std::string &text)
+{
+  finish_progress();
+  folder_.append("log.txt", text + "\n");
+  if (!is_quiet_)
+    std::cout << text << std::endl;
+}
+
+void Log::note(const std::string &text) const
+{
+  folder_.append("log.txt", text + "\n");
+}
+
+void Log::start_steps(const unsigned int n_done, const std::vector<LoadStep> &steps)
+{
+  n_done_ = n_done;
+  n_steps_ = steps.size();
+  motion_text_ = MotionText(steps);
+  watch_ = Stopwatch();
+}
+
+void Log::progress(const LoadStep &step, const Totals &totals, const SolverReport &report)
+{
+  const double elapsed = watch_.seconds();
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << "step " << step.number << " of " << n_steps_ << ", "
+       << elapsed << " s, " << elapsed / (step.number - n_done_) * (n_steps_ - step.number)
+       << " s left: " << motion_text_(step) << ", open/stick/slip " << totals.n_open << "/" << totals.n_stick
+       << "/" << totals.n_slip << ", " << report.iterations << " iterations, residual " << std::scientific
+       << report.residual << ", penetration " << report.penetration << " mm";
+  folder_.append("log.txt", text.str() + "\n");
+  if (is_quiet_)
+    return;
+  if (is_terminal_)
+    std::cout << "\r\033[K" << fitted(text.str()) << std::flush;
+  else
+    std::cout << text.str() << std::endl;
+  is_in_place_ = is_terminal_;
+}
+
+void Log::finish_progress()
+{
+  if (is_in_place_)
+    std::cout << std::endl;
+  is_in_place_ = false;
+}
+} // namespace orthocone

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/output/motion_text.h>
+
+#include <orthocone/base/numbers.h>
+#include <orthocone/base/text.h>
+
+#include <algorithm>
+#include <sstream>
+
+namespace orthocone
+{
+namespace
+{
+constexpr unsigned int along_z = 2;
+constexpr unsigned int first_rotation = 3;
+
+/// What forces are on the way is computed: its last digits tell nothing.
+std::string rounded(const double value)
+{
+  std::ostringstream text;
+  text << value;
+  return text.str();
+}
+
+/// Name and value of a component, as users wrote them.
+std::string text_of(const LoadStep &step, const unsigned int component, const std::string &between)
+{
+  const bool turns = component >= first_rotation;
+  if (step.by_force[component])
+    return wrench_names[component] + between + rounded(step.force[component]) + (turns ? " N mm" : " N");
+  const double motion = step.motion[component];
+  return motion_names[component] + between +
+         (turns ? to_text(motion * 180 / pi) + " degrees" : to_text(motion) + " mm");
+}
+
+bool is_driven(const LoadStep &step, const unsigned int component)
+{
+  return step.motion[component] != 0 || step.force[component] != 0;
+}
+} // namespace
+
+MotionText::MotionText(const std::vector<LoadStep> &steps)
+{
+  for (unsigned int component = 0; component < n_rigid_components; ++component)
+    if (std::any_of(steps.begin(), steps.end(),
+                    [&](const LoadStep &step) { return is_driven(step, component); }))
+      moving_.push_back(component);
+}
+
+std::string MotionText::operator()(const LoadStep &step, const std::string &between) const
+{
+  if ((moving_.empty() || (moving_.size() == 1 && moving_.front() == along_z)) && !step.by_force[along_z])
+    return "u_z" + between + to_text(step.motion[along_z]) + " mm";
+  std::string text;
+  for (const unsigned int component : moving_)
+    text += (text.empty() ? "" : ", ") + text_of(step, component, between);
+  return text;
+}
+} // namespace orthocone

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// What the standard library cannot do with files: write with the cause of a failure, to the disk, under a
+// lock. Everything throws FileError, naming file and cause.
+#pragma once
+
+#include <orthocone/output/run_folder.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace orthocone::posix
+{
+/// Creates a file, in place of another one if there is. A symbolic link is replaced, not followed.
+void write(const std::filesystem::path &file, const std::string &content);
+
+/// Appends, and returns the size after it; on failure the file is cut back to what it was. `size`: what the
+/// file must have before; without it the file is created if need be. A symbolic link is not followed.
+std::uintmax_t append(const std::filesystem::path &file, const std::string &content,
+                      std::optional<std::uintmax_t> size);
+
+std::string read(const std::filesystem::path &file);
+
+/// Hands the first `size` bytes to `use`, in pieces. Returns whether there were as many.
+bool read_pieces(const std::filesystem::path &file, std::uintmax_t size,
+                 const std::function<void(const char *piece, std::size_t n)> &use);
+
+/// The first `size` bytes, or all of a shorter file.
+std::string head(const std::filesystem::path &file, std::size_t size);
+
+/// The last `size` bytes, or all of a shorter file.
+std::string tail(const std::filesystem::path &file, std::size_t size);
+
+void rename(const std::filesystem::path &from, const std::filesystem::path &to);
+
+void cut(const std::filesystem::path &file, std::uintmax_t size);
+
+/// Of a file or folder; nothing's where there is none.
+Identity identity(const std::filesystem::path &file);
+
+/// Returns when the content of a file, or the names in a folder, are on the disk.
+void synchronize(const std::filesystem::path &file);
+
+/// Lock of a folder, which the system releases with the descriptor, however the process ends.
+struct FolderLock
+{
+  int descriptor;
+  bool is_taken; ///< by another process; false where the file system has no locks
+};
+FolderLock lock_folder(const std::filesystem::path &folder);
+
+void close(int descriptor);
+} // namespace orthocone::posix

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/output/run_folder.h>
+
+#include "posix_file.h"
+#include "run_files.h"
+#include "run_folder_names.h"
+
+#include <orthocone/base/errors.h>
+#include <orthocone/base/text.h>
+
+#include <stdexcept>
+
+namespace orthocone
+{
+namespace fs = std::filesystem;
+using run_folder::fail;
+using run_folder::names_in;
+
+RunFolder::RunFolder(const fs::path &path)
+    : path_(path)
+{
+  std::error_code code;
+  if (fs::exists(path_, code) && !fs::is_directory(path_, code))
+    fail(path_, "cannot be the run folder",
+         "a file of this name is in its place; --output DIR takes another one");
+  fs::create_directories(path_, code);
+  if (code)
+    fail(path_, "cannot be created as the run folder", code.message());
+  lock();
+  identity_ = posix::identity(path_);
+}
+
+/// A folder may be moved while a run writes there, and another one take its name.
+void RunFolder::require_same_folder() const
+{
+  if (posix::identity(path_) != identity_)
+    throw FileError(path() + ": is no longer the folder that the run has begun in; was it moved or removed?");
+}
+
+RunFolder::~RunFolder()
+{
+  posix::close(lock_);
+}
+
+void RunFolder::lock()
+{
+  const auto result = posix::lock_folder(path_);
+  if (result.is_taken)
+    fail(path_, "cannot be the run folder",
+         "another run is writing there; wait for it, or take another one by --output DIR");
+  lock_ = result.descriptor;
+}
+
+void RunFolder::remove_fields_after(const unsigned int step) const
+{
+  for (const std::string &name : names_in(path_))
+    if (run_folder::step_of(name).value_or(0) > step)
+      remove(name);
+}
+
+/// What the manifest lacks would neither be removed by the next run nor be safe from it.
+static void require_listed(const std::string &name)
+{
+  if (run_folder::run_file(name) == nullptr)
+    throw std::logic_error(name + ": is not in the list of the files of a run");
+}
+
+/// The new content beside the file; nothing stays if it cannot be written.
+fs::path RunFolder::write_part(const std::string &name, const std::string &content, const bool durably) const
+{
+  require_listed(name);
+  require_same_folder();
+  const fs::path part = path_ / (name + ".part");
+  std::error_code code;
+  fs::create_directories(part.parent_path(), code);
+  if (code)
+    fail(part.parent_path(), "cannot be created", code.message());
+  try
+  {
+    posix::write(part, content);
+    if (durably)
+      posix::synchronize(part);
+    return part;
+  }
+  catch (const FileError &)
+  {
+    fs::remove(part, code);
+    throw;
+  }
+}
+
+void RunFolder::replace(const std::string &name, const std::string &content, const bool durably) const
+{
+  const fs::path part = write_part(name, content, durably);
+  try
+  {
+    posix::rename(part, path_ / name);
+  }
+  catch (const FileError &)
+  {
+    std::error_code code;
+    fs::remove(part, code);
+    throw;
+  }
+}
+
+void RunFolder::write(const std::string &name, const std::string &content) const
+{
+  replace(name, content, false);
+  not_on_disk_.insert(name);
+}
+
+void RunFolder::write_durably(const std::string &name, const std::string &content) const
+{
+  for (const std::string &file : not_on_disk_)
+    if (has(file))
+      posix::synchronize(path_ / file);
+  not_on_disk_.clear();
+  posix::synchronize(path_);
+  replace(name, content, true);
+  posix::synchronize((path_ / name).parent_path());
+  posix::synchronize(path_);
+}
+
+void RunFolder::append(const std::string &name, const std::string &content) const
+{
+  require_listed(name);
+  require_same_folder();
+  auto known = growing_.find(name);
+  if (known == growing_.end())
+  {
+    // Where a run goes on, log.txt is there.
+    const auto size = posix::append(path_ / name, content, std::nullopt);
+    known = growing_.emplace(name, Growing()).first;
+    known->second.size = size;
+  }
+  else
+    known->second.size = posix::append(path_ / name, content, known->second.size);
+  known->second.crc.process_bytes(content.data(), content.size());
+  not_on_disk_.insert(name);
+}
+
+std::string RunFolder::read(const std::string &name) const
+{
+  return posix::read(path_ / name);
+}
+
+bool RunFolder::has(const std::string &name) const
+{
+  std::error_code code;
+  return fs::exists(path_ / name, code);
+}
+
+bool RunFolder::ends_with(const std::string &name, const std::string &end) const
+{
+  return posix::tail(path_ / name, end.size()) == end;
+}
+
+void RunFolder::remove(const std::string &name) const
+{
+  require_same_folder();
+  std::error_code code;
+  fs::remove(path_ / name, code);
+  if (code)
+    fail(path_ / name, "cannot be removed", code.message());
+}
+
+static bool is_table(const std::string &name)
+{
+  using run_folder::FileKind;
+  const run_folder::RunFile *const file = run_folder::run_file(name);
+  return file != nullptr && (file->kind == FileKind::table || file->kind == FileKind::probe_table);
+}
+
+TableMarks RunFolder::tables() const
+{
+  TableMarks marks;
+  for (const auto &[name, file] : growing_)
+    if (is_table(name))
+      marks[name] = {file.size, file.crc.checksum()};
+  return marks;
+}
+
+void RunFolder::require_tables(const TableMarks &marks) const
+{
+  for (const auto &[name, mark] : marks)
+  {
+    if (!has(name))
+      fail(path_ / name, "cannot be continued", "it is missing");
+    boost::crc_32_type crc;
+    if (!posix::read_pieces(path_ / name, mark.size,
+                            [&](const char *const piece, const std::size_t n)
+                            { crc.process_bytes(piece, n); }))
+      fail(path_ / name, "cannot be continued", "it is shorter than when the checkpoint was written");
+    if (crc.checksum() != mark.checksum)
+      fail(path_ / name, "cannot be continued", "it was changed since the checkpoint was written");
+    growing_[name] = {mark.size, crc};
+  }
+}
+
+void RunFolder::cut_tables(const TableMarks &marks) const
+{
+  require_tables(marks);
+  for (const std::string &name : own_tables())
+    if (const auto kept = marks.find(name); kept == marks.end())
+    {
+      if (has(name))
+        remove(name);
+      growing_.erase(name);
+    }
+    else
+      posix::cut(path_ / name, kept->second.size);
+}
+
+std::string RunFolder::path(const std::string &name) const
+{
+  return shown_path(name.empty() ? path_.string() : (path_ / name).string());
+}
+} // namespace orthocone

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/output/run_output.h>
+
+#include <orthocone/output/vtu.h>
+
+namespace orthocone
+{
+RunOutput::RunOutput(const RunFolder &folder, const OutputOptions &options, const Scene &scene,
+                     const ContactFieldEvaluator &evaluator)
+    : folder_(folder),
+      options_(options),
+      last_step_(load_steps(scene.parameters().load).size()),
+      scene_(scene),
+      evaluator_(evaluator),
+      history_(folder),
+      probes_(folder, options.probes, evaluator),
+      cycles_(folder),
+      contact_(folder, "contact"),
+      volume_(folder, "volume")
+{
+}
+
+void RunOutput::start() const
+{
+  history_.start();
+  probes_.start({});
+  cycles_.start();
+}
+
+bool RunOutput::is_due(const unsigned int interval, const unsigned int step) const
+{
+  return interval != 0 && (step % interval == 0 || step == last_step_);
+}
+
+void RunOutput::return_to(const unsigned int step, const TableMarks &tables, const FieldSteps &fields)
+{
+  folder_.cut_tables(tables);
+  probes_.start(tables);
+  contact_.set(fields.contact);
+  volume_.set(fields.volume);
+  folder_.remove_fields_after(step);
+}
+
+void RunOutput::write(const SolvedStep &step)
+{
+  history_.write(step);
+  probes_.write(step.state);
+  write_fields(step.state, step.checks.volume);
+}
+
+void RunOutput::write_fields(const ContactState &state, const Eigen::VectorXd &volume)
+{
+  if (is_due(options_.contact_interval, state.step) && !contact_.has(state.step))
+    contact_.add(state.step, [this, state] { return contact_vtu(evaluator_, state); });
+  if (is_due(options_.volume_interval, state.step) && !volume_.has(state.step))
+    volume_.add(state.step, [this, u = scene_.condensed().with_motion(state.motion, volume)]
+                { return volume_vtu(scene_.body(), scene_.parameters().material, u); });
+}
+
+void RunOutput::end_with(const ContactState &state)
+{
+  last_step_ = state.step;
+  write_fields(state, scene_.condensed().elastic_displacement(state.force));
+}
+
+void RunOutput::flush()
+{
+  contact_.flush();
+  volume_.flush();
+}
+} // namespace orthocone

@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/output/summary.h>
+
+#include <orthocone/base/text.h>
+#include <orthocone/contact/problem/law_errors.h>
+#include <orthocone/parameters/parameters.h>
+#include <orthocone/parameters/values.h>
+#include <orthocone/scene/load_program.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+#include <utility>
+
+namespace orthocone
+{
+namespace
+{
+void consider(std::pair<double, unsigned int> &peak, const double value, const unsigned int step)
+{
+  if (value > peak.first)
+    peak = {value, step};
+}
+} // namespace
+
+void Peaks::consider(const unsigned int step, const Totals &totals)
+{
+  orthocone::consider(slip, totals.max_slip, step);
+  orthocone::consider(pressure, totals.max_pressure, step);
+  orthocone::consider(force_z, totals.force[2], step);
+}
+
+void RunRecord::add_step(const unsigned int step, const Totals &before, const Totals &totals,
+                         const SolverReport &report, const StepChecks &checks)
+{
+  work += checks.work;
+  dissipation += totals.total_dissipation - before.total_dissipation;
+  missing += checks.energy_defect * checks.energy;
+  n_iterations += report.iterations;
+  largest_residual = std::max(largest_residual, report.residual);
+  largest_energy = checks.energy;
+  peaks.consider(step, totals);
+  consider(energy_defect, checks.energy_defect, step);
+}
+
+std::string describe(const CriticalFrictionRecord &critical)
+{
+  std::ostringstream text;
+  text << std::setprecision(3) << "critical friction ";
+  if (!std::isfinite(critical.factor))
+    text << "none: there is no friction, or normal and tangential directions are not coupled";
+  else
+    text << critical.factor << " times the given one, at (" << critical.position[0] << ", "
+         << critical.position[1] << ") mm";
+  return text.str();
+}
+
+std::vector<std::string> model_warnings(const RunRecord &record)
+{
+  if (record.critical_friction.factor > 1)
+    return {};
+  return {
+      describe(record.critical_friction) +
+      ": a node can wedge there, and a load step may have several solutions, or none that a solver finds; "
+      "compare runs with other steps and methods before a result is trusted"};
+}
+
+std::vector<std::string> all_warnings(const Parameters &parameters, const RunRecord &record)
+{
+  constexpr double large = 0.05;
+  constexpr double percent = 100;
+  std::vector<std::string> warnings = parameter_warnings(parameters);
+  for (std::string &warning : model_warnings(record))
+    warnings.push_back(std::move(warning));
+  if (record.energy_defect.first > large)
+    warnings.push_back("load step " + std::to_string(record.energy_defect.second) +
+                       ": the energy balance misses " +
+                       to_text(std::round(percent * record.energy_defect.first)) +
+                       " % of the largest energy; loops and dissipation need more steps in this leg");
+  constexpr double noticeable = 0.01;
+  if (record.missing > noticeable * record.dissipation && record.dissipation > 0)
+    warnings.push_back(
+        describe_energy(record) +
+        ": load steps are too few; work and dissipation may be wrong by as much; more load steps lower it");
+  if (record.accuracy && !record.accuracy->is_reached())
+    warnings.push_back("Mesh/Accuracy = " + to_text(record.accuracy->wanted) +
+                       " % is not reached on the finest mesh: " + describe(*record.accuracy));
+  return warnings;
+}
+
+std::string describe_seconds(const RunRecord &record)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(2) << "seconds: ";
+  for (const auto &[name, phase] : phases)
+    text << name << " " << record.seconds.*phase << ", ";
+  text << "total " << record.total_seconds;
+  return text.str();
+}
+
+std::string describe_energy(const RunRecord &record)
+{
+  std::ostringstream text;
+  text << std::setprecision(4) << "energy: work of the upper face " << record.work << " N mm, dissipated "
+       << record.dissipation << " N mm, missing " << record.missing << " N mm";
+  if (record.dissipation > 0)
+    text << " (" << std::setprecision(2) << 100 * record.missing / record.dissipation
+         << " % of the dissipated)";
+  return text.str();
+}
+
+std::string describe_model(const ModelChoice &model)
+{
+  return "model          " + model.symmetry.name() + " (" + model.reason + ")\n";
+}
+
+std::string describe_friction(const FrictionOptions &friction)
+{
+  const std::string line = "friction       ";
+  if (friction.is_frictionless())
+    return line + "none\n";
+  const std::array<double, 2> p = friction.p();
+  return line + "mu " + to_text(friction.mu[0]) + ", " + to_text(friction.mu[1]) +
+         (friction.is_associated() ? "; associated"
+                                   : "; not associated, p " + to_text(p[0]) + ", " + to_text(p[1])) +
+         (friction.is_collinear() ? ", slip collinear with the force"
+                                  : ", slip not collinear with the force") +
+         "; axes turned by " + to_text(friction.angle) + " degrees\n";
+}
+
+std::string describe_model(const Parameters &parameters, const ModelChoice &model,
+                           const BodyUnknowns &unknowns, const unsigned int n_steps)
+{
+  const ContactSolverOptions &solver = parameters.contact_solver;
+  std::ostringstream text;
+  text << describe_model(model) << "mesh           " << unknowns.n_cells()
+       << (model.symmetry.is_axisymmetric() ? " quadrilaterals" : " hexahedra") << " of degree "
+       << parameters.mesh.degree << ", " << parameters.mesh.n_quadrature_points()
+       << " Gauss points per direction"
+       << (parameters.mesh.volumetric_quadrature == VolumetricQuadrature::reduced
+               ? ", volumetric part reduced\n"
+               : "\n")
+       << "unknowns       " << unknowns.n_free() << " of " << unknowns.n_dofs() << " degrees of freedom\n"
+       << "contact nodes  " << unknowns.contact_surface().nodes.size()
+       << (model.symmetry.is_axisymmetric() ? " (rings)" : "") << "\n"
+       << describe_friction(parameters.friction) << "load steps     " << n_steps << "\n"
+       << "contact solver " << to_word(solver.method) << ", tolerance " << to_text(solver.tolerance);
+  return text.str();
+}
+} // namespace orthocone

@@ -1,0 +1,156 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/base/numbers.h>
+#include <orthocone/base/version.h>
+#include <orthocone/output/summary.h>
+#include <orthocone/parameters/parameters.h>
+#include <orthocone/parameters/values.h>
+
+#include <nlohmann/json.hpp>
+
+#include <cmath>
+#include <utility>
+
+namespace orthocone
+{
+namespace
+{
+using Json = nlohmann::ordered_json;
+
+Json peak_json(const std::pair<double, unsigned int> &peak)
+{
+  return {{"value", peak.first}, {"step", peak.second}};
+}
+
+Json model_json(const Summary &summary)
+{
+  const BodyUnknowns &unknowns = summary.unknowns;
+  return {{"kind", summary.model.symmetry.name()},
+          {"reason", summary.model.reason},
+          {"cells", unknowns.n_cells()},
+          {"degree", summary.parameters.mesh.degree},
+          {"dofs", unknowns.n_dofs()},
+          {"free_dofs", unknowns.n_free()},
+          {"contact_nodes", unknowns.contact_surface().nodes.size()}};
+}
+
+Json seconds_json(const RunRecord &record)
+{
+  Json json;
+  for (const auto &[name, phase] : phases)
+    json[name] = record.seconds.*phase;
+  json["total"] = record.total_seconds;
+  return json;
+}
+
+Json cycles_json(const CycleMemory &cycles)
+{
+  Json json{{"completed", cycles.n_completed}, {"jumped_steps", cycles.n_jumped_steps()}};
+  json["change"] = cycles.n_completed > 0 ? Json(cycles.change) : Json();
+  json["periodic_since_cycle"] = cycles.periodic_since > 0 ? Json(cycles.periodic_since) : Json();
+  return json;
+}
+
+Json accuracy_json(const AccuracyEstimate &accuracy)
+{
+  Json json{{"wanted_percent", accuracy.wanted}, {"reached", accuracy.is_reached()}};
+  for (unsigned int i = 0; i < n_quantities; ++i)
+    json[quantity_names[i]] = {{"value", accuracy.values[i]},
+                               {"estimated_error_percent", accuracy.errors[i]}};
+  return json;
+}
+
+Json friction_json(const FrictionOptions &friction)
+{
+  return {{"mu", friction.mu},
+          {"p", friction.p()},
+          {"associated", friction.is_associated()},
+          {"collinear", friction.is_collinear()},
+          {"angle_degrees", friction.angle}};
+}
+
+std::string entry_of(const Parameters &parameters, const std::string &name)
+{
+  for (const auto &[entry, value] : entry_values(parameters))
+    if (entry == name)
+      return value;
+  return {};
+}
+
+/// What is pressed on the plane, and how it moves, so that nobody need guess it from the other files.
+Json scene_json(const Summary &summary)
+{
+  const Parameters &parameters = summary.parameters;
+  double area = 0;
+  for (const ContactNode &node : summary.unknowns.contact_surface().nodes)
+    area += summary.model.symmetry.n_copies() * node.area;
+  return {
+      {"outline", {{"shape", "disc"}, {"radius_mm", parameters.geometry.radius}}},
+      {"area_mm2", area},
+      {"height_mm", parameters.geometry.height},
+      {"preload", entry_of(parameters, "Load program/Preload")},
+      {"legs", entry_of(parameters, "Load program/Legs")},
+      {"cycles", parameters.load.cycles},
+      {"friction", friction_json(parameters.friction)},
+      {"units",
+       {{"length", "mm"}, {"force", "N"}, {"traction", "MPa"}, {"energy", "N mm"}, {"angle", "degrees"}}}};
+}
+
+Json energy_json(const RunRecord &record)
+{
+  return {{"work_Nmm", record.work},
+          {"dissipation_Nmm", record.dissipation},
+          {"missing_Nmm", record.missing},
+          {"missing_percent_of_dissipation", 100 * relative(record.missing, record.dissipation)}};
+}
+
+Json critical_friction_json(const CriticalFrictionRecord &critical)
+{
+  if (!std::isfinite(critical.factor))
+    return {};
+  return {{"factor", critical.factor}, {"node_mm", critical.position}};
+}
+} // namespace
+
+std::string summary_json(const Summary &summary)
+{
+  Json json;
+  json["status"] = summary.status;
+  json["model"] = model_json(summary);
+  json["scene"] = scene_json(summary);
+  json["steps"] = {{"planned", summary.n_steps}, {"solved", summary.n_solved}};
+  json["cycles"] = cycles_json(summary.cycles);
+  json["contact_solver"] = {{"method", to_word(summary.parameters.contact_solver.method)},
+                            {"tolerance", summary.parameters.contact_solver.tolerance},
+                            {"iterations", summary.record.n_iterations},
+                            {"largest_residual", summary.record.largest_residual},
+                            {"verdict", to_word(summary.record.verdict)}};
+  json["peaks"] = {{"slip_mm", peak_json(summary.record.peaks.slip)},
+                   {"pressure_MPa", peak_json(summary.record.peaks.pressure)},
+                   {"force_z_N", peak_json(summary.record.peaks.force_z)}};
+  json["friction"] = friction_json(summary.parameters.friction);
+  json["energy"] = energy_json(summary.record);
+  json["critical_friction"] = critical_friction_json(summary.record.critical_friction);
+  if (summary.record.accuracy)
+    json["accuracy"] = accuracy_json(*summary.record.accuracy);
+  json["warnings"] = all_warnings(summary.parameters, summary.record);
+  json["total_dissipation_Nmm"] = summary.total_dissipation;
+  for (const auto &[name, version] : versions())
+    json["versions"][name] = version;
+  json["seconds"] = seconds_json(summary.record);
+  // Names of folders need not be UTF-8.
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
+std::string summary_json_before_steps(const std::string &status, const Parameters &parameters)
+{
+  Json json;
+  json["status"] = status;
+  json["steps"] = {{"planned", load_steps(parameters.load).size()}, {"solved", 0}};
+  json["friction"] = friction_json(parameters.friction);
+  json["warnings"] = parameter_warnings(parameters);
+  for (const auto &[name, version] : versions())
+    json["versions"][name] = version;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+} // namespace orthocone

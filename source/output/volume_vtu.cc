@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "vtu_flags.h"
+
+#include <orthocone/body/fe/cell_fields.h>
+#include <orthocone/output/vtu.h>
+
+#include <deal.II/base/quadrature_lib.h>
+
+#include <cmath>
+#include <sstream>
+
+namespace orthocone
+{
+namespace
+{
+constexpr unsigned int n_rows = 3 + 9 + 1; // displacement, stress, von Mises stress
+
+/// Fields of a point, followed by its place.
+void fill_column(const PointFields &point, const unsigned int column, dealii::Table<2, float> &data)
+{
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    data(i, column) = static_cast<float>(point.displacement[i]);
+    data(n_rows + i, column) = static_cast<float>(point.place[i]);
+    for (unsigned int j = 0; j < 3; ++j)
+      data(3 + 3 * i + j, column) = static_cast<float>(point.stress[i][j]);
+  }
+  data(n_rows - 1, column) = static_cast<float>(std::sqrt(1.5) * deviator(point.stress).norm());
+}
+
+template<int dim>
+dealii::DataOutBase::Patch<dim, 3> patch_of(const std::vector<PointFields> &points, const unsigned int index,
+                                            const unsigned int degree)
+{
+  dealii::DataOutBase::Patch<dim, 3> patch;
+  patch.patch_index = index;
+  patch.reference_cell = dealii::ReferenceCells::get_hypercube<dim>(); // its constructor leaves it invalid
+  patch.n_subdivisions = degree;
+  patch.points_are_available = true;
+  patch.data.reinit(n_rows + 3, points.size());
+  for (unsigned int column = 0; column < points.size(); ++column)
+    fill_column(points[column], column, patch.data);
+  return patch;
+}
+} // namespace
+
+template<int dim>
+std::string volume_vtu(const DisplacementSpace<dim> &space, const MaterialOptions &material,
+                       const Eigen::VectorXd &displacement)
+{
+  const unsigned int degree = space.fe().degree;
+  CellFields<dim> fields(space, Material(material), dealii::QIterated<dim>(dealii::QTrapezoid<1>(), degree),
+                         displacement);
+  std::vector<dealii::DataOutBase::Patch<dim, 3>> patches;
+  for (const auto &cell : space.dof_handler().active_cell_iterators())
+    patches.push_back(patch_of<dim>(fields.in(cell), patches.size(), degree));
+  std::vector<std::string> names(3, "displacement");
+  names.insert(names.end(), 9, "stress");
+  names.emplace_back("von_mises_stress");
+  using namespace dealii::DataComponentInterpretation;
+  std::ostringstream text;
+  // The section has rectangles, which Lagrange cells draw without loss.
+  dealii::DataOutBase::write_vtu(
+      patches, names,
+      {{0, 2, "displacement", component_is_part_of_vector}, {3, 11, "stress", component_is_part_of_tensor}},
+      dim == 2 ? lagrange_vtu_flags(degree) : vtu_flags(), text);
+  return text.str();
+}
+
+template std::string volume_vtu(const Discretization &, const MaterialOptions &, const Eigen::VectorXd &);
+template std::string volume_vtu(const SectionDiscretization &, const MaterialOptions &,
+                                const Eigen::VectorXd &);
+} // namespace orthocone

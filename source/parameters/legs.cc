@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "faults.h"
+
+#include <orthocone/base/text.h>
+#include <orthocone/parameters/values.h>
+
+#include <algorithm>
+#include <iterator>
+#include <sstream>
+
+namespace orthocone
+{
+namespace
+{
+constexpr const char *form =
+    "legs \"ux uy uz : steps\" (numbers in mm, at least one step) or \"NAME value ... : steps\" (ux, uy, uz "
+    "in "
+    "mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N mm), separated by ';'";
+
+const std::vector<std::string> &component_names()
+{
+  static const std::vector<std::string> names = []
+  {
+    std::vector<std::string> all(motion_names.begin(), motion_names.end());
+    all.insert(all.end(), wrench_names.begin(), wrench_names.end());
+    return all;
+  }();
+  return names;
+}
+
+std::string unknown(const std::string &name)
+{
+  std::string all;
+  for (const std::string &known : component_names())
+    all += (all.empty() ? "" : ", ") + known;
+  const std::string nearest = nearest_name(name, component_names());
+  return "a name of " + all + "; '" + shown(name) + "'" + remark(name) + " is none" +
+         (nearest.empty() ? "" : ", is " + nearest + " meant?");
+}
+
+/// What is wrong with a component that is named again.
+std::string named_twice(const std::string &name, const std::size_t component, const Drive &earlier)
+{
+  const std::string before = (earlier.by_force ? wrench_names : motion_names)[component];
+  return "a component once in a leg; " +
+         (name == before ? name + " is named twice" : before + " and " + name + " are the same component");
+}
+
+/// Adds the component `name` to a leg. Returns what is allowed instead, or "".
+std::string add_component(const std::string &name, const double value, Leg &leg)
+{
+  const auto &names = component_names();
+  const auto place = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+  if (place == names.size())
+    return unknown(name);
+  const std::size_t component = place % n_rigid_components;
+  if (const auto &earlier = leg.targets[component])
+    return named_twice(name, component, *earlier);
+  leg.targets[component] = Drive{place >= n_rigid_components, value};
+  return {};
+}
+
+/// Reads "ux uy uz" or "NAME value ...". Returns what is allowed instead, or "".
+std::string parse_targets(const std::string &text, Leg &leg)
+{
+  if (const auto position = parse_numbers(text, 3, ' '))
+  {
+    leg = move_to((*position)[0], (*position)[1], (*position)[2], leg.steps);
+    return {};
+  }
+  std::istringstream stream(text);
+  const std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
+  if (words.empty() || words.size() % 2 != 0)
+    return form;
+  for (std::size_t i = 0; i < words.size(); i += 2)
+  {
+    const auto value = parse_number(words[i + 1]);
+    if (!value || parse_number(words[i]))
+      return form;
+    if (const std::string fault = add_component(words[i], *value, leg); !fault.empty())
+      return fault;
+  }
+  return {};
+}
+
+/// Reads a leg. Returns what is allowed instead, or "".
+std::string parse_leg(const std::string &text, Leg &leg)
+{
+  const auto parts = split(text, ':');
+  const auto steps = parts.size() == 2 ? parse_count(parts[1]) : std::nullopt;
+  if (!steps || *steps == 0)
+    return form;
+  leg.steps = *steps;
+  return parse_targets(parts[0], leg);
+}
+
+/// Whether the leg is one of three plain numbers.
+bool is_translation(const Leg &leg)
+{
+  const auto has_motion = [&](const unsigned int i) { return leg.motion(i).has_value(); };
+  return has_motion(0) && has_motion(1) && has_motion(2) && !leg.targets[3] && !leg.targets[4] &&
+         !leg.targets[5];
+}
+} // namespace
+
+std::string allowed_legs()
+{
+  return form;
+}
+
+std::optional<std::vector<Leg>> parse_legs(const std::string &text, std::string *const allowed)
+{
+  std::vector<Leg> legs;
+  if (trimmed(text).empty())
+    return legs;
+  for (const auto &piece : split(text, ';'))
+  {
+    Leg leg;
+    const std::string instead = parse_leg(piece, leg);
+    if (allowed)
+      *allowed = instead;
+    if (!instead.empty())
+      return std::nullopt;
+    legs.push_back(leg);
+  }
+  return legs;
+}
+
+std::string legs_text(const std::vector<Leg> &legs)
+{
+  std::string text;
+  for (const Leg &leg : legs)
+  {
+    text += text.empty() ? "" : "; ";
+    for (unsigned int i = 0; i < n_rigid_components; ++i)
+      if (const auto &target = leg.targets[i])
+        text +=
+            (is_translation(leg) ? ""
+                                 : std::string((target->by_force ? wrench_names : motion_names)[i]) + " ") +
+            to_text(target->value) + " ";
+    text += ": " + std::to_string(leg.steps);
+  }
+  return text;
+}
+} // namespace orthocone

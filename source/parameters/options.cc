@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/parameters/options.h>
+
+namespace orthocone
+{
+FrictionOptions FrictionOptions::at(const double x, const double y) const
+{
+  const auto numbers = [&](const std::array<Expression, 2> &pair) {
+    return std::array<double, 2>{{pair[0].value(x, y), pair[1].value(x, y)}};
+  };
+  FrictionOptions there = *this;
+  if (varying_mu)
+    there.mu = numbers(*varying_mu);
+  if (varying_slip_potential)
+    there.slip_potential = numbers(*varying_slip_potential);
+  if (varying_angle)
+    there.angle = varying_angle->value(x, y);
+  there.varying_mu = there.varying_slip_potential = std::nullopt;
+  there.varying_angle = std::nullopt;
+  return there;
+}
+
+bool ObstacleOptions::is_plane() const
+{
+  const Expression expression(gap);
+  return gap_file.empty() && expression.is_constant() && expression.value(0, 0) == 0;
+}
+} // namespace orthocone

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/parameters/parameters.h>
+
+#include <string>
+#include <vector>
+
+namespace orthocone
+{
+/// The entry that says how high the body is, as messages name it.
+std::string height_entry(const GeometryOptions &geometry);
+
+/// Conditions between entries that depend on the shape: gradings, what a box does not have, probes. Throws
+/// InputError.
+void check_shape(const Parameters &parameters);
+
+/// Warns where elements at the rim of the base are too coarse, or an entry belongs to another shape.
+void warn_of_shape(const Parameters &parameters, std::vector<std::string> &warnings);
+} // namespace orthocone

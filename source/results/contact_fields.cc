@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/results/contact_fields.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace orthocone
+{
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+Vector3d ContactField::value(const ContactFields &fields) const
+{
+  if (const Vector *const vector = std::get_if<Vector>(&of))
+    return fields.*(*vector);
+  if (const Scalar *const scalar = std::get_if<Scalar>(&of))
+    return {fields.*(*scalar), 0, 0};
+  return {std::get<Derived>(of)(fields), 0, 0};
+}
+
+const std::vector<ContactField> &contact_field_list()
+{
+  using F = ContactFields;
+  static const std::vector<ContactField> list{
+      {"displacement", "mm", "relative to the plane", &F::displacement},
+      {"slip", "mm", "displacement along the plane", &F::slip},
+      {"slip_magnitude", "mm", "its length", [](const F &f) { return f.slip.norm(); }},
+      {"accumulated_slip", "mm", "length of the path of the slip", &F::accumulated_slip},
+      {"gap", "mm", "> 0 where the node is open", &F::gap},
+      {"pressure", "MPa", "normal traction", &F::pressure},
+      {"friction_traction", "MPa", "of the plane on the body", &F::friction_traction},
+      {"friction_criterion", "", "||r_t||_m / r_n - 1", &F::friction_criterion},
+      {"status", "", "0 open, 1 stick, 2 slip", [](const F &f) { return static_cast<double>(f.status); }},
+      {"nodal_force", "N", "of the plane on the body", &F::nodal_force},
+      {"dissipated_energy", "N/mm", "per area, accumulated", &F::dissipated_energy}};
+  return list;
+}
+
+ContactFields mapped(ContactFields fields, const Eigen::Matrix2d &map)
+{
+  for (const ContactField &field : contact_field_list())
+    if (const auto *const vector = std::get_if<ContactField::Vector>(&field.of))
+      (fields.*(*vector)).head<2>() = map * (fields.*(*vector)).head<2>().eval();
+  return fields;
+}
+
+ContactFieldEvaluator::ContactFieldEvaluator(const Scene &scene)
+    : surface_(scene.surface()),
+      symmetry_(scene.symmetry()),
+      compliance_(scene.condensed().compliance()),
+      axes_(scene.axes()),
+      law_(scene.law()),
+      shares_(symmetry_.force_shares(surface_)),
+      stick_area_(surface_, scene.parameters().material),
+      geometry_(scene.parameters().geometry)
+{
+}
+
+ContactFields ContactFieldEvaluator::fields(const ContactState &state, const unsigned int node) const
+{
+  const ContactNode &place = surface_.nodes[node];
+  const Eigen::Index first = 3 * static_cast<Eigen::Index>(node);
+  const Vector3d d = state.displacement.segment<3>(first);
+  const Vector3d r = state.force.segment<3>(first);
+  const Vector2d slip = axes_.to_global(node, d.tail<2>());
+  const Vector2d friction = axes_.to_global(node, r.tail<2>());
+  const double share = shares_[node];
+  ContactFields fields;
+  fields.displacement << slip, d[0];
+  fields.slip << slip, 0;
+  fields.accumulated_slip = state.accumulated_slip[node];
+  fields.gap = d[0];
+  fields.pressure = r[0] / place.area;
+  fields.friction_traction << friction / place.area, 0;
+  if (state.status[node] != NodeStatus::open)
+    fields.friction_criterion = is_frictionless(law_) ? 0 : friction_norm(law_, r[1], r[2]) / r[0] - 1;
+  fields.status = state.status[node];
+  fields.nodal_force << friction / share, r[0] / share;
+  fields.dissipated_energy = state.dissipated_energy[node] / place.area;
+  return fields;
+}
+
+std::vector<ContactFields> ContactFieldEvaluator::all_fields(const ContactState &state) const
+{
+  std::vector<ContactFields> all;
+  for (unsigned int node = 0; node < surface_.nodes.size(); ++node)
+    all.push_back(fields(state, node));
+  return all;
+}
+
+double ContactFieldEvaluator::stick_area(const ContactState &state) const
+{
+  std::vector<StickSample> samples(surface_.nodes.size());
+  for (unsigned int node = 0; node < samples.size(); ++node)
+  {
+    StickSample &sample = samples[node];
+    const Vector3d r = state.force.segment<3>(3 * static_cast<Eigen::Index>(node));
+    // The friction coefficient is that along the force, but has to stay defined where there is no such
+    // direction.
+    const double load = r[0] > 0 ? friction_norm(law_, r[1], r[2]) / r[0] : 1;
+    const double friction =
+        r[0] > 0 ? r.tail<2>().norm() / r[0] + (1 - load) * std::sqrt(law_.mu_x * law_.mu_y) : 0;
+    sample.status = state.status[node];
+    sample.reserve = friction * std::max(0., (1 - load) * r[0]) / surface_.nodes[node].area;
+    sample.slip = slip_since_stick(state, node);
+  }
+  return symmetry_.n_copies() * stick_area_(samples);
+}
+} // namespace orthocone

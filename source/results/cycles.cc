@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/results/cycles.h>
+
+#include <orthocone/base/numbers.h>
+#include <orthocone/base/text.h>
+#include <orthocone/results/held_face.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace orthocone
+{
+using Eigen::Index;
+
+namespace
+{
+double largest_of_nodes(const NodeVector &vectors)
+{
+  double largest = 0;
+  for (Index node = 0; node < vectors.size() / 3; ++node)
+    largest = std::max(largest, vectors.segment<3>(3 * node).norm());
+  return largest;
+}
+
+double largest_force_of_nodes(const NodeVector &forces, const Eigen::VectorXd &shares)
+{
+  double largest = 0;
+  for (Index node = 0; node < shares.size(); ++node)
+    largest = std::max(largest, forces.segment<3>(3 * node).norm() / shares[node]);
+  return largest;
+}
+
+unsigned int steps_of_cycle(const LoadOptions &load)
+{
+  unsigned int n = 0;
+  for (const Leg &leg : load.legs)
+    n += leg.steps;
+  return n;
+}
+
+double tolerance_of(const LoadOptions &load)
+{
+  return std::max(load.stop_when_periodic, load.jump_when_periodic);
+}
+} // namespace
+
+double change_of_state(const ContactState &start, const ContactState &end, const Eigen::VectorXd &shares,
+                       const double largest_force, const double length, const double reach)
+{
+  const RigidMotion change{end.motion.components - start.motion.components};
+  const double held = std::max(change.translation().cwiseAbs().maxCoeff(), reach * change.rotation().norm());
+  const double moved = std::max(held, largest_of_nodes(end.displacement - start.displacement));
+  // Where forces drive the face, its way is in no program.
+  const double way = std::max(largest_way(start.motion, reach), largest_way(end.motion, reach));
+  return std::max(relative(largest_force_of_nodes(end.force - start.force, shares), largest_force),
+                  relative(moved, std::max(length, way)));
+}
+
+void jump(ContactState &state, const ContactState &start, const unsigned int n, const unsigned int n_steps)
+{
+  state.accumulated_slip += n * (state.accumulated_slip - start.accumulated_slip);
+  state.dissipated_energy += n * (state.dissipated_energy - start.dissipated_energy);
+  state.step += n * n_steps;
+}
+
+bool operator==(const StepRange &a, const StepRange &b)
+{
+  return a.first == b.first && a.last == b.last;
+}
+
+unsigned int CycleMemory::n_jumped_steps() const
+{
+  unsigned int n = 0;
+  for (const StepRange &range : jumped)
+    n += range.last - range.first + 1;
+  return n;
+}
+
+CycleWatch::CycleWatch(const LoadOptions &load, const Eigen::VectorXd &shares, const double reach)
+    : load_(load),
+      n_steps_(steps_of_cycle(load)),
+      reach_(reach),
+      length_(largest_way(load, reach)),
+      shares_(shares),
+      memory_(shares.size())
+{
+}
+
+void CycleWatch::begin_cycle(const LoadStep &step, const ContactState &before, const Totals &totals)
+{
+  memory_.start = before;
+  memory_.start_dissipation = totals.total_dissipation;
+  memory_.largest_nodal_force = largest_force_of_nodes(before.force, shares_);
+  memory_.largest_force = 0;
+  memory_.row = CycleRow();
+  memory_.row.cycle = step.cycle;
+}
+
+std::optional<CycleRow> CycleWatch::add_step(const LoadStep &step, const ContactState &before,
+                                             const SolvedStep &solved)
+{
+  if (step.cycle == 0)
+    return std::nullopt;
+  if (step.phase == 0)
+    begin_cycle(step, before, solved.before);
+  CycleRow &row = memory_.row;
+  const Totals &totals = solved.totals;
+  memory_.largest_nodal_force =
+      std::max(memory_.largest_nodal_force, largest_force_of_nodes(solved.state.force, shares_));
+  if (totals.force.norm() > memory_.largest_force)
+  {
+    memory_.largest_force = totals.force.norm();
+    row.peak_force_z = totals.force[2];
+  }
+  row.max_slip = std::max(row.max_slip, totals.max_slip);
+  row.work += solved.checks.work;
+  row.iterations += solved.report.iterations;
+  if (step.phase + 1 < n_steps_)
+    return std::nullopt;
+  complete(solved.state, totals);
+  return row;
+}
+
+void CycleWatch::complete(const ContactState &end, const Totals &totals)
+{
+  CycleRow &row = memory_.row;
+  row.last_step = end.step;
+  row.force_z = totals.force[2];
+  row.max_accumulated_slip = totals.max_accumulated_slip;
+  row.accumulated_slip = (end.accumulated_slip - memory_.start.accumulated_slip).maxCoeff();
+  row.total_dissipation = totals.total_dissipation;
+  row.dissipation = totals.total_dissipation - memory_.start_dissipation;
+  row.change = change_of_state(memory_.start, end, shares_, memory_.largest_nodal_force, length_, reach_);
+  memory_.n_completed = row.cycle;
+  memory_.change = row.change;
+  const double tolerance = tolerance_of(load_);
+  if (tolerance == 0 || !(row.change <= tolerance))
+    memory_.periodic_since = 0;
+  else if (memory_.periodic_since == 0)
+    memory_.periodic_since = row.cycle;
+}
+
+bool CycleWatch::is_to_stop() const
+{
+  return load_.stop_when_periodic > 0 && memory_.periodic_since > 0;
+}
+
+unsigned int CycleWatch::n_to_jump() const
+{
+  if (load_.jump_when_periodic == 0 || memory_.periodic_since == 0 || memory_.n_completed >= load_.cycles)
+    return 0;
+  return std::min(load_.jump_cycles, load_.cycles - memory_.n_completed - 1);
+}
+
+CycleRow CycleWatch::jump_cycles(ContactState &state, const unsigned int n)
+{
+  const unsigned int first = state.step + 1;
+  jump(state, memory_.start, n, n_steps_);
+  memory_.jumped.push_back({first, state.step});
+  memory_.n_completed += n;
+  CycleRow row = memory_.row;
+  row.cycle = memory_.n_completed;
+  row.n_cycles = n;
+  row.last_step = state.step;
+  row.accumulated_slip *= n;
+  row.work *= n;
+  row.iterations = 0;
+  return row;
+}
+
+std::string describe(const CycleRow &row, const unsigned int n_cycles)
+{
+  return "cycle " + std::to_string(row.cycle) + " of " + std::to_string(n_cycles) + ": change " +
+         to_text(row.change) + ", dissipation " + to_text(row.dissipation) + " N mm, accumulated slip " +
+         to_text(row.accumulated_slip) + " mm";
+}
+
+std::string describe_stop(const CycleMemory &memory, const double tolerance)
+{
+  return "periodic since cycle " + std::to_string(memory.periodic_since) + ": change " +
+         to_text(memory.change) + " <= Load program/Stop when periodic = " + to_text(tolerance) +
+         "; stops after load step " + std::to_string(memory.row.last_step);
+}
+
+std::string describe_jump(const CycleRow &row, const CycleMemory &memory, const double tolerance)
+{
+  return "periodic since cycle " + std::to_string(memory.periodic_since) + ": change " +
+         to_text(memory.change) + " <= Load program/Jump when periodic = " + to_text(tolerance) + "; jumps " +
+         std::to_string(row.n_cycles) + " cycles, to load step " + std::to_string(row.last_step);
+}
+} // namespace orthocone

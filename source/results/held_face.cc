@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/results/held_face.h>
+
+#include <orthocone/scene/load_program.h>
+
+#include <algorithm>
+
+namespace orthocone
+{
+Eigen::Vector3d arm_of(const ContactNode &node, const GeometryOptions &geometry)
+{
+  return {node.position[0], node.position[1], -geometry.held_height()};
+}
+
+double reach_of(const ContactSurface &surface, const GeometryOptions &geometry)
+{
+  double reach = 0;
+  for (const ContactNode &node : surface.nodes)
+    reach = std::max(reach, arm_of(node, geometry).norm());
+  return reach;
+}
+
+double largest_way(const RigidMotion &motion, const double reach)
+{
+  return std::max(motion.translation().cwiseAbs().maxCoeff(), reach * motion.rotation().norm());
+}
+
+double largest_way(const LoadOptions &load, const double reach)
+{
+  LoadOptions once = load; // all cycles are alike
+  once.cycles = 1;
+  double largest = 0;
+  for (const LoadStep &step : load_steps(once))
+    largest = std::max(largest, largest_way(step.motion, reach));
+  return largest;
+}
+} // namespace orthocone

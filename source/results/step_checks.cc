@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/results/step_checks.h>
+
+#include <orthocone/base/numbers.h>
+#include <orthocone/base/text.h>
+#include <orthocone/scene/load_program.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace orthocone
+{
+namespace
+{
+/// Work that force and moment of the held face, which balance those of the plane, do on the way of a step.
+double work_of(const Totals &totals, const RigidMotion &before, const RigidMotion &after)
+{
+  return -(totals.force.dot(after.translation() - before.translation()) +
+           totals.moment.dot(after.rotation() - before.rotation()));
+}
+
+bool is_finite(const ContactState &state, const Totals &totals)
+{
+  return state.force.allFinite() && state.displacement.allFinite() && state.accumulated_slip.allFinite() &&
+         state.dissipated_energy.allFinite() && totals.force.allFinite() && totals.moment.allFinite() &&
+         std::isfinite(totals.elastic_energy) && std::isfinite(totals.total_dissipation);
+}
+
+/// The natural map sees slip with the weights (p/mu)^2, the slip rule without.
+double slip_amplification(const FrictionOptions &friction)
+{
+  if (friction.is_frictionless())
+    return 1;
+  const double x = friction.p()[0] / friction.mu[0];
+  const double y = friction.p()[1] / friction.mu[1];
+  return std::max(x / y, y / x) * std::max(x / y, y / x);
+}
+
+/// Dissipation of nodes in an undivided step that is negative, or more than the larger of the friction forces
+/// before and after can do on the way of the slip.
+double impossible_dissipation(const ContactState &before, const ContactState &after)
+{
+  double wrong = 0;
+  for (Eigen::Index node = 0; node < after.n_nodes(); ++node)
+  {
+    const double done = after.dissipated_energy[node] - before.dissipated_energy[node];
+    const double way = after.accumulated_slip[node] - before.accumulated_slip[node];
+    const double friction =
+        std::max(before.force.segment<2>(3 * node + 1).norm(), after.force.segment<2>(3 * node + 1).norm());
+    wrong = std::max({wrong, -done, done - way * friction});
+  }
+  return wrong;
+}
+
+} // namespace
+
+StepChecker::StepChecker(const Scene &scene, const CheckOptions &options, const double tolerance)
+    : options_(options),
+      tolerance_(tolerance),
+      slip_amplification_(slip_amplification(scene.parameters().friction)),
+      n_copies_(scene.symmetry().n_copies()),
+      compression_(largest_motion(scene.parameters().load, 2)),
+      length_(largest_way(scene.parameters().load, reach_of(scene.surface(), scene.parameters().geometry))),
+      body_(scene.condensed()),
+      stiffness_(scene.stiffness())
+{
+}
+
+void StepChecker::check_equilibrium(const ContactState &state, StepChecks &checks) const
+{
+  const NodeVector elastic = state.displacement - body_.moved_with(state.motion);
+  auto mismatch = body_.mismatch(stiffness_, state.force, elastic, options_.equilibrium);
+  checks.equilibrium =
+      std::max(mismatch.unbalanced,
+               relative(mismatch.displacement, std::max(length_, elastic.lpNorm<Eigen::Infinity>())));
+  checks.volume = std::move(mismatch.volume);
+}
+
+/// Work of the top - change of elastic energy = -(work of the mean contact forces), whatever the forces: an
+/// error tells of totals, energies or displacements that do not belong to the forces.
+double StepChecker::identity_error(const Situation &before, const Situation &after, const double work) const
+{
+  const double of_contact =
+      -0.5 * n_copies_ *
+      (before.state.force + after.state.force).dot(after.state.displacement - before.state.displacement);
+  return std::abs(work - (after.totals.elastic_energy - before.totals.elastic_energy) - of_contact);
+}
+
+StepChecks StepChecker::check(const Situation &before, const Situation &after, const SolverReport &report,
+                              const double largest_energy) const
+{
+  StepChecks checks;
+  checks.is_finite = is_finite(after.state, after.totals);
+  checks.law = report.law;
+  // The law's own measure is relative to all displacements, which a long slide makes large.
+  if (compression_ > 0)
+    checks.law.penetration = std::max(checks.law.penetration, report.penetration / compression_);
+  check_equilibrium(after.state, checks);
+  const double work_first = work_of(before.totals, before.state.motion, after.state.motion);
+  const double work_last = work_of(after.totals, before.state.motion, after.state.motion);
+  checks.work = 0.5 * (work_first + work_last);
+  // Dissipation must not be in the scale: if it is wrong, it is large.
+  checks.energy =
+      std::max({largest_energy, after.totals.elastic_energy, std::abs(work_first), std::abs(work_last)});
+  double identity = identity_error(before, after, checks.work);
+  if (report.n_parts == 1)
+    identity = std::max(identity, n_copies_ * impossible_dissipation(before.state, after.state));
+  checks.energy_identity = relative(identity, checks.energy);
+  const double defect = checks.work - (after.totals.elastic_energy - before.totals.elastic_energy) -
+                        (after.totals.total_dissipation - before.totals.total_dissipation);
+  checks.energy_defect = relative(std::abs(defect), checks.energy);
+  return checks;
+}
+
+std::optional<std::string> StepChecker::violation(const StepChecks &checks) const
+{
+  if (!checks.is_finite)
+    return "forces, displacements or energies are no longer numbers: are lengths in mm, forces in N, moduli "
+           "in MPa?";
+  struct Check
+  {
+    const char *name;
+    double value;
+    double bound;
+    const char *remedy = "";
+  };
+  const std::array<Check, 7> all{{
+      {"Equilibrium", checks.equilibrium, options_.equilibrium},
+      {"Penetration", checks.law.penetration, law_bound(options_.penetration),
+       "; where a slide is far longer than the body is pressed, no more digits are left"},
+      {"Complementarity", checks.law.complementarity, law_bound(options_.complementarity)},
+      {"Friction cone", checks.law.friction_cone, law_bound(options_.friction_cone)},
+      {"Slip rule", checks.law.slip_rule, slip_rule_bound()},
+      // Nodes that stick may creep as far as the tolerance lets them.
+      {"Energy identity", checks.energy_identity, std::max(tolerance_, options_.energy_identity)},
+      {"Energy defect", checks.energy_defect, options_.energy_defect, "; the leg needs more steps"},
+  }};
+  for (const Check &check : all)
+    if (!(check.value <= check.bound))
+      return std::string("Checks/") + check.name + ": " + to_text(check.value) + " exceeds the bound " +
+             to_text(check.bound) + check.remedy;
+  return std::nullopt;
+}
+
+/// Whatever the tolerance, the law is not obeyed where a tenth of the largest force or displacement is wrong.
+double StepChecker::law_bound(const double multiple) const
+{
+  constexpr double most = 0.1;
+  return std::min(tolerance_ * multiple, most);
+}
+
+double StepChecker::slip_rule_bound() const
+{
+  constexpr double most_by_amplification = 1e-3;
+  const double bound = law_bound(options_.slip_rule);
+  return std::max(bound, std::min(slip_amplification_ * bound, most_by_amplification));
+}
+} // namespace orthocone

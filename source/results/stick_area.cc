@@ -1,0 +1,244 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/results/stick_area.h>
+
+#include <orthocone/base/numbers.h>
+
+#include <deal.II/base/polynomial.h>
+#include <deal.II/base/quadrature_lib.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace orthocone
+{
+namespace
+{
+using Polynomials = std::vector<dealii::Polynomials::Polynomial<double>>;
+using Place = std::array<double, 2>;
+
+/// A curved face of the contact surface: the isoparametric image of the unit square.
+class Face
+{
+public:
+  Face(const ContactSurface &surface, const std::vector<unsigned int> &nodes)
+      : support_(dealii::QGaussLobatto<1>(surface.degree + 1)),
+        polynomials_(dealii::Polynomials::generate_complete_Lagrange_basis(support_.get_points())),
+        surface_(surface),
+        nodes_(nodes)
+  {
+  }
+
+  /// Area of the image of the cell between the support points (i, j) and (i + 1, j + 1), mm^2.
+  double area(const unsigned int i, const unsigned int j) const
+  {
+    const dealii::QGauss<1> gauss(surface_.degree + 1);
+    const double left = support_.point(i)[0], width = support_.point(i + 1)[0] - left;
+    const double lower = support_.point(j)[0], height = support_.point(j + 1)[0] - lower;
+    double sum = 0;
+    for (unsigned int q = 0; q < gauss.size(); ++q)
+      for (unsigned int r = 0; r < gauss.size(); ++r)
+        sum += gauss.weight(q) * gauss.weight(r) *
+               stretch(left + width * gauss.point(q)[0], lower + height * gauss.point(r)[0]);
+    return width * height * sum;
+  }
+
+private:
+  /// Area of the image relative to the area at a place of the unit square.
+  double stretch(const double x, const double y) const
+  {
+    const unsigned int n = polynomials_.size();
+    std::vector<std::vector<double>> in_x(n, std::vector<double>(2)), in_y = in_x; // value and derivative
+    for (unsigned int i = 0; i < n; ++i)
+    {
+      polynomials_[i].value(x, in_x[i]);
+      polynomials_[i].value(y, in_y[i]);
+    }
+    Place along_x{{0, 0}}, along_y{{0, 0}};
+    for (unsigned int j = 0; j < n; ++j)
+      for (unsigned int i = 0; i < n; ++i)
+        for (unsigned int d = 0; d < 2; ++d)
+        {
+          const double coordinate = surface_.nodes[nodes_[j * n + i]].position[d];
+          along_x[d] += coordinate * in_x[i][1] * in_y[j][0];
+          along_y[d] += coordinate * in_x[i][0] * in_y[j][1];
+        }
+    return std::abs(along_x[0] * along_y[1] - along_x[1] * along_y[0]);
+  }
+
+  dealii::Quadrature<1> support_;
+  Polynomials polynomials_;
+  const ContactSurface &surface_;
+  const std::vector<unsigned int> &nodes_;
+};
+
+Place between(const Place &from, const Place &to, const double along)
+{
+  return {{from[0] + along * (to[0] - from[0]), from[1] + along * (to[1] - from[1])}};
+}
+
+/// Area of a polygon, its corners in order.
+double polygon_area(const std::vector<Place> &corners)
+{
+  double sum = 0;
+  for (std::size_t i = 0; i < corners.size(); ++i)
+  {
+    const Place &a = corners[i];
+    const Place &b = corners[(i + 1) % corners.size()];
+    sum += a[0] * b[1] - b[0] * a[1];
+  }
+  return std::abs(sum) / 2;
+}
+} // namespace
+
+double stick_share(const double reserve, const double slip, const double edge_compliance, const double length)
+{
+  constexpr unsigned int most_iterations = 50;
+  constexpr double settled = 1e-12;
+  // With y = K^(2/3): squared reserve / y^3 + a / y = length. The cubic has one positive root, and Newton's
+  // method falls to it from any point above.
+  const double squared = reserve * reserve;
+  const double a = std::pow(slip / edge_compliance, 2. / 3);
+  double y = a / length + std::cbrt(squared / length);
+  if (y <= 0)
+    return 0.5;
+  for (unsigned int i = 0; i < most_iterations; ++i)
+  {
+    const double change = ((length * y - a) * y * y - squared) / ((3 * length * y - 2 * a) * y);
+    y -= change;
+    if (change < settled * y)
+      break;
+  }
+  return std::min(1., std::max(0., 1 - a / (y * length)));
+}
+
+StickArea::StickArea(const ContactSurface &surface, const MaterialOptions &material)
+    : edge_compliance_(4. / 3 * (1 - material.poisson_ratio * material.poisson_ratio) /
+                       material.young_modulus)
+{
+  const bool is_section = !surface.faces.empty() && surface.faces.front().size() == surface.degree + 1;
+  for (const auto &face : surface.faces)
+    if (!is_section)
+      add_cells(surface, face);
+    else
+      for (unsigned int i = 0; i < surface.degree; ++i)
+        rings_.push_back({{{face[i], face[i + 1]}},
+                          {{surface.nodes[face[i]].position[0], surface.nodes[face[i + 1]].position[0]}}});
+}
+
+void StickArea::add_cells(const ContactSurface &surface, const std::vector<unsigned int> &face)
+{
+  const Face curved(surface, face);
+  const unsigned int n = surface.degree + 1;
+  for (unsigned int j = 0; j + 1 < n; ++j)
+    for (unsigned int i = 0; i + 1 < n; ++i)
+    {
+      const unsigned int first = j * n + i;
+      Cell cell{
+          {{face[first], face[first + 1], face[first + n + 1], face[first + n]}}, {}, curved.area(i, j)};
+      for (unsigned int corner = 0; corner < 4; ++corner)
+        cell.positions[corner] = surface.nodes[cell.nodes[corner]].position;
+      cells_.push_back(cell);
+    }
+}
+
+double StickArea::operator()(const std::vector<StickSample> &samples) const
+{
+  double sum = 0;
+  for (const Cell &cell : cells_)
+    sum += cell.area * share(cell, samples);
+  for (const Ring &ring : rings_)
+    sum += area(ring, samples);
+  return sum;
+}
+
+/// Where between two nodes, of which just one sticks, stick ends: 0 at the first, 1 at the second.
+double StickArea::border(const StickSample &first, const StickSample &second, const double length) const
+{
+  const bool first_sticks = first.status == NodeStatus::stick;
+  const StickSample &stuck = first_sticks ? first : second;
+  const StickSample &other = first_sticks ? second : first;
+  if (other.status == NodeStatus::open)
+    return 0.5;
+  const double share = stick_share(stuck.reserve, other.slip, edge_compliance_, length);
+  return first_sticks ? share : 1 - share;
+}
+
+/// Share of the polygon of those corners that stick and of the places on the sides where stick ends. These
+/// are found twice: only where the border runs is known how far apart the ends of a side are across it.
+double StickArea::share(const Cell &cell, const std::vector<StickSample> &samples) const
+{
+  std::array<bool, 4> sticks{};
+  for (unsigned int i = 0; i < 4; ++i)
+    sticks[i] = samples[cell.nodes[i]].status == NodeStatus::stick;
+  const auto n_stuck = std::count(sticks.begin(), sticks.end(), true);
+  if (n_stuck == 0 || n_stuck == 4)
+    return n_stuck == 0 ? 0 : 1;
+  Borders borders = borders_of(cell, sticks, samples, std::nullopt);
+  if (const auto normal = normal_of(borders))
+    borders = borders_of(cell, sticks, samples, normal);
+  constexpr std::array<Place, 4> corners{{{{0, 0}}, {{1, 0}}, {{1, 1}}, {{0, 1}}}};
+  std::vector<Place> polygon;
+  auto next = borders.begin();
+  for (unsigned int i = 0; i < 4; ++i)
+  {
+    if (sticks[i])
+      polygon.push_back(corners[i]);
+    if (sticks[i] != sticks[(i + 1) % 4])
+      polygon.push_back(between(corners[i], corners[(i + 1) % 4], (next++)->along));
+  }
+  return polygon_area(polygon);
+}
+
+StickArea::Borders StickArea::borders_of(const Cell &cell, const std::array<bool, 4> &sticks,
+                                         const std::vector<StickSample> &samples,
+                                         const std::optional<Place> &normal) const
+{
+  constexpr double least_length = 0.1; // of a side along the border, relative
+  Borders borders;
+  for (unsigned int i = 0; i < 4; ++i)
+  {
+    const unsigned int next = (i + 1) % 4;
+    if (sticks[i] == sticks[next])
+      continue;
+    const Place &from = cell.positions[i];
+    const Place &to = cell.positions[next];
+    const Place side{{to[0] - from[0], to[1] - from[1]}};
+    double length = std::hypot(side[0], side[1]);
+    if (normal)
+      length = std::max(least_length * length, std::abs(side[0] * (*normal)[0] + side[1] * (*normal)[1]));
+    const double along = border(samples[cell.nodes[i]], samples[cell.nodes[next]], length);
+    borders.push_back({along, between(from, to, along)});
+  }
+  return borders;
+}
+
+/// Of the line through two borders; nothing if there are more of them, or if both are the same place.
+std::optional<StickArea::Place> StickArea::normal_of(const Borders &borders)
+{
+  if (borders.size() != 2)
+    return std::nullopt;
+  const Place &a = borders[0].place;
+  const Place &b = borders[1].place;
+  const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
+  if (length == 0)
+    return std::nullopt;
+  return Place{{(a[1] - b[1]) / length, (b[0] - a[0]) / length}};
+}
+
+double StickArea::area(const Ring &ring, const std::vector<StickSample> &samples) const
+{
+  const StickSample &inner = samples[ring.nodes[0]];
+  const StickSample &outer = samples[ring.nodes[1]];
+  const bool inner_sticks = inner.status == NodeStatus::stick;
+  const bool outer_sticks = outer.status == NodeStatus::stick;
+  if (!inner_sticks && !outer_sticks)
+    return 0;
+  std::array<double, 2> radii = ring.radii;
+  if (inner_sticks != outer_sticks)
+    radii[inner_sticks ? 1 : 0] +=
+        (ring.radii[1] - ring.radii[0]) *
+        (border(inner, outer, ring.radii[1] - ring.radii[0]) - (inner_sticks ? 1 : 0));
+  return pi * (radii[1] * radii[1] - radii[0] * radii[0]);
+}
+} // namespace orthocone

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/results/totals.h>
+
+#include <algorithm>
+#include <array>
+#include <limits>
+
+namespace orthocone
+{
+using Eigen::Vector3d;
+
+namespace
+{
+void count_status(const NodeStatus status, const unsigned int n, Totals &totals)
+{
+  switch (status)
+  {
+  case NodeStatus::open:
+    totals.n_open += n;
+    break;
+  case NodeStatus::stick:
+    totals.n_stick += n;
+    break;
+  case NodeStatus::slip:
+    totals.n_slip += n;
+    break;
+  }
+}
+
+/// Forces across a plane of symmetry cancel between the copies, radial ones around a ring; so do moments, but
+/// for the one about the normal of a plane.
+void leave_out_what_cancels(const ModelSymmetry &symmetry, Totals &totals)
+{
+  const bool is_ring = symmetry.is_axisymmetric();
+  const std::array<bool, 2> mirrored{
+      {is_ring || symmetry.planes().normal_to_x, is_ring || symmetry.planes().normal_to_y}};
+  for (unsigned int normal = 0; normal < 2; ++normal)
+    if (mirrored[normal])
+    {
+      totals.force[normal] = 0;
+      totals.moment[1 - normal] = 0;
+      totals.moment[2] = 0;
+    }
+}
+} // namespace
+
+Totals compute_totals(const ContactFieldEvaluator &evaluator, const ContactState &state)
+{
+  const ModelSymmetry &symmetry = evaluator.symmetry();
+  const ContactSurface &surface = evaluator.surface();
+  const unsigned int n_copies = symmetry.n_copies();
+  Totals totals;
+  totals.min_pressure = std::numeric_limits<double>::max();
+  for (unsigned int node = 0; node < surface.nodes.size(); ++node)
+  {
+    const ContactNode &place = surface.nodes[node];
+    const ContactFields fields = evaluator.fields(state, node);
+    const Vector3d force = symmetry.n_images(surface, place) * fields.nodal_force;
+    totals.force += force;
+    totals.moment += evaluator.arm(node).cross(force);
+    totals.max_slip = std::max(totals.max_slip, fields.slip.norm());
+    totals.max_accumulated_slip = std::max(totals.max_accumulated_slip, fields.accumulated_slip);
+    totals.min_pressure = std::min(totals.min_pressure, fields.pressure);
+    totals.max_pressure = std::max(totals.max_pressure, fields.pressure);
+    count_status(fields.status, symmetry.n_counted(surface, place), totals);
+    totals.total_dissipation += n_copies * state.dissipated_energy[node];
+  }
+  leave_out_what_cancels(symmetry, totals);
+  totals.stick_area = evaluator.stick_area(state);
+  NodeVector moved;
+  evaluator.compliance().vmult(moved, state.force);
+  totals.elastic_energy = 0.5 * n_copies * state.force.dot(moved);
+  return totals;
+}
+} // namespace orthocone

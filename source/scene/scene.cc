@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/scene/scene.h>
+
+#include <orthocone/base/stopwatch.h>
+
+namespace orthocone
+{
+namespace
+{
+OrthotropicFriction friction_of(const FrictionOptions &options)
+{
+  return {options.mu[0], options.mu[1], options.p()[0], options.p()[1]};
+}
+
+Stiffness announced_stiffness(const Parameters &parameters, const Body &body,
+                              const std::function<void(const Body &)> &on_meshed, double &seconds)
+{
+  if (on_meshed)
+    on_meshed(body);
+  return timed(seconds, [&] { return body.stiffness(parameters.material); });
+}
+} // namespace
+
+Scene::Scene(const Parameters &parameters, const ModelChoice &choice,
+             const std::function<void(const Body &)> &on_meshed)
+    : parameters_(parameters),
+      choice_(choice),
+      body_(timed(seconds_.mesh, [&] { return Body(parameters, choice.symmetry); })),
+      stiffness_(announced_stiffness(parameters, body_, on_meshed, seconds_.assembly)),
+      factor_(timed(seconds_.factorization,
+                    [&] { return StiffnessFactor(stiffness_.matrix(), body_.unknowns().n_interior()); })),
+      axes_(choice.symmetry.is_axisymmetric() ? 0 : parameters.friction.angle),
+      condensed_(
+          timed(seconds_.condensation, [&] { return CondensedBody(body_.unknowns(), factor_, axes_); })),
+      law_(friction_of(parameters.friction)),
+      system_(condensed_.compliance(), std::vector<OrthotropicFriction>(surface().nodes.size(), law_))
+{
+}
+
+Wrench Scene::held_wrench(const NodeVector &force) const
+{
+  const Wrench contact = condensed_.wrench(force);
+  Wrench held;
+  for (unsigned int i = 0; i < n_rigid_components; ++i)
+    held[i] = symmetry().leaves(i) ? -static_cast<double>(symmetry().n_copies()) * contact[i] : 0;
+  return held;
+}
+
+NodeVector Scene::moved_with(const FaceTarget &target) const
+{
+  RigidMotion motion;
+  for (unsigned int i = 0; i < n_rigid_components; ++i)
+    motion[i] = target.by_force[i] ? 0 : target.motion[i];
+  return condensed_.moved_with(motion);
+}
+
+std::vector<unsigned int> Scene::free_components(const FaceTarget &target) const
+{
+  std::vector<unsigned int> components;
+  for (unsigned int i = 0; i < n_rigid_components; ++i)
+    if (target.by_force[i] && symmetry().leaves(i))
+      components.push_back(i);
+  return components;
+}
+
+FreeFace Scene::free_face(const FaceTarget &target) const
+{
+  const std::vector<unsigned int> components = free_components(target);
+  const auto n = static_cast<Eigen::Index>(components.size());
+  if (n == 0)
+    return {};
+  Eigen::MatrixXd columns(3 * system_.n_nodes(), n);
+  Eigen::VectorXd balance(n);
+  for (Eigen::Index j = 0; j < n; ++j)
+  {
+    RigidMotion unit;
+    unit[components[j]] = 1;
+    columns.col(j) = condensed_.moved_with(unit);
+    balance[j] = -target.force[components[j]] / symmetry().n_copies();
+  }
+  return FreeFace(columns, balance);
+}
+} // namespace orthocone

@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include "inner_compliance.h"
+
+#include <orthocone/surface/condition_solver.h>
+
+namespace orthocone
+{
+/// Conditions of contact nodes on a dense compliance, solved by GMRES in single precision: Newton's next
+/// iteration mends its errors.
+class DenseConditionSolver : public ConditionSolver
+{
+public:
+  /// `compliance` must outlive the solver; `softness`: its largest eigenvalue.
+  DenseConditionSolver(const Eigen::MatrixXd &compliance, double softness);
+
+  ContactChange solve(const ContactConditions &conditions, double accuracy) const override;
+
+private:
+  const Eigen::MatrixXd &compliance_;
+  InnerCompliance inner_;
+};
+} // namespace orthocone

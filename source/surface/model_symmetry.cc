@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/surface/model_symmetry.h>
+
+#include <orthocone/base/numbers.h>
+
+#include <array>
+#include <cmath>
+
+namespace orthocone
+{
+namespace
+{
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+
+constexpr unsigned int n_sectors = 32; // of a revolved surface, as many as the paper's mesh has
+
+Matrix2d turn(const double cosine, const double sine)
+{
+  Matrix2d map;
+  map << cosine, -sine, sine, cosine;
+  return map;
+}
+
+/// A turn by i of n parts of the circle; quarter turns without rounding.
+Matrix2d turn_by_part(const unsigned int i, const unsigned int n)
+{
+  const double angle = 2 * pi * i / n;
+  const bool is_quarter = 4 * i % n == 0;
+  return is_quarter ? turn(std::round(std::cos(angle)), std::round(std::sin(angle)))
+                    : turn(std::cos(angle), std::sin(angle));
+}
+
+/// Numbers the nodes of a whole surface as they turn up in its faces.
+class NodeNumbers
+{
+public:
+  NodeNumbers(WholeSurface &whole, const std::size_t n_model_nodes)
+      : whole_(whole),
+        numbers_(n_model_nodes * whole.images.size(), none)
+  {
+  }
+
+  /// The same for every call with this node and image.
+  unsigned int of(const unsigned int node, const unsigned int image)
+  {
+    unsigned int &number = numbers_[node * whole_.images.size() + image];
+    if (number == none)
+    {
+      number = whole_.nodes.size();
+      whole_.nodes.push_back({node, image});
+    }
+    return number;
+  }
+
+private:
+  static constexpr unsigned int none = -1;
+
+  WholeSurface &whole_;
+  std::vector<unsigned int> numbers_;
+};
+
+/// The disc that a line of contact nodes along the x axis sweeps. Its cells at the axis are degenerate: one
+/// of their edges is the node there, and this node is one point, all of whose images coincide.
+WholeSurface revolved(const ContactSurface &surface)
+{
+  const unsigned int n_places = n_sectors * surface.degree;
+  WholeSurface whole;
+  for (unsigned int i = 0; i < n_places; ++i)
+    whole.images.push_back(turn_by_part(i, n_places));
+  NodeNumbers numbers(whole, surface.nodes.size());
+  for (unsigned int sector = 0; sector < n_sectors; ++sector)
+    for (const auto &line : surface.faces)
+    {
+      whole.faces.emplace_back();
+      for (unsigned int j = 0; j <= surface.degree; ++j)
+        for (const unsigned int node : line)
+        {
+          const bool is_on_axis = surface.nodes[node].position[0] == 0;
+          const unsigned int image = is_on_axis ? 0 : (sector * surface.degree + j) % n_places;
+          whole.faces.back().push_back(numbers.of(node, image));
+        }
+    }
+  return whole;
+}
+} // namespace
+
+std::string SymmetryPlanes::name() const
+{
+  const unsigned int n = n_copies();
+  return n == 1 ? "full" : n == 2 ? "half" : "quarter";
+}
+
+ModelSymmetry ModelSymmetry::of_revolution()
+{
+  ModelSymmetry symmetry;
+  symmetry.is_axisymmetric_ = true;
+  return symmetry;
+}
+
+// A mirror image of a motion along the normal, or of a turn about another axis, is the opposite motion.
+bool ModelSymmetry::leaves(const unsigned int component) const
+{
+  constexpr unsigned int ux = 0, uy = 1, uz = 2, rx = 3, ry = 4;
+  if (is_axisymmetric_)
+    return component == uz;
+  const bool of_x = component == uy || component == uz || component == rx;
+  const bool of_y = component == ux || component == uz || component == ry;
+  return (!planes_.normal_to_x || of_x) && (!planes_.normal_to_y || of_y);
+}
+
+unsigned int ModelSymmetry::n_images(const ContactSurface &surface, const ContactNode &node) const
+{
+  if (is_axisymmetric_)
+    return node.position[0] == 0 ? 1 : n_sectors * surface.degree;
+  return (planes_.normal_to_x && node.is_free[0] ? 2 : 1) * (planes_.normal_to_y && node.is_free[1] ? 2 : 1);
+}
+
+Eigen::VectorXd ModelSymmetry::force_shares(const ContactSurface &surface) const
+{
+  Eigen::VectorXd shares(surface.nodes.size());
+  for (std::size_t i = 0; i < surface.nodes.size(); ++i)
+    shares[static_cast<Eigen::Index>(i)] =
+        static_cast<double>(n_images(surface, surface.nodes[i])) / n_copies();
+  return shares;
+}
+
+Matrix2d ModelSymmetry::map_to(const Vector2d &position) const
+{
+  if (is_axisymmetric_)
+  {
+    const double radius = std::hypot(position[0], position[1]);
+    return radius == 0 ? Matrix2d::Identity() : turn(position[0] / radius, position[1] / radius);
+  }
+  return Vector2d(planes_.normal_to_x && position[0] < 0 ? -1 : 1,
+                  planes_.normal_to_y && position[1] < 0 ? -1 : 1)
+      .asDiagonal();
+}
+
+WholeSurface ModelSymmetry::mirrored(const ContactSurface &surface) const
+{
+  // Set in the index of an image that is mirrored along x, or along y.
+  const std::array<unsigned int, 2> bit{
+      {planes_.normal_to_x ? 1u : 0u, planes_.normal_to_y ? n_copies() / 2 : 0u}};
+  WholeSurface whole;
+  for (unsigned int image = 0; image < n_copies(); ++image)
+    whole.images.emplace_back(Vector2d(image & bit[0] ? -1 : 1, image & bit[1] ? -1 : 1).asDiagonal());
+  NodeNumbers numbers(whole, surface.nodes.size());
+  const unsigned int n_side = surface.degree + 1;
+  for (unsigned int image = 0; image < n_copies(); ++image)
+    for (const auto &face : surface.faces)
+    {
+      // A reflection turns a face over; running through its first direction backwards turns it back.
+      const bool is_turned = whole.images[image].determinant() < 0;
+      whole.faces.emplace_back();
+      for (unsigned int i = 0; i < face.size(); ++i)
+      {
+        const unsigned int node = face[is_turned ? i - i % n_side + (n_side - 1 - i % n_side) : i];
+        // A node on a plane of symmetry coincides with its mirror image.
+        unsigned int own_image = image;
+        for (unsigned int direction = 0; direction < 2; ++direction)
+          if (!surface.nodes[node].is_free[direction])
+            own_image &= ~bit[direction];
+        whole.faces.back().push_back(numbers.of(node, own_image));
+      }
+    }
+  return whole;
+}
+
+WholeSurface ModelSymmetry::whole(const ContactSurface &surface) const
+{
+  return is_axisymmetric_ ? revolved(surface) : mirrored(surface);
+}
+} // namespace orthocone

@@ -1,0 +1,138 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""Entries that do not fit together: name of the file, its text without the message, the message."""
+FOLDER = "contradictions"
+ROWS = [
+    ("accuracy_and_resolution", "subsection Mesh\n  set Resolution = fine\n  set Accuracy   = 1 %\nend\n",
+     "{file}: Mesh/Accuracy = 1 % with Mesh/Resolution = fine: allowed is one of them; an accuracy chooses the "
+     "mesh by itself"),
+    ("accuracy_and_rim_grading", "subsection Mesh\n  set Accuracy    = 0.5 %\n  set Rim grading = 0.4\nend\n",
+     "{file}: Mesh/Accuracy = 0.5 % chooses the mesh, but Mesh/Rim grading = 0.4 is set beside it: allowed is the "
+     "default 1, or Accuracy = 0"),
+    ("axisymmetric_moved_along_x",
+     "subsection Mesh\n  set Model = axisymmetric\nend\nsubsection Friction\n  set Coefficients   = 0.2, 0.2\n  "
+     "set Slip potential = 1, 1\nend\nsubsection Load program\n  set Legs = 0.01 0 -0.1 : 5\nend\n",
+     "{file}: Mesh/Model = axisymmetric is not possible: the load program moves the top along x; possible models "
+     "are full, half"),
+    ("axisymmetric_orthotropic_friction", "subsection Mesh\n  set Model = axisymmetric\nend\n",
+     "{file}: Mesh/Model = axisymmetric is not possible: Friction/Coefficients = 0.3, 0.15 differ, which makes "
+     "friction orthotropic; possible models are full, half, quarter"),
+    ("axisymmetric_orthotropic_slip",
+     "subsection Mesh\n  set Model = axisymmetric\nend\nsubsection Friction\n  set Coefficients     = 0.2, 0.2\n  "
+     "set Slip potential   = 0.2, 0.1\n  set Orthotropy angle = 10\nend\n",
+     "{file}: Mesh/Model = axisymmetric is not possible: Friction/Slip potential = 0.2, 0.1 differ, which makes "
+     "slip orthotropic; possible models are full"),
+    ("degree_4_of_a_solid", "subsection Mesh\n  set Core cells = 8\n  set Degree     = 4\nend\n",
+     "{file}: Mesh/Degree = 4 with the quarter model: allowed is a whole number from 1 to 3"),
+    ("degree_4_quarter_isotropic",
+     "subsection Mesh\n  set Model  = quarter\n  set Degree = 4\nend\nsubsection Friction\n  set Coefficients   = "
+     "0.2, 0.2\n  set Slip potential = 1, 1\nend\n",
+     "{file}: Mesh/Degree = 4 with the quarter model: allowed is a whole number from 1 to 3, or Mesh/Model = "
+     "axisymmetric"),
+    ("guided_full", "subsection Geometry\n  set Top face = guided\nend\nsubsection Mesh\n  set Model = full\nend\n",
+     "{file}: Geometry/Top face = guided with Mesh/Model = full is not possible: the model could drift sideways; "
+     "possible models are quarter and auto"),
+    ("guided_full_isotropic",
+     "subsection Geometry\n  set Top face = guided\nend\nsubsection Mesh\n  set Model = full\nend\nsubsection "
+     "Friction\n  set Coefficients   = 0.2, 0.2\n  set Slip potential = 1, 1\nend\n",
+     "{file}: Geometry/Top face = guided with Mesh/Model = full is not possible: the model could drift sideways; "
+     "possible models are quarter, axisymmetric and auto"),
+    ("guided_half", "subsection Geometry\n  set Top face = guided\nend\nsubsection Mesh\n  set Model = half\nend\n",
+     "{file}: Geometry/Top face = guided with Mesh/Model = half is not possible: the model could drift sideways; "
+     "possible models are quarter and auto"),
+    ("guided_moved_along_x",
+     "subsection Geometry\n  set Top face = guided\nend\nsubsection Load program\n  set Legs = 0 0 -0.1 : 5 ; 0.01 "
+     "0 -0.1 : 5\nend\n",
+     "{file}: Geometry/Top face = guided needs the quarter model, which is not possible: the load program moves "
+     "the top along x"),
+    ("guided_turned_friction",
+     "subsection Geometry\n  set Top face = guided\nend\nsubsection Friction\n  set Orthotropy angle = 30\nend\n",
+     "{file}: Geometry/Top face = guided needs the quarter model, which is not possible: Friction/Orthotropy angle "
+     "= 30 turns the axes of friction"),
+    ("half_isotropic_odd_core",
+     "subsection Mesh\n  set Model      = half\n  set Core cells = 5\nend\nsubsection Friction\n  set "
+     "Coefficients   = 0.2, 0.2\n  set Slip potential = 1, 1\nend\n",
+     "{file}: Mesh/Model = half is not possible: Mesh/Core cells = 5 is odd; possible models are full, axisymmetric"),
+    ("half_odd_core", "subsection Mesh\n  set Model = half\n  set Core cells = 5\nend\n",
+     "{file}: Mesh/Model = half is not possible: Mesh/Core cells = 5 is odd; possible models are full"),
+    ("half_turned_friction",
+     "subsection Mesh\n  set Model = half\nend\nsubsection Friction\n  set Orthotropy angle = 60\nend\n",
+     "{file}: Mesh/Model = half is not possible: Friction/Orthotropy angle = 60 turns the axes of friction; "
+     "possible models are full"),
+    ("layer_grading_too_coarse", "subsection Mesh\n  set Layers = 200\n  set Layer grading = 1.2\nend\n",
+     "{file}: Mesh/Layer grading = 1.2 with 200 layers: allowed is what leaves every layer 1e-6 of the height"),
+    ("layer_grading_too_fine", "subsection Mesh\n  set Layers = 20\n  set Layer grading = 0.2\nend\n",
+     "{file}: Mesh/Layer grading = 0.2 with 20 layers: allowed is what leaves every layer 1e-6 of the height"),
+    ("no_cycles", "subsection Load program\n  set Legs = 0 0 -0.1 : 5 ; 0 0 0 : 10\n  set Cycles = 0\nend\n",
+     "{file}: Load program/Cycles = 0 and Load program/Preload is empty: allowed is at least one cycle or a preload"),
+    ("no_legs", "subsection Load program\n  set Legs = \n  set Cycles = 3\nend\n",
+     "{file}: Load program/Legs is empty and Load program/Preload is empty: allowed is at least one leg, such as "
+     "'0 0 -0.1 : 5'"),
+    ("probe_outside", "subsection Output\n  set Probes = P: 8 8\nend\n",
+     "{file}: Output/Probes: 'P' at (8, 8) is off the contact surface: allowed are points within Geometry/Radius = "
+     "10 of the axis"),
+    ("quadrature_1_for_degree_1", "subsection Mesh\n  set Degree = 1\n  set Quadrature points = 1\nend\n",
+     "{file}: Mesh/Quadrature points = 1: with Mesh/Degree = 1 allowed is 0 or more than the degree (fewer points "
+     "leave deformations without stiffness)"),
+    ("quadrature_2_for_degree_2", "subsection Mesh\n  set Degree = 2\n  set Quadrature points = 2\nend\n",
+     "{file}: Mesh/Quadrature points = 2: with Mesh/Degree = 2 allowed is 0 or more than the degree (fewer points "
+     "leave deformations without stiffness)"),
+    ("quadrature_3_for_degree_3", "subsection Mesh\n  set Degree = 3\n  set Quadrature points = 3\nend\n",
+     "{file}: Mesh/Quadrature points = 3: with Mesh/Degree = 3 allowed is 0 or more than the degree (fewer points "
+     "leave deformations without stiffness)"),
+    ("quarter_hardly_turned_friction",
+     "subsection Mesh\n  set Model = quarter\nend\nsubsection Friction\n  set Orthotropy angle = 1e-9\nend\n",
+     "{file}: Mesh/Model = quarter is not possible: Friction/Orthotropy angle = 1e-09 turns the axes of friction; "
+     "possible models are full"),
+    ("quarter_moved_along_x",
+     "subsection Mesh\n  set Model = quarter\nend\nsubsection Load program\n  set Legs = 0 0 -0.1 : 5 ; 0.01 0 "
+     "-0.1 : 5\nend\n",
+     "{file}: Mesh/Model = quarter is not possible: the load program moves the top along x; possible models are "
+     "full, half"),
+    ("quarter_odd_core", "subsection Mesh\n  set Model = quarter\n  set Core cells = 7\nend\n",
+     "{file}: Mesh/Model = quarter is not possible: Mesh/Core cells = 7 is odd; possible models are full"),
+    ("quarter_preloaded_along_y",
+     "subsection Mesh\n  set Model = quarter\nend\nsubsection Load program\n  set Preload = 0 0.01 -0.05 : 5\nend\n",
+     "{file}: Mesh/Model = quarter is not possible: the load program moves the top along y; possible models are "
+     "full, half"),
+    ("quarter_turned_friction",
+     "subsection Mesh\n  set Model = quarter\nend\nsubsection Friction\n  set Orthotropy angle = 30\nend\n",
+     "{file}: Mesh/Model = quarter is not possible: Friction/Orthotropy angle = 30 turns the axes of friction; "
+     "possible models are full"),
+    ("quarter_turned_slip",
+     "subsection Mesh\n  set Model = quarter\nend\nsubsection Friction\n  set Coefficients = 0.3, 0.3\n  set Slip "
+     "potential = 2, 1\n  set Orthotropy angle = 45\nend\n",
+     "{file}: Mesh/Model = quarter is not possible: Friction/Orthotropy angle = 45 turns the axes of friction; "
+     "possible models are full"),
+    ("radius_in_metres",
+     "subsection Geometry\n  set Radius = 0.01\n  set Height = 0.01\nend\nsubsection Output\n  set Probes = P: "
+     "6.72 6.72\nend\n",
+     "{file}: Load program/Legs: u_z = -0.1 mm presses the body flat: allowed is more than -Geometry/Height = "
+     "-0.01 mm"),
+    ("resolution_and_degree", "subsection Mesh\n  set Resolution = medium\n  set Degree     = 3\nend\n",
+     "{file}: Mesh/Resolution = medium chooses the mesh, but Mesh/Degree = 3 is set beside it: allowed is the "
+     "default 2, or Resolution = custom"),
+    ("resolution_paper_and_layers", "subsection Mesh\n  set Resolution = paper\n  set Layers     = 6\nend\n",
+     "{file}: Mesh/Resolution = paper chooses the mesh, but Mesh/Layers = 6 is set beside it: allowed is the "
+     "default 4, or Resolution = custom"),
+    ("rim_grading_too_coarse", "subsection Mesh\n  set Rings = 8\n  set Rim grading = 10\nend\n",
+     "{file}: Mesh/Rim grading = 10 with 8 rings: allowed is what leaves every ring 1e-6 of their common thickness"),
+    ("rim_grading_too_fine", "subsection Mesh\n  set Rings = 8\n  set Rim grading = 0.1\nend\n",
+     "{file}: Mesh/Rim grading = 0.1 with 8 rings: allowed is what leaves every ring 1e-6 of their common thickness"),
+    ("second_probe_outside", "subsection Output\n  set Probes = Centre: 0 0 ; Far: 0 -11\nend\n",
+     "{file}: Output/Probes: 'Far' at (0, -11) is off the contact surface: allowed are points within "
+     "Geometry/Radius = 10 of the axis"),
+    ("stop_and_jump",
+     "subsection Load program\n  set Stop when periodic = 1e-8\n  set Jump when periodic = 1e-6\nend\n",
+     "{file}: Load program/Stop when periodic = 1e-08 and Load program/Jump when periodic = 1e-06: allowed is one "
+     "of them, the other 0 (a run that stops has nothing to jump)"),
+    ("too_many_steps", "subsection Load program\n  set Legs = 0 0 -0.1 : 1000001\nend\n",
+     "{file}: Load program: Preload, Legs and Cycles = 1 make 1000001 load steps: allowed are 1000000"),
+    ("too_many_steps_beyond_32_bits",
+     "subsection Load program\n  set Legs = 0 0 -0.1 : 4000000000 ; 0 0 0 : 4000000000\n  set Cycles = 1000000\n"
+     "end\n",
+     "{file}: Load program: Preload, Legs and Cycles = 1000000 make 8e+15 load steps: allowed are 1000000"),
+    ("too_many_steps_by_cycles",
+     "subsection Load program\n  set Legs = 0 0 -0.1 : 500 ; 0 0 0 : 500\n  set Cycles = 1001\nend\n",
+     "{file}: Load program: Preload, Legs and Cycles = 1001 make 1001000 load steps: allowed are 1000000"),
+]

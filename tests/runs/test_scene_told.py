@@ -1,0 +1,57 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""What summary, tables and progress lines tell of the scene: body, program, and what moves when.
+
+Usage: test_scene_told.py PROGRAM [unittest options]"""
+import json
+import math
+import sys
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+from program import RunTest, SMALL, main  # noqa: E402
+
+DONE = 0
+
+
+class SceneTest(RunTest):
+    def run_with(self, *settings):
+        result = self.run_program("run", settings=[*SMALL, *settings])
+        self.assertEqual((result.returncode, result.stderr), (DONE, ""))
+        return (self.folder / "run/log.txt").read_text()
+
+    def test_summary_tells_the_scene(self):
+        """A reader need not guess body, program and units from other files."""
+        for model in ("full", "quarter"):
+            self.run_with("Mesh/Core cells=6", "Geometry/Radius=12", f"Mesh/Model={model}", "Load program/Cycles=1")
+            summary = json.loads((self.folder / "run/summary.json").read_text())
+            scene = summary["scene"]
+            self.assertEqual(scene["outline"], {"shape": "disc", "radius_mm": 12})
+            self.assertAlmostEqual(scene["area_mm2"] / (math.pi * 144), 1, delta=0.02)
+            self.assertEqual(scene["legs"], "0 0 -0.1 : 5; 0 0 0 : 10")
+            self.assertEqual((scene["preload"], scene["cycles"]), ("", 1))
+            self.assertEqual(scene["friction"], summary["friction"])
+            self.assertEqual(scene["units"]["force"], "N")
+
+    def test_rows_and_lines_tell_what_moves_when(self):
+        log = self.run_with("Load program/Preload=0 0 -0.1 : 2", "Load program/Cycles=2",
+                            "Load program/Legs=0.01 0 -0.1 : 2 ; 0 0 -0.1 : 1")
+        rows = self.rows("run")
+        self.assertEqual([row["cycle"] + row["phase"] for row in rows], ["00", "01", "10", "11", "12", "20", "21", "22"])
+        self.assertEqual({row["driven"] for row in rows}, {"ux uy uz"})
+        for row in rows:  # of a half, which has the moment about the normal of its plane alone
+            self.assertEqual([row[name] for name in ("rx", "ry", "rz", "moment_x", "moment_z")], ["0"] * 5)
+        # Friction pulls at the height of the plane, 10 mm below the centre, but the pressure moves with it.
+        self.assertGreater(float(rows[3]["moment_y"]), 1000)
+        self.assertLess(float(rows[3]["force_x"]), -1000)
+        self.assertRegex(log, r"\nstep 4 of 8, .* s left: ux 0\.01 mm, uz -0\.1 mm, open/stick/slip ")
+
+    def test_lines_keep_their_words_where_the_body_is_only_pressed(self):
+        self.assertRegex(self.run_with(), r"\nstep 4 of 45, .* s left: u_z -0\.08 mm, open/stick/slip ")
+
+    def test_a_guided_face_drives_one_component(self):
+        self.run_with("Geometry/Top face=guided", "Load program/Cycles=1")
+        self.assertEqual({row["driven"] for row in self.rows("run")}, {"uz"})
+
+
+if __name__ == "__main__":
+    main()

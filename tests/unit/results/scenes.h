@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// Small scenes, marched without a run folder.
+#pragma once
+
+#include <orthocone/march/step_solver.h>
+#include <orthocone/results/totals.h>
+#include <orthocone/scene/scene.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <functional>
+
+namespace orthocone::test
+{
+/// Slip ellipses of the paper's cases B and C, for the friction ellipse (0.3, 0.15).
+const std::array<std::array<double, 2>, 2> slip_ellipses{{{{0.3, 0.15}}, {{0.05, 0.2}}}};
+
+/// Parameters of a small cylinder under the paper's cycle with the friction of its case B.
+inline Parameters small_scene(const unsigned int degree = 1)
+{
+  Parameters parameters;
+  parameters.mesh.core_cells = 4;
+  parameters.mesh.rings = 3;
+  parameters.mesh.layers = 2;
+  parameters.mesh.degree = degree;
+  parameters.contact_solver.tolerance = 1e-12;
+  parameters.load.legs = {move_to(0, 0, -0.1, 5), move_to(0, 0, 0, 10)};
+  return parameters;
+}
+
+/// A scene that can be marched step by step; `on_step` sees the state before, the state after and the step.
+class TestScene
+{
+public:
+  explicit TestScene(const Parameters &parameters_)
+      : parameters(parameters_),
+        scene(parameters, choose_model(parameters)),
+        symmetry(scene.symmetry()),
+        discretization(scene.body().unknowns()),
+        condensed(scene.condensed()),
+        evaluator(scene),
+        shares(symmetry.force_shares(discretization.contact_surface())),
+        opening(opening_compliance(discretization.contact_surface(), symmetry, parameters.material)),
+        state(scene.system().n_nodes())
+  {
+  }
+
+  using Watcher =
+      std::function<void(const ContactState &before, const ContactState &after, const LoadStep &step)>;
+
+  void march(const Watcher &on_step = {})
+  {
+    StepSolver solver(scene);
+    for (const LoadStep &step : load_steps(parameters.load))
+    {
+      const ContactState before = state;
+      const SolverReport report = solver.solve(state, step);
+      ASSERT_TRUE(report.converged) << "step " << step.number << " residual " << report.residual;
+      solver.accept(before, state, step);
+      if (on_step)
+        on_step(before, state, step);
+    }
+  }
+
+  Totals totals() const { return compute_totals(evaluator, state); }
+
+  const Parameters parameters;
+  const Scene scene;
+  const ModelSymmetry &symmetry;
+  const BodyUnknowns &discretization;
+  const CondensedBody &condensed;
+  const ContactFieldEvaluator evaluator;
+  const Eigen::VectorXd shares;
+  const Eigen::VectorXd opening;
+  ContactState state;
+};
+
+/// Node of the scene at a position, or -1.
+inline int node_at(const TestScene &scene, const std::array<double, 2> &position)
+{
+  const auto &nodes = scene.discretization.contact_surface().nodes;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (std::hypot(nodes[i].position[0] - position[0], nodes[i].position[1] - position[1]) < 1e-9)
+      return static_cast<int>(i);
+  return -1;
+}
+
+/// Forces and slips of all nodes of `part` equal those of `whole` at the same places, to `tolerance` relative
+/// to the largest of them.
+inline void expect_same_fields(const TestScene &part, const TestScene &whole, const double tolerance)
+{
+  const Totals largest = whole.totals();
+  const double force = largest.force[2] / static_cast<double>(whole.state.n_nodes());
+  const double slip = std::max(largest.max_accumulated_slip, 1e-12);
+  const auto &nodes = part.discretization.contact_surface().nodes;
+  for (unsigned int i = 0; i < nodes.size(); ++i)
+  {
+    const int other = node_at(whole, nodes[i].position);
+    ASSERT_GE(other, 0);
+    const ContactFields a = part.evaluator.fields(part.state, i);
+    const ContactFields b = whole.evaluator.fields(whole.state, other);
+    EXPECT_LE((a.nodal_force - b.nodal_force).norm(), tolerance * force)
+        << nodes[i].position[0] << " " << nodes[i].position[1];
+    EXPECT_LE((a.slip - b.slip).norm(), tolerance * slip);
+    EXPECT_LE(std::abs(a.pressure - b.pressure), tolerance * largest.max_pressure);
+    EXPECT_LE(std::abs(a.accumulated_slip - b.accumulated_slip), tolerance * slip);
+    EXPECT_LE(std::abs(a.dissipated_energy - b.dissipated_energy), tolerance * slip * largest.max_pressure);
+    EXPECT_EQ(a.status, b.status);
+  }
+}
+} // namespace orthocone::test

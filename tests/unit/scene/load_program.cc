@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/base/errors.h>
+#include <orthocone/scene/load_program.h>
+#include <orthocone/scene/model_choice.h>
+
+#include <gtest/gtest.h>
+
+#include <functional>
+
+namespace orthocone::test
+{
+namespace
+{
+Parameters scene()
+{
+  Parameters parameters;
+  parameters.load.legs = {move_to(0, 0, -0.1, 5), move_to(0, 0, 0, 10)};
+  return parameters;
+}
+
+std::string chosen(const Parameters &parameters)
+{
+  return choose_model(parameters).symmetry.name();
+}
+} // namespace
+
+TEST(LoadProgram, PassesThroughPreloadAndCycles)
+{
+  LoadOptions load;
+  load.preload = {move_to(0, 0, -0.02, 2)};
+  load.legs = {move_to(0.01, 0, -0.1, 2), move_to(0, 0, -0.02, 4)};
+  load.cycles = 3;
+  const auto steps = load_steps(load);
+  ASSERT_EQ(steps.size(), 2u + 3 * 6);
+  EXPECT_EQ(steps[0].motion, moved_by(0, 0, -0.01));
+  EXPECT_EQ(steps[0].cycle, 0u);
+  EXPECT_EQ(steps[2].motion, moved_by(0.005, 0, -0.06));
+  EXPECT_EQ(steps[2].cycle, 1u);
+  EXPECT_EQ(steps[4].step_of_leg, 1u);
+  for (std::size_t i = 0; i < steps.size(); ++i)
+    EXPECT_EQ(steps[i].number, i + 1);
+  for (std::size_t i = 8; i < steps.size(); ++i)
+  {
+    EXPECT_EQ(steps[i].motion, steps[i - 6].motion); // to the last bit
+    EXPECT_EQ(steps[i].phase, steps[i - 6].phase);
+  }
+}
+
+TEST(LoadProgram, WritesPositionsAsUsersWould)
+{
+  const auto steps = load_steps(scene().load);
+  EXPECT_EQ(steps[2].motion[2], -0.06);
+  EXPECT_EQ(steps[11].motion[2], -0.03);
+  EXPECT_EQ(steps[14].motion[2], 0);
+}
+
+TEST(ModelChoice, TakesTheSmallestExactModel)
+{
+  Parameters parameters = scene();
+  EXPECT_EQ(chosen(parameters), "quarter");
+  parameters.friction.angle = 90;
+  EXPECT_EQ(chosen(parameters), "quarter");
+  parameters.friction.angle = 30;
+  EXPECT_EQ(chosen(parameters), "full");
+  parameters.friction.mu = {{0.2, 0.2}};
+  parameters.friction.slip_potential = std::array<double, 2>{{0.3, 0.15}};
+  EXPECT_EQ(chosen(parameters), "full"); // the slip ellipse is still turned
+  parameters.friction.slip_potential = std::array<double, 2>{{0.7, 0.7}};
+  parameters.mesh.core_cells = 3;
+  EXPECT_EQ(chosen(parameters), "axisymmetric");
+  parameters.mesh.core_cells = 4;
+  EXPECT_EQ(chosen(parameters), "axisymmetric");
+  parameters.load.preload = {move_to(0.1, 0, 0, 1)};
+  EXPECT_EQ(chosen(parameters), "half");
+  EXPECT_TRUE(choose_model(parameters).symmetry.planes().normal_to_y);
+  parameters.load.legs.push_back(move_to(0, 0.1, 0, 1));
+  EXPECT_EQ(chosen(parameters), "full");
+  parameters = scene();
+  parameters.mesh.core_cells = 3;
+  EXPECT_EQ(chosen(parameters), "full");
+}
+
+TEST(ModelChoice, RejectsWhatIsNotExactAndSaysWhatIs)
+{
+  Parameters parameters = scene();
+  parameters.load.legs.push_back(move_to(0.1, 0, 0, 1));
+  parameters.mesh.model = ModelKind::quarter;
+  try
+  {
+    choose_model(parameters);
+    FAIL() << "a quarter with a tangential leg was accepted";
+  }
+  catch (const InputError &error)
+  {
+    EXPECT_NE(std::string(error.what()).find("possible models are full, half"), std::string::npos)
+        << error.what();
+  }
+  parameters.mesh.model = ModelKind::half;
+  EXPECT_EQ(chosen(parameters), "half");
+  parameters = scene();
+  parameters.geometry.top_face = TopFace::guided;
+  EXPECT_EQ(chosen(parameters), "quarter");
+  parameters.mesh.model = ModelKind::full;
+  EXPECT_THROW(choose_model(parameters), InputError);
+  parameters.friction.mu = {{0.2, 0.2}};
+  EXPECT_THROW(choose_model(parameters), InputError);
+  parameters.mesh.model = ModelKind::automatic;
+  EXPECT_EQ(chosen(parameters), "axisymmetric");
+}
+
+TEST(ModelChoice, RevolvesOnlyWhatIsTheSameAllAround)
+{
+  const auto complaint = [](const std::function<void(Parameters &)> &spoil)
+  {
+    Parameters parameters = scene();
+    parameters.friction.mu = {{0.2, 0.2}};
+    parameters.mesh.model = ModelKind::axisymmetric;
+    parameters.mesh.degree = 4;
+    spoil(parameters);
+    try
+    {
+      return choose_model(parameters).symmetry.name();
+    }
+    catch (const InputError &error)
+    {
+      return std::string(error.what());
+    }
+  };
+  EXPECT_EQ(complaint([](Parameters &) {}), "axisymmetric");
+  EXPECT_EQ(
+      complaint([](Parameters &p) { p.friction.mu[1] = 0.21; }),
+      "Mesh/Model = axisymmetric is not possible: Friction/Coefficients = 0.2, 0.21 differ, which makes "
+      "friction orthotropic; possible models are full, half, quarter");
+  EXPECT_EQ(
+      complaint(
+          [](Parameters &p) {
+            p.friction.slip_potential = std::array<double, 2>{{0.2, 0.21}};
+          }),
+      "Mesh/Model = axisymmetric is not possible: Friction/Slip potential = 0.2, 0.21 differ, which makes "
+      "slip orthotropic; possible models are full, half, quarter");
+  EXPECT_EQ(
+      complaint([](Parameters &p) { p.load.legs[0].targets[1]->value = 0.1; }),
+      "Mesh/Model = axisymmetric is not possible: the load program moves the top along y; possible models "
+      "are full, half");
+  EXPECT_EQ(complaint([](Parameters &p) { p.mesh.model = ModelKind::quarter; }),
+            "Mesh/Degree = 4 with the quarter model: allowed is a whole number from 1 to 3, or Mesh/Model = "
+            "axisymmetric");
+}
+
+TEST(LoadProgram, KeepsComponentsThatALegDoesNotName)
+{
+  LoadOptions load;
+  Leg down, sideways;
+  down.targets[2] = Drive{false, -0.1};
+  sideways.targets[0] = Drive{false, 0.02};
+  sideways.steps = 2;
+  load.legs = {down, sideways};
+  load.cycles = 2;
+  const auto steps = load_steps(load);
+  ASSERT_EQ(steps.size(), 6u);
+  EXPECT_EQ(steps[1].motion, moved_by(0.01, 0, -0.1));
+  EXPECT_EQ(steps[2].motion, moved_by(0.02, 0, -0.1));
+  EXPECT_EQ(steps[3].motion, moved_by(0.02, 0, -0.1)) << "the second cycle begins where the first one ends";
+}
+} // namespace orthocone::test
