@@ -17,7 +17,8 @@ packages="g++ cmake ninja-build git mold
 figures_packages="python3 python3-numpy python3-matplotlib python3-meshio"
 benchmark_packages="$figures_packages libbenchmark-dev"
 # ParaView's Python brings the vtk modules, and takes the place of the package python3-vtk9 where that is installed.
-tests_packages="$benchmark_packages paraview python3-paraview xvfb xauth chromium chromium-driver python3-selenium"
+tests_packages="$benchmark_packages paraview python3-paraview xvfb xauth chromium chromium-driver python3-selenium
+  clang-format clang-tidy"
 fuzz_packages="clang libclang-rt-dev"
 
 say() { echo "setup: $*" >&2; }

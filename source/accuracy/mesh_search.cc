@@ -71,7 +71,7 @@ Quantities march_first_cycle(const Scene &scene, StepSolver &solver)
   const unsigned int peak_step = peak(steps);
   Quantities values{};
   const ContactFieldEvaluator evaluator(scene);
-  ContactState state(scene.system().n_nodes());
+  ContactState state(scene.gaps());
   const BlasThreads threads(state.force.size());
   for (const LoadStep &step : steps)
   {

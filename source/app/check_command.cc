@@ -30,7 +30,7 @@ void print_unknown_mesh(const Parameters &parameters, const ModelChoice &model)
 {
   std::cout << describe_model(model) << "mesh           is chosen by the run, for errors of "
             << to_text(parameters.mesh.accuracy) << " %\n"
-            << describe_friction(parameters.friction) << "load steps     "
+            << describe_friction(parameters) << describe_obstacle(parameters.obstacle) << "load steps     "
             << load_steps(parameters.load).size() << "\n";
   print_warnings(parameters, "");
 }
@@ -57,7 +57,8 @@ void print_large_model(const Parameters &parameters, const ModelChoice &model, c
   const MemoryLimit limit = memory_limit();
   const Estimate least = least_estimate(size);
   std::cout << describe_model(model) << describe(size) << "\n"
-            << describe_friction(parameters.friction) << "load steps     " << n_steps << "\n"
+            << describe_friction(parameters) << describe_obstacle(parameters.obstacle) << "load steps     "
+            << n_steps << "\n"
             << describe(least, n_steps, limit, true) << "\n";
   print_warnings(parameters, why_too_large(size, lack_of_memory(least.gigabytes, limit)));
 }

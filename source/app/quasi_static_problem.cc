@@ -28,7 +28,7 @@ QuasiStaticProblem::QuasiStaticProblem(const Parameters &parameters, const Model
       scene_(*chosen_.scene),
       solver_(scene_),
       evaluator_(scene_),
-      state_(scene_.system().n_nodes()),
+      state_(scene_.gaps()),
       critical_friction_(critical_friction_of_model()),
       checker_(scene_, parameters_.checks, parameters_.contact_solver.tolerance),
       cycles_(parameters_.load, scene_.symmetry().force_shares(scene_.surface()),
@@ -63,10 +63,7 @@ ChosenMesh QuasiStaticProblem::with_scene(ChosenMesh chosen, const ModelChoice &
 void QuasiStaticProblem::announce(const ModelChoice &choice, const Body &body) const
 {
   log_.line(describe_model(parameters_, choice, body.unknowns(), steps_.size()));
-  for (const auto &[name, version] : versions())
-    log_.line(name + " " + version);
-  for (const std::string &warning : parameter_warnings(parameters_))
-    log_.line("warning: " + warning);
+  tell_versions_and_warnings(parameters_, log_);
 }
 
 CriticalFrictionRecord QuasiStaticProblem::critical_friction_of_model() const
@@ -186,7 +183,7 @@ std::string QuasiStaticProblem::failure_text(const LoadStep &step, const SolverR
                             scene_.surface().nodes[report.worst_node]);
 }
 
-/// Solves, checks and writes a step. One that fails a check is neither accepted nor written.
+/// One that fails a check is neither accepted nor written.
 QuasiStaticProblem::Outcome QuasiStaticProblem::advance_to(const LoadStep &step)
 {
   ContactState next = state_;
@@ -277,8 +274,7 @@ void QuasiStaticProblem::save_checkpoint()
                     output_.fields(), state_, solver_.memory(), cycles_.memory(), record_});
   since_checkpoint_ = Stopwatch();
   record_.seconds.output += watch.seconds();
-  // A large checkpoint on a slow disk is not to take more than a twentieth of the time, unless every step was
-  // asked for.
+  // Writing takes a twentieth of the time at most, unless every step was asked for.
   constexpr double least_pause = 20; // in multiples of the time that the writing takes
   const double asked = parameters_.output.checkpoint_seconds;
   checkpoint_pause_ = asked == 0 ? 0 : std::max(asked, least_pause * watch.seconds());

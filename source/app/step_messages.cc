@@ -2,8 +2,10 @@
 // Copyright (C) 2026 the orthocone authors
 #include "step_messages.h"
 
+#include <orthocone/base/version.h>
 #include <orthocone/contact/solvers/diagnosis.h>
 #include <orthocone/output/motion_text.h>
+#include <orthocone/parameters/parameters.h>
 #include <orthocone/parameters/values.h>
 
 #include <iomanip>
@@ -52,5 +54,13 @@ std::string wrong_step_text(const LoadStep &step, const std::vector<LoadStep> &s
 {
   return name_of(step, steps) + " is solved, but not right: " + which +
          ".\nThe files of the steps before stay; section Checks has the bounds.";
+}
+
+void tell_versions_and_warnings(const Parameters &parameters, Log &log)
+{
+  for (const auto &[name, version] : versions())
+    log.line(name + " " + version);
+  for (const std::string &warning : parameter_warnings(parameters))
+    log.line("warning: " + warning);
 }
 } // namespace orthocone

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// What users read of a step at which the run ends.
+// What users read of a run besides its steps, and of a step at which it ends.
 #pragma once
 
 #include <orthocone/contact/solvers/contact_solver.h>
+#include <orthocone/output/log.h>
 #include <orthocone/scene/load_program.h>
 #include <orthocone/surface/contact_surface.h>
 
@@ -18,10 +19,13 @@ std::string unsolved_step_text(const LoadStep &step, const std::vector<LoadStep>
                                const ContactSolverOptions &options, const SolverReport &report,
                                const ContactNode &worst);
 
-/// Of a step that is solved, but does not pass the check that `which` tells.
-/// A step that forces drive beyond what can be carried. `carried`: StepSolver::carried_share().
+/// Of a step that forces drive beyond what can be carried. `carried`: StepSolver::carried_share().
 std::string no_equilibrium_text(const LoadStep &step, const std::vector<LoadStep> &steps, double carried);
 
+/// Of a step that is solved, but does not pass the check that `which` tells.
 std::string wrong_step_text(const LoadStep &step, const std::vector<LoadStep> &steps,
                             const std::string &which);
+
+/// What a log begins with, behind the model.
+void tell_versions_and_warnings(const Parameters &parameters, Log &log);
 } // namespace orthocone

@@ -13,13 +13,13 @@ using Eigen::Index;
 using Eigen::Vector2d;
 using Eigen::VectorXd;
 
-ContactState::ContactState(const Index n_nodes)
-    : force(NodeVector::Zero(3 * n_nodes)),
-      displacement(NodeVector::Zero(3 * n_nodes)),
-      accumulated_slip(VectorXd::Zero(n_nodes)),
-      dissipated_energy(VectorXd::Zero(n_nodes)),
-      slip_at_stick(VectorXd::Zero(2 * n_nodes)),
-      status(n_nodes, NodeStatus::open)
+ContactState::ContactState(const NodeVector &gaps)
+    : force(NodeVector::Zero(gaps.size())),
+      displacement(gaps),
+      accumulated_slip(VectorXd::Zero(gaps.size() / 3)),
+      dissipated_energy(VectorXd::Zero(gaps.size() / 3)),
+      slip_at_stick(VectorXd::Zero(gaps.size() / 3 * 2)),
+      status(gaps.size() / 3, NodeStatus::open)
 {
 }
 

@@ -46,7 +46,8 @@ StepSolver::StepSolver(const Scene &scene, const ContactSolverOptions &options)
 StepSolver::Attempt StepSolver::attempt(const ContactState &state, const FaceTarget &target) const
 {
   return {target,
-          ContactStep(scene_.system(), step_displacement(scene_.moved_with(target), state.displacement),
+          ContactStep(scene_.system(),
+                      step_displacement(scene_.free_displacement(target), state.displacement),
                       scene_.free_face(target)),
           scene_.free_components(target)};
 }
@@ -163,7 +164,7 @@ SolverReport StepSolver::release(ContactState &state, const Attempt &attempt) co
   FaceTarget open{{}, attempt.target.motion, {}};
   for (const unsigned int component : attempt.components)
     open.motion[component] = component == normal ? 0 : state.motion[component];
-  open.motion[normal] = opening_motion(scene_.moved_with(open));
+  open.motion[normal] = opening_motion(scene_.free_displacement(open));
   const Attempt apart = this->attempt(state, open);
   const VectorXd none = VectorXd::Zero(apart.problem.n_unknowns());
   SolverReport report = make_report(apart.problem, none, 0, tolerance_);

@@ -175,6 +175,7 @@ Json record_json(const RunRecord &record)
           {"largest_residual", record.largest_residual},
           {"largest_energy", record.largest_energy},
           {"energy_defect", record.energy_defect},
+          {"slip_of_change", record.slip_of_change},
           {"energies", {record.work, record.dissipation, record.missing}},
           {"peaks", {record.peaks.slip, record.peaks.pressure, record.peaks.force_z}},
           {"accuracy", accuracy_json(record.accuracy)},
@@ -188,6 +189,7 @@ RunRecord record_from(const Json &json)
   record.largest_residual = number_from(json.at("largest_residual"));
   record.largest_energy = number_from(json.at("largest_energy"));
   record.energy_defect = json.at("energy_defect");
+  record.slip_of_change = json.at("slip_of_change");
   const Json &energies = json.at("energies");
   record.work = number_from(energies.at(0));
   record.dissipation = number_from(energies.at(1));

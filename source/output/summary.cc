@@ -43,6 +43,7 @@ void RunRecord::add_step(const unsigned int step, const Totals &before, const To
   largest_energy = checks.energy;
   peaks.consider(step, totals);
   consider(energy_defect, checks.energy_defect, step);
+  consider(slip_of_change, checks.slip_of_change, step);
 }
 
 std::string describe(const CriticalFrictionRecord &critical)
@@ -79,6 +80,12 @@ std::vector<std::string> all_warnings(const Parameters &parameters, const RunRec
                        ": the energy balance misses " +
                        to_text(std::round(percent * record.energy_defect.first)) +
                        " % of the largest energy; loops and dissipation need more steps in this leg");
+  constexpr double most_of_change = 0.1;
+  if (record.slip_of_change.first > most_of_change)
+    warnings.push_back("load step " + std::to_string(record.slip_of_change.second) + ": a node slips by " +
+                       to_text(std::round(percent * record.slip_of_change.first)) +
+                       " % of the length over which gap or friction change there; both are taken at the "
+                       "reference position of the nodes, good for slips up to a tenth of it");
   constexpr double noticeable = 0.01;
   if (record.missing > noticeable * record.dissipation && record.dissipation > 0)
     warnings.push_back(
@@ -111,16 +118,35 @@ std::string describe_energy(const RunRecord &record)
   return text.str();
 }
 
+/// A line only where there is a gap.
+std::string describe_obstacle(const ObstacleOptions &obstacle)
+{
+  if (obstacle.is_plane())
+    return {};
+  return "obstacle       gap " + obstacle.gap +
+         (obstacle.gap_file.empty() ? "" : " and that of " + shown_path(obstacle.gap_file)) + "\n";
+}
+
 std::string describe_model(const ModelChoice &model)
 {
   return "model          " + model.symmetry.name() + " (" + model.reason + ")\n";
 }
 
-std::string describe_friction(const FrictionOptions &friction)
+std::string describe_friction(const Parameters &parameters)
 {
   const std::string line = "friction       ";
+  const FrictionOptions &friction = parameters.friction;
   if (friction.is_frictionless())
     return line + "none\n";
+  if (friction.varies())
+  {
+    std::string entries;
+    for (const auto &[entry, value] : entry_values(parameters))
+      if (entry.rfind("Friction/", 0) == 0)
+        entries +=
+            (entries.empty() ? "" : "; ") + entry.substr(std::string("Friction/").size()) + " = " + value;
+    return line + "varies: " + entries + "\n";
+  }
   const std::array<double, 2> p = friction.p();
   return line + "mu " + to_text(friction.mu[0]) + ", " + to_text(friction.mu[1]) +
          (friction.is_associated() ? "; associated"
@@ -143,9 +169,10 @@ std::string describe_model(const Parameters &parameters, const ModelChoice &mode
                ? ", volumetric part reduced\n"
                : "\n")
        << "unknowns       " << unknowns.n_free() << " of " << unknowns.n_dofs() << " degrees of freedom\n"
-       << "contact nodes  " << unknowns.contact_surface().nodes.size()
-       << (model.symmetry.is_axisymmetric() ? " (rings)" : "") << "\n"
-       << describe_friction(parameters.friction) << "load steps     " << n_steps << "\n"
+       << describe_obstacle(parameters.obstacle) << "contact nodes  "
+       << unknowns.contact_surface().nodes.size() << (model.symmetry.is_axisymmetric() ? " (rings)" : "")
+       << "\n"
+       << describe_friction(parameters) << "load steps     " << n_steps << "\n"
        << "contact solver " << to_word(solver.method) << ", tolerance " << to_text(solver.tolerance);
   return text.str();
 }

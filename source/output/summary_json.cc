@@ -60,21 +60,34 @@ Json accuracy_json(const AccuracyEstimate &accuracy)
   return json;
 }
 
-Json friction_json(const FrictionOptions &friction)
-{
-  return {{"mu", friction.mu},
-          {"p", friction.p()},
-          {"associated", friction.is_associated()},
-          {"collinear", friction.is_collinear()},
-          {"angle_degrees", friction.angle}};
-}
-
 std::string entry_of(const Parameters &parameters, const std::string &name)
 {
   for (const auto &[entry, value] : entry_values(parameters))
     if (entry == name)
       return value;
   return {};
+}
+
+/// Numbers are those of the centre where friction varies; the expressions stand beside them.
+Json friction_json(const Parameters &parameters)
+{
+  const FrictionOptions &friction = parameters.friction;
+  Json json{{"mu", friction.mu},
+            {"p", friction.p()},
+            {"associated", friction.is_associated()},
+            {"collinear", friction.is_collinear()},
+            {"angle_degrees", friction.angle}};
+  if (friction.varies())
+    for (const char *const entry : {"Coefficients", "Slip potential", "Orthotropy angle"})
+      json["expressions"][entry] = entry_of(parameters, std::string("Friction/") + entry);
+  return json;
+}
+
+Json outline_json(const GeometryOptions &geometry)
+{
+  if (geometry.shape == BodyShape::box)
+    return {{"shape", "rectangle"}, {"sizes_mm", {geometry.sizes[0], geometry.sizes[1]}}};
+  return {{"shape", "disc"}, {"radius_mm", geometry.radius}};
 }
 
 /// What is pressed on the plane, and how it moves, so that nobody need guess it from the other files.
@@ -85,13 +98,15 @@ Json scene_json(const Summary &summary)
   for (const ContactNode &node : summary.unknowns.contact_surface().nodes)
     area += summary.model.symmetry.n_copies() * node.area;
   return {
-      {"outline", {{"shape", "disc"}, {"radius_mm", parameters.geometry.radius}}},
+      {"outline", outline_json(parameters.geometry)},
       {"area_mm2", area},
-      {"height_mm", parameters.geometry.height},
+      {"height_mm", parameters.geometry.held_height()},
       {"preload", entry_of(parameters, "Load program/Preload")},
       {"legs", entry_of(parameters, "Load program/Legs")},
       {"cycles", parameters.load.cycles},
-      {"friction", friction_json(parameters.friction)},
+      {"friction", friction_json(parameters)},
+      {"gap", entry_of(parameters, "Obstacle/Gap")},
+      {"gap_file", entry_of(parameters, "Obstacle/Gap file")},
       {"units",
        {{"length", "mm"}, {"force", "N"}, {"traction", "MPa"}, {"energy", "N mm"}, {"angle", "degrees"}}}};
 }
@@ -128,7 +143,7 @@ std::string summary_json(const Summary &summary)
   json["peaks"] = {{"slip_mm", peak_json(summary.record.peaks.slip)},
                    {"pressure_MPa", peak_json(summary.record.peaks.pressure)},
                    {"force_z_N", peak_json(summary.record.peaks.force_z)}};
-  json["friction"] = friction_json(summary.parameters.friction);
+  json["friction"] = friction_json(summary.parameters);
   json["energy"] = energy_json(summary.record);
   json["critical_friction"] = critical_friction_json(summary.record.critical_friction);
   if (summary.record.accuracy)
@@ -147,7 +162,7 @@ std::string summary_json_before_steps(const std::string &status, const Parameter
   Json json;
   json["status"] = status;
   json["steps"] = {{"planned", load_steps(parameters.load).size()}, {"solved", 0}};
-  json["friction"] = friction_json(parameters.friction);
+  json["friction"] = friction_json(parameters);
   json["warnings"] = parameter_warnings(parameters);
   for (const auto &[name, version] : versions())
     json["versions"][name] = version;

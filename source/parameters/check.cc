@@ -90,15 +90,6 @@ void check_compression(const LoadOptions &load, const GeometryOptions &geometry)
                          height_entry(geometry) + " = " + to_text(-geometry.held_height()) + " mm");
 }
 
-/// The scene uses these one by one; until then they are refused rather than ignored.
-void check_supported(const Parameters &parameters)
-{
-  if (parameters.friction.varies())
-    throw InputError("Friction: expressions of x and y are not supported yet");
-  if (!parameters.obstacle.is_plane())
-    throw InputError("Obstacle: gaps are not supported yet");
-}
-
 void check_obstacle(const ObstacleOptions &obstacle)
 {
   if (!obstacle.gap_file.empty())
@@ -108,12 +99,12 @@ void check_obstacle(const ObstacleOptions &obstacle)
 
 void check_parameters(const Parameters &parameters)
 {
+  check_mesh_choice_of_shape(parameters);
   check_mesh_choice(parameters.mesh);
   check_mesh(parameters.mesh);
   check_load(parameters.load);
   check_compression(parameters.load, parameters.geometry);
   check_shape(parameters);
   check_obstacle(parameters.obstacle);
-  check_supported(parameters);
 }
 } // namespace orthocone

@@ -44,13 +44,6 @@ void check_cylinder(const MeshOptions &mesh)
 
 void check_box(const MeshOptions &mesh)
 {
-  const std::string shape = " with Geometry/Shape = box: ";
-  if (mesh.accuracy != 0)
-    throw InputError("Mesh/Accuracy = " + to_text(mesh.accuracy) + " %" + shape +
-                     "allowed is 0; Mesh/Cells chooses the mesh of a box");
-  if (mesh.resolution != MeshResolution::custom)
-    throw InputError("Mesh/Resolution = " + to_word(mesh.resolution) + shape +
-                     "allowed is custom; Mesh/Cells chooses the mesh of a box");
   for (const unsigned int d : {0, 1})
     check_grading("Edge grading", mesh.edge_grading, (mesh.cells[d] + 1) / 2,
                   std::to_string(mesh.cells[d]) + " cells along " + (d == 0 ? "x" : "y") +
@@ -135,6 +128,20 @@ void warn_of_other_shape(const Parameters &parameters, std::vector<std::string> 
 std::string height_entry(const GeometryOptions &geometry)
 {
   return is_box(geometry) ? "l_z of Geometry/Sizes" : "Geometry/Height";
+}
+
+void check_mesh_choice_of_shape(const Parameters &parameters)
+{
+  if (!is_box(parameters.geometry))
+    return;
+  const MeshOptions &mesh = parameters.mesh;
+  const std::string shape = " with Geometry/Shape = box: ";
+  if (mesh.accuracy != 0)
+    throw InputError("Mesh/Accuracy = " + to_text(mesh.accuracy) + " %" + shape +
+                     "allowed is 0; Mesh/Cells chooses the mesh of a box");
+  if (mesh.resolution != MeshResolution::custom)
+    throw InputError("Mesh/Resolution = " + to_word(mesh.resolution) + shape +
+                     "allowed is custom; Mesh/Cells chooses the mesh of a box");
 }
 
 void check_shape(const Parameters &parameters)

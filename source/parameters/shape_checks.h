@@ -12,7 +12,10 @@ namespace orthocone
 /// The entry that says how high the body is, as messages name it.
 std::string height_entry(const GeometryOptions &geometry);
 
-/// Conditions between entries that depend on the shape: gradings, what a box does not have, probes. Throws
+/// Refuses what would choose the mesh of another shape. Throws InputError.
+void check_mesh_choice_of_shape(const Parameters &parameters);
+
+/// Conditions between entries that depend on the shape: gradings, probes. Throws
 /// InputError.
 void check_shape(const Parameters &parameters);
 

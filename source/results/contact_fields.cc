@@ -23,7 +23,7 @@ const std::vector<ContactField> &contact_field_list()
 {
   using F = ContactFields;
   static const std::vector<ContactField> list{
-      {"displacement", "mm", "relative to the plane", &F::displacement},
+      {"displacement", "mm", "of the surface of the body", &F::displacement},
       {"slip", "mm", "displacement along the plane", &F::slip},
       {"slip_magnitude", "mm", "its length", [](const F &f) { return f.slip.norm(); }},
       {"accumulated_slip", "mm", "length of the path of the slip", &F::accumulated_slip},
@@ -50,7 +50,8 @@ ContactFieldEvaluator::ContactFieldEvaluator(const Scene &scene)
       symmetry_(scene.symmetry()),
       compliance_(scene.condensed().compliance()),
       axes_(scene.axes()),
-      law_(scene.law()),
+      system_(scene.system()),
+      gaps_(scene.gaps()),
       shares_(symmetry_.force_shares(surface_)),
       stick_area_(surface_, scene.parameters().material),
       geometry_(scene.parameters().geometry)
@@ -67,14 +68,14 @@ ContactFields ContactFieldEvaluator::fields(const ContactState &state, const uns
   const Vector2d friction = axes_.to_global(node, r.tail<2>());
   const double share = shares_[node];
   ContactFields fields;
-  fields.displacement << slip, d[0];
+  fields.displacement << slip, d[0] - gaps_[first];
   fields.slip << slip, 0;
   fields.accumulated_slip = state.accumulated_slip[node];
   fields.gap = d[0];
   fields.pressure = r[0] / place.area;
   fields.friction_traction << friction / place.area, 0;
-  if (state.status[node] != NodeStatus::open)
-    fields.friction_criterion = is_frictionless(law_) ? 0 : friction_norm(law_, r[1], r[2]) / r[0] - 1;
+  if (const OrthotropicFriction &law = system_.given_law(first / 3); state.status[node] != NodeStatus::open)
+    fields.friction_criterion = is_frictionless(law) ? 0 : friction_norm(law, r[1], r[2]) / r[0] - 1;
   fields.status = state.status[node];
   fields.nodal_force << friction / share, r[0] / share;
   fields.dissipated_energy = state.dissipated_energy[node] / place.area;
@@ -98,9 +99,10 @@ double ContactFieldEvaluator::stick_area(const ContactState &state) const
     const Vector3d r = state.force.segment<3>(3 * static_cast<Eigen::Index>(node));
     // The friction coefficient is that along the force, but has to stay defined where there is no such
     // direction.
-    const double load = r[0] > 0 ? friction_norm(law_, r[1], r[2]) / r[0] : 1;
+    const OrthotropicFriction &law = system_.given_law(static_cast<Eigen::Index>(node));
+    const double load = r[0] > 0 ? friction_norm(law, r[1], r[2]) / r[0] : 1;
     const double friction =
-        r[0] > 0 ? r.tail<2>().norm() / r[0] + (1 - load) * std::sqrt(law_.mu_x * law_.mu_y) : 0;
+        r[0] > 0 ? r.tail<2>().norm() / r[0] + (1 - load) * std::sqrt(law.mu_x * law.mu_y) : 0;
     sample.status = state.status[node];
     sample.reserve = friction * std::max(0., (1 - load) * r[0]) / surface_.nodes[node].area;
     sample.slip = slip_since_stick(state, node);

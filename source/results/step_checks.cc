@@ -30,13 +30,26 @@ bool is_finite(const ContactState &state, const Totals &totals)
 }
 
 /// The natural map sees slip with the weights (p/mu)^2, the slip rule without.
-double slip_amplification(const FrictionOptions &friction)
+double slip_amplification(const ContactSystem &system)
 {
-  if (friction.is_frictionless())
-    return 1;
-  const double x = friction.p()[0] / friction.mu[0];
-  const double y = friction.p()[1] / friction.mu[1];
-  return std::max(x / y, y / x) * std::max(x / y, y / x);
+  double largest = 1;
+  for (Eigen::Index node = 0; node < system.n_nodes(); ++node)
+    if (const OrthotropicFriction &law = system.given_law(node); !is_frictionless(law))
+    {
+      const double x = law.p_x / law.mu_x, y = law.p_y / law.mu_y;
+      largest = std::max(largest, std::max(x / y, y / x) * std::max(x / y, y / x));
+    }
+  return largest;
+}
+
+/// Largest slip of a node in contact relative to the length over which gap or friction change there.
+double slip_of_change(const ContactState &state, const Eigen::VectorXd &lengths)
+{
+  double largest = 0;
+  for (Eigen::Index node = 0; node < lengths.size(); ++node)
+    if (state.status[node] != NodeStatus::open)
+      largest = std::max(largest, state.displacement.segment<2>(3 * node + 1).norm() / lengths[node]);
+  return largest;
 }
 
 /// Dissipation of nodes in an undivided step that is negative, or more than the larger of the friction forces
@@ -60,10 +73,13 @@ double impossible_dissipation(const ContactState &before, const ContactState &af
 StepChecker::StepChecker(const Scene &scene, const CheckOptions &options, const double tolerance)
     : options_(options),
       tolerance_(tolerance),
-      slip_amplification_(slip_amplification(scene.parameters().friction)),
+      slip_amplification_(slip_amplification(scene.system())),
       n_copies_(scene.symmetry().n_copies()),
       compression_(largest_motion(scene.parameters().load, 2)),
-      length_(largest_way(scene.parameters().load, reach_of(scene.surface(), scene.parameters().geometry))),
+      reach_(reach_of(scene.surface(), scene.parameters().geometry)),
+      length_(largest_way(scene.parameters().load, reach_)),
+      gaps_(scene.gaps()),
+      change_lengths_(scene.change_lengths()),
       body_(scene.condensed()),
       stiffness_(scene.stiffness())
 {
@@ -71,11 +87,12 @@ StepChecker::StepChecker(const Scene &scene, const CheckOptions &options, const 
 
 void StepChecker::check_equilibrium(const ContactState &state, StepChecks &checks) const
 {
-  const NodeVector elastic = state.displacement - body_.moved_with(state.motion);
+  const NodeVector elastic = state.displacement - gaps_ - body_.moved_with(state.motion);
   auto mismatch = body_.mismatch(stiffness_, state.force, elastic, options_.equilibrium);
   checks.equilibrium =
       std::max(mismatch.unbalanced,
-               relative(mismatch.displacement, std::max(length_, elastic.lpNorm<Eigen::Infinity>())));
+               relative(mismatch.displacement,
+                        std::max({length_, state.motion.size(reach_), elastic.lpNorm<Eigen::Infinity>()})));
   checks.volume = std::move(mismatch.volume);
 }
 
@@ -95,6 +112,7 @@ StepChecks StepChecker::check(const Situation &before, const Situation &after, c
   StepChecks checks;
   checks.is_finite = is_finite(after.state, after.totals);
   checks.law = report.law;
+  checks.slip_of_change = slip_of_change(after.state, change_lengths_);
   // The law's own measure is relative to all displacements, which a long slide makes large.
   if (compression_ > 0)
     checks.law.penetration = std::max(checks.law.penetration, report.penetration / compression_);

@@ -3,16 +3,12 @@
 #include <orthocone/scene/scene.h>
 
 #include <orthocone/base/stopwatch.h>
+#include <orthocone/scene/change_length.h>
 
 namespace orthocone
 {
 namespace
 {
-OrthotropicFriction friction_of(const FrictionOptions &options)
-{
-  return {options.mu[0], options.mu[1], options.p()[0], options.p()[1]};
-}
-
 Stiffness announced_stiffness(const Parameters &parameters, const Body &body,
                               const std::function<void(const Body &)> &on_meshed, double &seconds)
 {
@@ -24,18 +20,26 @@ Stiffness announced_stiffness(const Parameters &parameters, const Body &body,
 
 Scene::Scene(const Parameters &parameters, const ModelChoice &choice,
              const std::function<void(const Body &)> &on_meshed)
+    : Scene(parameters, choice, *make_obstacle(parameters.obstacle), on_meshed)
+{
+}
+
+Scene::Scene(const Parameters &parameters, const ModelChoice &choice, const Obstacle &obstacle,
+             const std::function<void(const Body &)> &on_meshed)
     : parameters_(parameters),
       choice_(choice),
       body_(timed(seconds_.mesh, [&] { return Body(parameters, choice.symmetry); })),
       stiffness_(announced_stiffness(parameters, body_, on_meshed, seconds_.assembly)),
       factor_(timed(seconds_.factorization,
                     [&] { return StiffnessFactor(stiffness_.matrix(), body_.unknowns().n_interior()); })),
-      axes_(choice.symmetry.is_axisymmetric() ? 0 : parameters.friction.angle),
+      axes_(FrictionField(parameters.friction).axes(surface(), choice.symmetry)),
       condensed_(
           timed(seconds_.condensation, [&] { return CondensedBody(body_.unknowns(), factor_, axes_); })),
-      law_(friction_of(parameters.friction)),
-      system_(condensed_.compliance(), std::vector<OrthotropicFriction>(surface().nodes.size(), law_))
+      gaps_(gaps_of(obstacle, surface())),
+      system_(condensed_.compliance(), FrictionField(parameters.friction).laws(surface(), choice.symmetry))
 {
+  if (parameters.friction.varies() || !obstacle.is_plane())
+    change_lengths_ = orthocone::change_lengths(obstacle, FrictionField(parameters.friction), surface());
 }
 
 Wrench Scene::held_wrench(const NodeVector &force) const
@@ -47,12 +51,12 @@ Wrench Scene::held_wrench(const NodeVector &force) const
   return held;
 }
 
-NodeVector Scene::moved_with(const FaceTarget &target) const
+NodeVector Scene::free_displacement(const FaceTarget &target) const
 {
   RigidMotion motion;
   for (unsigned int i = 0; i < n_rigid_components; ++i)
     motion[i] = target.by_force[i] ? 0 : target.motion[i];
-  return condensed_.moved_with(motion);
+  return gaps_ + condensed_.moved_with(motion);
 }
 
 std::vector<unsigned int> Scene::free_components(const FaceTarget &target) const

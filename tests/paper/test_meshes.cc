@@ -47,7 +47,7 @@ TEST_P(GradedMesh, NewtonSolvesEveryStepUndivided)
   parameters.mesh.rim_grading = parameters.mesh.layer_grading = grading;
   const Scene scene(parameters, choose_model(parameters));
   StepSolver solver(scene);
-  ContactState state(scene.system().n_nodes());
+  ContactState state(scene.gaps());
   for (const LoadStep &step : load_steps(parameters.load))
   {
     const ContactState before = state;

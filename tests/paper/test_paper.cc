@@ -28,8 +28,9 @@ unsigned int compare_methods(const std::string &name, const ContactMethod method
     parameters.mesh.model = ModelKind::quarter; // auto would revolve case A
   EXPECT_LE(parameters.contact_solver.tolerance, 1e-8);
   TestScene scene(parameters);
-  const ContactSystem system(scene.condensed.compliance(),
-                             std::vector<OrthotropicFriction>(scene.state.n_nodes(), scene.scene.law()));
+  const ContactSystem system(
+      scene.condensed.compliance(),
+      std::vector<OrthotropicFriction>(scene.state.n_nodes(), scene.scene.system().given_law(0)));
   ContactSolverOptions options;
   options.method = method;
   options.tolerance = 1e-10;
@@ -135,13 +136,11 @@ TEST_P(EveryFile, UzawaGivesTheForcesOfNewtonWhereItConverges)
   const unsigned int n_failures =
       compare_methods(GetParam(), ContactMethod::uzawa, 5000, {"Load program/Cycles=1"});
   const bool is_associated = GetParam().substr(0, 6) != "case_c";
-  if (is_associated)
-  {
-    EXPECT_EQ(n_failures, 0u);
-  }
+  constexpr unsigned int n_steps = 15;
+  EXPECT_LE(n_failures, is_associated ? 0 : n_steps / 2) << "too few steps are compared";
 }
 
-TEST_P(EveryFile, Box3GivesTheForcesOfNewtonWhereItConverges)
+TEST_P(EveryFile, Feng2006GivesTheForcesOfNewtonWhereItConverges)
 {
   const unsigned int n_failures =
       compare_methods(GetParam(), ContactMethod::feng2006, 2000, {"Load program/Cycles=1"});

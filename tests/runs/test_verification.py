@@ -6,9 +6,15 @@ Usage: test_verification.py PROGRAM [unittest options]"""
 import math
 import sys
 
+import numpy as np
+
 sys.dont_write_bytecode = True  # the source tree stays clean
 import program  # noqa: E402
 from program import ROOT  # noqa: E402
+
+sys.path.insert(0, str(ROOT / "tools/plots"))
+import half_space  # noqa: E402
+import run_folder  # noqa: E402
 
 
 def angle_against_motion(row):
@@ -45,14 +51,126 @@ class VerificationTest(program.RunTest):
             self.assertAlmostEqual(angle_against_motion(row), 14.04, delta=5e-3)
             self.assertEqual(row["n_stick"], 0)
 
+    @staticmethod
+    def polar_moment_of_parabolas(n):
+        """Of the disc of radius 10 whose n edges are parabolas through three points of the circle, mm^4: the integral of
+        r^2 (x dy - y dx) / 4 along them."""
+        moment, (points, weights) = 0, np.polynomial.legendre.leggauss(5)
+        shapes = np.array([points * (points - 1) / 2, 1 - points**2, points * (points + 1) / 2])
+        slopes = np.array([points - 0.5, -2 * points, points + 0.5])
+        for edge in range(n):
+            angles = np.pi / n * (2 * edge + np.arange(3))
+            corners = 10 * np.array([np.cos(angles), np.sin(angles)])
+            (x, y), (dx, dy) = corners @ shapes, corners @ slopes
+            moment += np.sum(weights * (x**2 + y**2) * (x * dy - y * dx)) / 4
+        return moment
+
     def test_torsion(self):
         n, a = 32, 2 * math.pi / 32
         polygon = n * 1e4 * math.sin(a) * (2 + math.cos(a)) / 12
-        for degree, polar_moment in ((1, polygon), (3, math.pi / 2 * 1e4)):
-            row = self.verified("torsion", f"Mesh/Degree={degree}")
+        for degree, polar_moment in ((1, polygon), (2, self.polar_moment_of_parabolas(n))):
+            row = self.verified("torsion", f"Mesh/Degree={degree}", "Mesh/Quadrature points=4")
             moment = -105000 * polar_moment * math.radians(0.5) / 10
             self.assertAlmostEqual(row["moment_z"] / moment, 1, delta=1e-8)
             self.assertEqual(row["n_slip"] + row["n_open"], 0)
+
+    def contact(self, name, step, *settings):
+        """Distances from the axis and fields at the contact nodes after a step."""
+        self.verified(name, *settings)
+        contact = run_folder.RunFolder(self.folder / "run").contact(step)
+        return np.hypot(*contact.points[:, :2].T), contact
+
+    def test_hertz(self):
+        radius, contact = self.contact("hertz", 4)
+        sphere = half_space.Sphere(384.615)
+        a, p0 = half_space.fitted_sphere(radius, contact["pressure"])
+        self.assertAlmostEqual(a / sphere.contact_radius, 1, delta=0.01)
+        self.assertAlmostEqual(p0 / sphere.largest_pressure, 1, delta=0.01)
+        self.assertLess(np.abs(contact["pressure"] - sphere.pressure(radius))[radius < 0.45].max(), 0.01 * p0)
+        self.assertEqual(contact["pressure"][radius > 0.53].max(), 0)
+        self.assertAlmostEqual(-float(self.rows("run")[-1]["uz"]) / sphere.approach, 1, delta=0.01)
+
+    def test_hertz_far_field_is_of_first_order(self):
+        """With the height of the radius the approach lacks what the body has not: half of it at half of a / R."""
+        errors = []
+        for radius in (5, 10):
+            row = self.verified("hertz", f"Geometry/Radius={radius}", f"Geometry/Height={radius}",
+                                f"Mesh/Core ratio={1 / radius}")
+            errors.append(-row["uz"] / half_space.Sphere(384.615).approach - 1)
+        self.assertAlmostEqual(errors[0], -0.053, delta=0.003)  # a / R = 0.1
+        self.assertAlmostEqual(errors[0] / errors[1], 2, delta=0.2)
+
+    def test_cattaneo_mindlin(self):
+        largest, sphere = 83.99, half_space.Sphere(466.6, poisson=0.4999)
+        self.verified("cattaneo_mindlin", "Output/Contact fields=0")
+        rows = self.rows("run")
+        at_peak = [rows[i] for i in (9, 21, 33)]  # Q, -Q, Q
+        for row in at_peak:
+            self.assertAlmostEqual(float(row["force_z"]), 466.6, delta=1e-6)
+            stick = math.sqrt(float(row["stick_area"]) / math.pi)
+            self.assertAlmostEqual(stick / sphere.stick_radius(largest), 1, delta=0.03)
+        loop = sum(float(row["dissipation"]) for row in rows[10:34])
+        self.assertAlmostEqual(loop / sphere.loop_area(largest), 1, delta=0.03)
+        # The body's own shear: that of the same body stuck, less what a stuck patch has of it.
+        self.verified("cattaneo_mindlin", "Friction/Coefficients=100,100", "Load program/Legs=Fx 83.99 : 1",
+                      "Output/Contact fields=0")
+        stuck = (2 - sphere.poisson) * largest / (8 * sphere.shear_modulus * sphere.contact_radius)
+        own = float(self.rows("run")[-1]["ux"]) - stuck
+        self.assertAlmostEqual((float(at_peak[0]["ux"]) - own) / sphere.shift(largest), 1, delta=0.03)
+
+    def test_flat_punch(self):
+        radius, contact = self.contact("flat_punch", 1)
+        inside = radius < 0.85
+        ratio = contact["pressure"][inside] / half_space.punch_pressure(radius[inside], 1000)
+        self.assertLess(np.abs(ratio - 1).max(), 0.01)
+        self.assertEqual(contact["pressure"][radius > 1.01].max(), 0)
+
+    def test_tilted_punch(self):
+        radius, contact = self.contact("tilted_punch", 1)
+        x, y = contact.points[:, :2].T
+        slope = half_space.punch_slope(1000, 1e-4)
+        nodes = np.flatnonzero((np.abs(y) < 1e-9) & (x > 0.05) & (radius < 0.8))
+        self.assertGreater(len(nodes), 6)
+        for node in nodes:
+            there, mirrored = contact["pressure"][[node, np.argmin(np.hypot(x + x[node], y))]]
+            measured = (there - mirrored) / (there + mirrored) / x[node]
+            self.assertAlmostEqual(measured / slope, 1, delta=0.05)
+
+    def test_first_slip_in_torsion(self):
+        """The angle at which the rim slips converges to mu p H / (G R)."""
+        errors = []
+        for cells in (2, 4, 8):
+            radius, contact = self.contact("first_slip_in_torsion", 2, f"Mesh/Core cells={cells}",
+                                           f"Mesh/Rings={cells}")
+            criterion = contact["friction_criterion"]
+            self.assertGreater(radius[np.argmax(criterion)], 9.999)
+            errors.append(abs((1 + criterion.max()) / math.radians(0.03) * 6e-4 - 1))
+        self.assertLess(errors[2], 0.002)
+        self.assertLess(errors[1], errors[0] / 3)
+        self.assertLess(errors[2], errors[1] / 3)
+
+    def test_polar_friction(self):
+        """The section that is chosen, and the quarter."""
+        section = self.verified("polar_friction", "Mesh/Degree=3")
+        self.assertIn("model          axisymmetric (friction and gap are the same all around",
+                      (self.folder / "run/log.txt").read_text(encoding="utf-8"))
+        peak = self.rows("run")[4]
+        quarter = self.verified("polar_friction", "Mesh/Degree=3", "Mesh/Model=quarter")
+        for name, bound in (("force_z", 1e-6), ("max_slip", 1e-5), ("total_dissipation", 1e-3), ("stick_area", 0.1)):
+            self.assertAlmostEqual(float(self.rows("run")[4][name]) / float(peak[name]), 1, delta=bound)
+        self.assertAlmostEqual(quarter["total_dissipation"] / section["total_dissipation"], 1, delta=1e-3)
+
+    def test_pressed_by_force(self):
+        self.verified("pressed_by_force", "Contact solver/Tolerance=1e-12")
+        by_motion = self.rows("run")
+        legs = " ; ".join(f"Fz -{row['force_z']} ux {row['ux']} : 1" for row in by_motion)
+        self.verified("pressed_by_force", "Contact solver/Tolerance=1e-12", f"Load program/Legs={legs}")
+        by_force = self.rows("run")
+        for name in by_motion[0]:
+            if name in ("driven", "method", "iterations", "residual", "phase"):
+                continue
+            both = np.array([[float(row[name]) for row in rows] for rows in (by_motion, by_force)])
+            self.assertLessEqual(np.abs(both[1] - both[0]).max(), 1e-8 * np.abs(both).max(), name)
 
     def test_box(self):
         for model in ("auto", "full", "quarter"):

@@ -67,7 +67,7 @@ void slip_integration(const Words &words)
   const Index probe = nearest_node(model.surface(), scene.number("x", 6.72), scene.number("y", 6.72));
   const unsigned int n_copies = model.symmetry().n_copies();
   StepSolver solver(model);
-  ContactState state(model.system().n_nodes());
+  ContactState state(model.gaps());
   NodeVector previous = state.displacement;
   Work work;
   std::cout << "step,slip_x,slip_y,dissipation,driven\n";

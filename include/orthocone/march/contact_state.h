@@ -14,7 +14,14 @@ namespace orthocone
 /// axes.
 struct ContactState
 {
-  explicit ContactState(Eigen::Index n_nodes);
+  /// Before the first step, on the plane.
+  explicit ContactState(Eigen::Index n_nodes)
+      : ContactState(NodeVector(NodeVector::Zero(3 * n_nodes)))
+  {
+  }
+
+  /// Before the first step. `gaps`: displacement relative to the obstacle, mm.
+  explicit ContactState(const NodeVector &gaps);
 
   Eigen::Index n_nodes() const { return accumulated_slip.size(); }
 

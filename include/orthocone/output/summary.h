@@ -47,9 +47,10 @@ struct RunRecord
   Verdict verdict = Verdict::converged; ///< of the last step that was tried
   double largest_energy = 0;            ///< StepChecks::energy, N mm
   Peaks peaks{};
-  std::pair<double, unsigned int> energy_defect{0, 0}; ///< the largest, and its step
-  double work = 0;                                     ///< of the upper face in all computed steps, N mm
-  double dissipation = 0;                              ///< in all computed steps, N mm
+  std::pair<double, unsigned int> energy_defect{0, 0};  ///< the largest, and its step
+  std::pair<double, unsigned int> slip_of_change{0, 0}; ///< StepChecks::slip_of_change, and its step
+  double work = 0;                                      ///< of the upper face in all computed steps, N mm
+  double dissipation = 0;                               ///< in all computed steps, N mm
   double missing = 0; ///< sum of |work - change of elastic energy - dissipation| of all computed steps, N mm
   std::optional<AccuracyEstimate> accuracy{}; ///< where Mesh/Accuracy chose the mesh
   CriticalFrictionRecord critical_friction{}; ///< of the model, not kept in checkpoints
@@ -93,10 +94,11 @@ std::vector<std::string> all_warnings(const Parameters &parameters, const RunRec
 /// Wall times of the phases in a line.
 std::string describe_seconds(const RunRecord &record);
 
-/// "model          quarter (why)" and the line of friction: "associated", "collinear", both or neither, and
-/// its angle.
+/// "model          quarter (why)" the line of friction: "associated", "collinear", both or neither, and its
+/// angle, or its expressions; and that of the gap, if there is one.
 std::string describe_model(const ModelChoice &model);
-std::string describe_friction(const FrictionOptions &friction);
+std::string describe_friction(const Parameters &parameters);
+std::string describe_obstacle(const ObstacleOptions &obstacle);
 
 /// The resolved model in a few lines: kind, cells, unknowns, contact nodes, steps.
 std::string describe_model(const Parameters &parameters, const ModelChoice &model,

@@ -76,7 +76,8 @@ private:
   const ModelSymmetry &symmetry_;
   const Compliance &compliance_;
   LocalAxes axes_;
-  OrthotropicFriction law_;
+  const ContactSystem &system_;
+  const NodeVector &gaps_;
   Eigen::VectorXd shares_; ///< ModelSymmetry::force_shares()
   StickArea stick_area_;
   GeometryOptions geometry_;

@@ -21,8 +21,10 @@ struct StepChecks
   double energy = 0; ///< the largest so far, stored or work in a step with either of its end forces, N mm
   double energy_identity = 0; ///< error of what holds for any forces, and dissipation that no force can do
   double energy_defect = 0;   ///< work - change of elastic energy - dissipation, relative to `energy`
-  bool is_finite = true;      ///< all numbers of the state are
-  Eigen::VectorXd volume{};   ///< K^-1 r of the free unknowns, from which equilibrium is judged, mm
+  double slip_of_change =
+      0; ///< largest slip in contact relative to the length over which gap and friction change
+  bool is_finite = true;    ///< all numbers of the state are
+  Eigen::VectorXd volume{}; ///< K^-1 r of the free unknowns, from which equilibrium is judged, mm
 };
 
 /// A state and the totals of the whole body in it.
@@ -57,7 +59,10 @@ private:
   double slip_amplification_; ///< of errors of the natural map in the slip rule
   unsigned int n_copies_;
   double compression_; ///< largest motion of the upper face along z, mm
-  double length_;      ///< largest_way()
+  double reach_;       ///< reach_of(), mm
+  double length_;      ///< largest_way() of what motions drive, mm
+  const NodeVector &gaps_;
+  const Eigen::VectorXd &change_lengths_;
   const CondensedBody &body_;
   const Stiffness &stiffness_;
 };

@@ -7,8 +7,10 @@
 #include <orthocone/body/body.h>
 #include <orthocone/contact/problem/contact_system.h>
 #include <orthocone/contact/problem/free_face.h>
+#include <orthocone/scene/friction_field.h>
 #include <orthocone/scene/load_program.h>
 #include <orthocone/scene/model_choice.h>
+#include <orthocone/scene/obstacle.h>
 
 #include <functional>
 
@@ -24,6 +26,10 @@ public:
   /// std::runtime_error if the stiffness cannot be factorized.
   Scene(const Parameters &parameters, const ModelChoice &choice,
         const std::function<void(const Body &)> &on_meshed = {});
+
+  /// On another obstacle than the parameters name; `choice` must be right for it.
+  Scene(const Parameters &parameters, const ModelChoice &choice, const Obstacle &obstacle,
+        const std::function<void(const Body &)> &on_meshed = {});
   Scene(const Scene &) = delete; // its modules refer to each other
   Scene &operator=(const Scene &) = delete;
 
@@ -35,14 +41,20 @@ public:
   const Stiffness &stiffness() const { return stiffness_; }
   const CondensedBody &condensed() const { return condensed_; }
   const LocalAxes &axes() const { return axes_; }
-  const OrthotropicFriction &law() const { return law_; }
   const ContactSystem &system() const { return system_; }
 
   /// Wrench on the held face of the whole body that balances the contact forces (local axes, N) of the model.
   Wrench held_wrench(const NodeVector &force) const;
 
-  /// What the contact nodes are moved by where motions drive the held face, mm; the rest of it does not move.
-  NodeVector moved_with(const FaceTarget &target) const;
+  /// Displacement of the contact nodes relative to the obstacle before anything moves: their gaps, mm.
+  const NodeVector &gaps() const { return gaps_; }
+
+  /// The same without contact forces after motions have driven the held face, mm; the rest of it has not
+  /// moved.
+  NodeVector free_displacement(const FaceTarget &target) const;
+
+  /// change_lengths() of gap and friction, mm; empty where both are the same everywhere.
+  const Eigen::VectorXd &change_lengths() const { return change_lengths_; }
 
   /// The face as the forces of a target drive it: one column for each component that the model has.
   FreeFace free_face(const FaceTarget &target) const;
@@ -62,7 +74,8 @@ private:
   StiffnessFactor factor_;
   LocalAxes axes_;
   CondensedBody condensed_;
-  OrthotropicFriction law_;
+  NodeVector gaps_;
+  Eigen::VectorXd change_lengths_;
   ContactSystem system_;
 };
 } // namespace orthocone

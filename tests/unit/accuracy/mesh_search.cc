@@ -63,7 +63,7 @@ std::array<double, 2> unloading_of_case_a(const MeshOptions &mesh)
   const Scene scene(parameters, choose_model(parameters));
   const ContactFieldEvaluator evaluator(scene);
   StepSolver solver(scene);
-  ContactState state(scene.system().n_nodes());
+  ContactState state(scene.gaps());
   double stick_area = 0;
   for (const LoadStep &step : load_steps(parameters.load))
   {
@@ -208,7 +208,7 @@ TEST(MeshSearch, StopsWhereTheEstimatesAreAsWantedAndItsModelRemembersTheCycle)
   // A second march begins every step with its solution.
   StepSolver solver(*chosen.scene);
   solver.restore(chosen.starts);
-  ContactState state(chosen.scene->system().n_nodes());
+  ContactState state(chosen.scene->gaps());
   for (const LoadStep &step : load_steps(parameters.load))
   {
     const SolverReport report = solver.solve(state, step);

@@ -108,6 +108,18 @@ TEST(Forces, OfZeroOpenTheContactByTheFirstMotionThatDoes)
   EXPECT_NEAR(scene.state.motion[z], 0, 1e-15);
 }
 
+// The face stays where the shear has moved it, and its body hangs on it without strain.
+TEST(Forces, OfZeroOpenASlippedContact)
+{
+  Parameters parameters = full_scene();
+  parameters.contact_solver.tolerance = 1e-10;
+  parameters.load.legs = {leg_of({{z, force, -1e5}}, 1), leg_of({{x, force, 2e4}}, 2),
+                          leg_of({{z, force, 0}, {x, force, 0}}, 2)};
+  const ContactState state = checked_march(parameters);
+  EXPECT_EQ(state.force.norm(), 0);
+  EXPECT_GT(state.motion[x], 1e-4);
+}
+
 // Friction carries mu F_z along x when all slips: gross sliding at 0.3 F_z by the ellipse of the paper's case
 // B.
 TEST(Forces, HaveNoEquilibriumBeyondGrossSliding)

@@ -44,7 +44,7 @@ public:
         evaluator(scene),
         shares(symmetry.force_shares(discretization.contact_surface())),
         opening(opening_compliance(discretization.contact_surface(), symmetry, parameters.material)),
-        state(scene.system().n_nodes())
+        state(scene.gaps())
   {
   }
 

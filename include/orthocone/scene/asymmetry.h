@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/parameters/options.h>
+#include <orthocone/surface/model_symmetry.h>
+
+#include <array>
+#include <string>
+
+namespace orthocone
+{
+/// Why the scene is not symmetric, a sentence each, of the first noun that says so; empty where all of them
+/// (shape, material, friction, obstacle, load) are.
+struct Asymmetry
+{
+  std::array<std::string, 2> about_planes; ///< x = 0, y = 0
+  std::string about_axis;                  ///< the body is not that of a revolved section
+
+  bool has_plane(const unsigned int direction) const { return about_planes[direction].empty(); }
+  bool can_be_revolved() const { return about_axis.empty(); }
+
+  /// The planes that the scene is symmetric about.
+  SymmetryPlanes planes() const { return {has_plane(0), has_plane(1)}; }
+
+  /// What keeps the planes away that are missing.
+  std::string of_planes() const;
+};
+
+/// Asks every noun. Gap and friction are compared at the contact nodes and at their images. Throws InputError
+/// where they are not defined, or a force presses before there is contact; FileError for the gap file.
+Asymmetry asymmetry_of(const Parameters &parameters);
+} // namespace orthocone

@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/scene/friction_field.h>
+#include <orthocone/scene/obstacle.h>
+
+namespace orthocone
+{
+/// Length (mm) over which gap or friction change at each contact node: what they range over on the whole
+/// surface divided by their slope there, infinite where they are constant. They are taken at the reference
+/// position of the nodes, which is right for slips that are small against it.
+Eigen::VectorXd change_lengths(const Obstacle &obstacle, const FrictionField &friction,
+                               const ContactSurface &surface);
+} // namespace orthocone

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/scene/obstacle.h>
+
+namespace orthocone
+{
+/// Refuses a load program in which a force begins to press while nothing touches: the motion until then is
+/// not determined. Throws InputError. `places`: contact nodes of the whole body, mm.
+void require_contact_before_force(const Parameters &parameters, const Obstacle &obstacle,
+                                  const std::vector<Eigen::Vector2d> &places);
+} // namespace orthocone

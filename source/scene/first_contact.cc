@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/scene/first_contact.h>
+
+#include <orthocone/base/errors.h>
+#include <orthocone/base/numbers.h>
+#include <orthocone/base/text.h>
+#include <orthocone/surface/rigid_motion.h>
+
+#include <algorithm>
+#include <limits>
+
+namespace orthocone
+{
+using Eigen::Vector2d;
+
+namespace
+{
+constexpr unsigned int normal = 2;
+
+/// The held face on its way through the program, where motions alone say where it is.
+class Way
+{
+public:
+  void pass(const Leg &leg)
+  {
+    constexpr unsigned int first_rotation = 3;
+    for (unsigned int i = 0; i < n_rigid_components; ++i)
+      if (leg.targets[i])
+      {
+        by_force_[i] = leg.targets[i]->by_force;
+        motion_[i] = leg.motion(i).value_or(0) * (i < first_rotation ? 1 : pi / 180);
+      }
+  }
+
+  /// Whether a leg begins to press by a force where a motion was before.
+  bool is_left_by(const Leg &leg) const
+  {
+    const auto &target = leg.targets[normal];
+    return target && target->by_force && target->value != 0 && !by_force_[normal];
+  }
+
+  const RigidMotion &motion() const { return motion_; }
+
+private:
+  RigidMotion motion_{};
+  std::array<bool, n_rigid_components> by_force_{};
+};
+
+double least_gap(const Obstacle &obstacle, const std::vector<Vector2d> &places, const RigidMotion &held,
+                 const double height)
+{
+  double least = std::numeric_limits<double>::infinity();
+  for (const Vector2d &place : places)
+    least = std::min(least, obstacle.gap(place) + held.at({place[0], place[1], -height})[normal]);
+  return least;
+}
+} // namespace
+
+void require_contact_before_force(const Parameters &parameters, const Obstacle &obstacle,
+                                  const std::vector<Vector2d> &places)
+{
+  constexpr double rounding = 1e-12;
+  const double height = parameters.geometry.held_height();
+  const LoadOptions &load = parameters.load;
+  Way way;
+  const auto pass = [&](const std::vector<Leg> &legs, const std::string &entry)
+  {
+    for (std::size_t i = 0; i < legs.size(); ++i)
+    {
+      if (way.is_left_by(legs[i]))
+        if (const double gap = least_gap(obstacle, places, way.motion(), height); gap > rounding * height)
+          throw InputError("Load program/" + entry + ": Fz presses from leg " + std::to_string(i + 1) +
+                           " on, where a gap of " + to_text(gap) +
+                           " mm is open: allowed is a leg before it that closes the gap by a motion of uz");
+      way.pass(legs[i]);
+    }
+  };
+  pass(load.preload, "Preload");
+  for (unsigned int cycle = 0; cycle < std::min(load.cycles, 2u); ++cycle)
+    pass(load.legs, "Legs");
+}
+} // namespace orthocone

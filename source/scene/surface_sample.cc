@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/scene/surface_sample.h>
+
+#include <orthocone/base/numbers.h>
+#include <orthocone/base/text.h>
+#include <orthocone/body/body.h>
+#include <orthocone/body/shapes/mesh_ladder.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace orthocone
+{
+using Eigen::Matrix2d;
+using Eigen::Vector2d;
+
+namespace
+{
+/// The same contact surface with the least body above it.
+MeshOptions flat_mesh(const Parameters &parameters, const bool is_axisymmetric)
+{
+  constexpr unsigned int most_of_solids = 3;
+  MeshOptions mesh = parameters.mesh.accuracy != 0
+                         ? ladder_mesh(parameters.geometry, parameters.mesh, is_axisymmetric,
+                                       n_ladder_levels(is_axisymmetric) - 1)
+                         : resolved_mesh(parameters.geometry, parameters.mesh, is_axisymmetric);
+  mesh.layers = mesh.cells[2] = 1;
+  mesh.degree = is_axisymmetric ? mesh.degree : std::min(mesh.degree, most_of_solids);
+  return mesh;
+}
+
+std::vector<Vector2d> places_of(const Parameters &given, const ModelSymmetry &symmetry)
+{
+  Parameters parameters = given;
+  parameters.mesh = flat_mesh(given, symmetry.is_axisymmetric());
+  parameters.geometry.top_face = TopFace::clamped;
+  const Body body(parameters, symmetry);
+  std::vector<Vector2d> places;
+  for (const ContactNode &node : body.unknowns().contact_surface().nodes)
+    places.emplace_back(node.position[0], node.position[1]);
+  return places;
+}
+} // namespace
+
+SurfaceSample surface_sample(const Parameters &parameters)
+{
+  SurfaceSample sample{places_of(parameters, {}), {}};
+  if (parameters.geometry.shape == BodyShape::cylinder)
+    sample.radii = places_of(parameters, ModelSymmetry::of_revolution());
+  return sample;
+}
+
+std::vector<Matrix2d> symmetry_maps(const ModelSymmetry &symmetry)
+{
+  const Matrix2d mirror_x = Vector2d(-1, 1).asDiagonal(), mirror_y = Vector2d(1, -1).asDiagonal();
+  std::vector<Matrix2d> maps;
+  if (symmetry.planes().normal_to_x)
+    maps.push_back(mirror_x);
+  if (symmetry.planes().normal_to_y)
+    maps.push_back(mirror_y);
+  if (!symmetry.is_axisymmetric())
+    return maps;
+  constexpr int n_turns = 16;
+  const double golden_angle = pi * (3 - std::sqrt(5)); // no number of waves around repeats under it
+  for (int i = 1; i <= n_turns; ++i)
+    maps.emplace_back(Eigen::Rotation2Dd(i * golden_angle).toRotationMatrix());
+  maps.push_back(mirror_y);
+  return maps;
+}
+
+std::string value_text(const double value)
+{
+  return std::isnan(value) ? "not a number" : std::isinf(value) ? "infinite" : to_text(value);
+}
+
+std::string place_text(const Vector2d &place)
+{
+  return "(" + to_text(place[0]) + ", " + to_text(place[1]) + ") mm";
+}
+} // namespace orthocone

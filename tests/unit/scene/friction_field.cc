@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/base/errors.h>
+#include <orthocone/base/numbers.h>
+#include <orthocone/scene/change_length.h>
+#include <orthocone/scene/friction_field.h>
+
+#include <gtest/gtest.h>
+
+namespace orthocone::test
+{
+namespace
+{
+std::array<Expression, 2> pair(const char *x, const char *y)
+{
+  return {{Expression(x), Expression(y)}};
+}
+
+/// Axes along radius and hoop.
+FrictionOptions polar()
+{
+  FrictionOptions friction;
+  friction.mu = {{0.4, 0.2}};
+  friction.varying_angle = Expression("atan2(y,x)*180/pi");
+  return friction;
+}
+
+std::string rejection(const FrictionOptions &friction)
+{
+  try
+  {
+    FrictionField(friction).check({{1, 2}, {3, 4}});
+  }
+  catch (const InputError &error)
+  {
+    return error.what();
+  }
+  return {};
+}
+
+ContactSurface surface_of(const std::vector<Eigen::Vector2d> &places)
+{
+  ContactSurface surface;
+  for (const auto &place : places)
+    surface.nodes.push_back({{{place[0], place[1]}}, 1, {}, {}});
+  return surface;
+}
+} // namespace
+
+TEST(FrictionField, HasALawAtEveryPlace)
+{
+  FrictionOptions friction;
+  friction.varying_mu = pair("0.1*x", "0.05*x");
+  EXPECT_EQ(rejection(friction), "");
+  const auto laws = FrictionField(friction).laws(surface_of({{1, 0}, {3, 0}}), {});
+  EXPECT_DOUBLE_EQ(laws[1].mu_x, 0.3);
+  EXPECT_DOUBLE_EQ(laws[1].p_y, 0.15) << "associated: p = mu";
+  friction.varying_mu = pair("1-x/2", "0.1");
+  EXPECT_EQ(rejection(friction), "Friction/Coefficients is -0.5, 0.1 at (3, 4) mm of the contact surface: "
+                                 "allowed are two finite numbers > 0, or both 0 (no friction)");
+  friction.varying_mu = pair("if(x<2,0,0.1)", "if(x<2,0,0.2)");
+  EXPECT_EQ(rejection(friction), "") << "no friction at one place";
+  friction.varying_slip_potential = pair("1", "sqrt(x-2)");
+  friction.slip_potential = std::array<double, 2>{{1, 1}};
+  EXPECT_EQ(rejection(friction), "") << "p means nothing where there is no friction";
+  friction.varying_mu = pair("0.1+0*x", "0.1");
+  EXPECT_NE(rejection(friction).find("Friction/Slip potential is 1, "), std::string::npos);
+  friction.varying_slip_potential = std::nullopt;
+  friction.varying_angle = Expression("1/(x-3)");
+  EXPECT_EQ(rejection(friction), "Friction/Orthotropy angle is infinite at (3, 4) mm of the contact surface: "
+                                 "allowed is a finite number (degrees)");
+}
+
+// The ellipse of friction, as a tensor, turns with the place.
+TEST(FrictionField, TurnsWithTheRadius)
+{
+  const FrictionField field(polar());
+  for (const double angle : {0., 0.3, 2., -3.})
+  {
+    const Eigen::Vector2d radial(std::cos(angle), std::sin(angle));
+    const auto entries = field.tensors(7 * radial);
+    Eigen::Matrix2d friction;
+    friction << entries[0], entries[1], entries[1], entries[2];
+    EXPECT_NEAR((friction * radial - 0.16 * radial).norm(), 0, 1e-15);
+  }
+}
+
+TEST(FrictionField, LiesAlongTheRadiusOfASection)
+{
+  const ContactSurface rings = surface_of({{0, 0}, {5, 0}});
+  const ModelSymmetry section = ModelSymmetry::of_revolution();
+  EXPECT_EQ(FrictionField(polar()).laws(rings, section)[1].mu_x, 0.4);
+  FrictionOptions hoop = polar();
+  hoop.varying_angle = Expression("90+atan2(y,x)*180/pi");
+  hoop.slip_potential = std::array<double, 2>{{0.3, 0.1}};
+  const auto law = FrictionField(hoop).laws(rings, section)[1];
+  EXPECT_EQ(law.mu_x, 0.2);
+  EXPECT_EQ(law.mu_y, 0.4);
+  EXPECT_EQ(law.p_x, 0.1);
+  EXPECT_TRUE(FrictionField(hoop).axes(rings, section).is_uniform());
+}
+
+// A sine of wave length L ranges over 2 amplitudes and is steepest with 2 pi / L amplitudes: L / pi.
+TEST(ChangeLength, IsTheRangeDividedByTheSlope)
+{
+  const ContactSurface surface = surface_of({{0, 0}, {1, 0}, {2, 0}, {3, 0}, {4, 1}});
+  const auto lengths = change_lengths(*make_obstacle({"0.01*sin(2*pi*x/4)", ""}), FrictionField({}), surface);
+  EXPECT_NEAR(lengths[0] / (4 / pi), 1, 1e-6);
+  EXPECT_GT(lengths[1], 100) << "at the crest";
+  EXPECT_TRUE(std::isinf(change_lengths(*make_obstacle({"1", ""}), FrictionField({}), surface)[0]));
+  const auto of_polar = change_lengths(*make_obstacle({}), FrictionField(polar()), surface);
+  EXPECT_GT(of_polar[3], 0.1) << "the jump of atan2 is no change of friction";
+  EXPECT_LT(of_polar[3], 3.1) << "it turns by a radian on the way of a radius";
+}
+} // namespace orthocone::test

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/base/errors.h>
+#include <orthocone/scene/obstacle.h>
+
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+
+namespace orthocone::test
+{
+namespace
+{
+std::string rejection(const Obstacle &obstacle, const std::vector<Eigen::Vector2d> &places)
+{
+  try
+  {
+    obstacle.check(places);
+  }
+  catch (const InputError &error)
+  {
+    return error.what();
+  }
+  return {};
+}
+} // namespace
+
+TEST(Obstacle, IsAPlaneWithoutAGap)
+{
+  EXPECT_TRUE(make_obstacle({})->is_plane());
+  EXPECT_FALSE(make_obstacle({"0.1", ""})->is_plane());
+}
+
+TEST(Obstacle, AddsTheHeightOfTheNode)
+{
+  ContactSurface surface;
+  surface.nodes = {{{{3, 4}}, 1, {}, {}, 0}, {{{0, 2}}, 1, {}, {}, 0.5}};
+  const NodeVector gaps = gaps_of(*make_obstacle({"(x^2+y^2)/100", ""}), surface);
+  EXPECT_DOUBLE_EQ(gaps[0], 0.25);
+  EXPECT_DOUBLE_EQ(gaps[3], 0.54);
+  EXPECT_EQ(gaps.segment(1, 2).norm() + gaps.segment(4, 2).norm(), 0);
+}
+
+TEST(Obstacle, AddsFileAndExpression)
+{
+  const auto path = std::filesystem::temp_directory_path() / "orthocone_obstacle_gap.txt";
+  std::ofstream(path) << "0 10 2 0 10 2\n0 1\n2 3\n";
+  const auto obstacle = make_obstacle({"x", path.string()});
+  EXPECT_DOUBLE_EQ(obstacle->gap({5, 5}), 5 + 1.5);
+  EXPECT_EQ(rejection(*obstacle, {{10, 0}}), "");
+  EXPECT_EQ(
+      rejection(*obstacle, {{10.5, 0}}),
+      "Obstacle/Gap file = " + path.string() +
+          ": allowed is a grid that holds the whole contact surface, also (10.5, 0) mm; this one reaches "
+          "from (0, 0) mm to (10, 10) mm");
+  std::filesystem::remove(path);
+}
+
+TEST(Obstacle, IsDefinedEverywhere)
+{
+  EXPECT_EQ(rejection(*make_obstacle({"sqrt(25-x^2)", ""}), {{3, 0}, {5, 0}}), "");
+  EXPECT_EQ(
+      rejection(*make_obstacle({"sqrt(25-x^2)", ""}), {{3, 0}, {6, 1}}),
+      "Obstacle/Gap = sqrt(25-x^2) is not a number at (6, 1) mm of the contact surface: allowed is a finite "
+      "number (mm)");
+  EXPECT_EQ(
+      rejection(*make_obstacle({"1/x", ""}), {{0, 1}}),
+      "Obstacle/Gap = 1/x is infinite at (0, 1) mm of the contact surface: allowed is a finite number (mm)");
+}
+} // namespace orthocone::test

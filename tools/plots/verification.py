@@ -1,0 +1,231 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""Answers of prm/verification over the closed forms; with --docs those of docs/verification.md. Started by
+tools/verification."""
+import argparse
+import math
+import pathlib
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+
+import matplotlib.pyplot as plt  # noqa: E402
+import numpy as np  # noqa: E402
+
+import docs_page  # noqa: E402
+from disc_map import LINES  # noqa: E402
+from half_space import Sphere, fitted_sphere, punch_pressure, punch_slope  # noqa: E402
+from paper_runs import ROOT, ProgramError, Runs  # noqa: E402
+
+BLUE, RED, GREEN, GREY = LINES
+DOTS = {"marker": "o", "markersize": 3.5, "linestyle": "none", "color": BLUE, "label": "orthocone"}
+LINE = {"color": RED, "linewidth": 1.2, "label": "closed form"}
+Q = 83.99  # N
+
+
+class VerificationRuns(Runs):
+    """Runs of prm/verification."""
+
+    def verified(self, file, *settings):
+        name = "-".join([file, *(setting.split("=")[1] for setting in settings)]).replace(" ", "").replace(",", "_")
+        return self.run(name, f"../verification/{file}", "Output/Probes=", *settings)
+
+
+def three_panels():
+    figure, axes = plt.subplots(1, 3, figsize=(13.5, 4.2), layout="constrained")
+    for ax in axes:
+        ax.grid(color="0.9", linewidth=0.6)
+        ax.set_axisbelow(True)
+    return figure, axes
+
+
+def label(ax, title, x, y):
+    ax.set(title=title, xlabel=x, ylabel=y)
+    ax.legend(fontsize=8)
+
+
+def on_surface(run, step, name):
+    """Distances from the axis and a field, each place once."""
+    contact = run.contact(step)
+    radius = np.hypot(*contact.points[:, :2].T)
+    chosen = np.unique(np.round(radius, 7), return_index=True)[1]
+    return radius[chosen], contact[name][chosen]
+
+
+def hertz(runs, ax):
+    sphere, (radius, pressure) = Sphere(384.615), on_surface(runs.verified("hertz"), 4, "pressure")
+    inside, r = radius < 0.6, np.linspace(0, 0.5, 400)
+    ax.plot(r, sphere.pressure(r), **LINE)
+    ax.plot(radius[inside], pressure[inside], **DOTS)
+    label(ax, "Hertz: pressure under a sphere", "r in mm", "pressure in MPa")
+
+
+def mindlin_traction(runs, ax):
+    contact = runs.verified("cattaneo_mindlin").contact(10)
+    radius, sphere = np.hypot(*contact.points[:, :2].T), Sphere(466.6, poisson=0.4999)
+    inside, r = radius < 0.6, np.linspace(0, 0.5, 1000)
+    ax.plot(r, sphere.traction(r, Q), **LINE)
+    ax.plot(radius[inside], np.abs(contact["friction_traction"][inside, 0]), **DOTS)
+    label(ax, "Cattaneo, Mindlin: shear traction at Q = 0.6 $\\mu$P", "r in mm", "|traction along x| in MPa")
+
+
+def own_shear(runs, sphere):
+    """Shift of the body far from the contact, mm: that of the stuck body less that of a stuck patch."""
+    stuck = runs.verified("cattaneo_mindlin", "Friction/Coefficients=100,100", "Load program/Legs=Fx 83.99 : 1")
+    return stuck.history["ux"][-1] - (2 - sphere.poisson) * Q / (8 * sphere.shear_modulus * sphere.contact_radius)
+
+
+def mindlin_loop(runs, ax):
+    history, sphere = runs.verified("cattaneo_mindlin").history, Sphere(466.6, poisson=0.4999)
+    own, shear = own_shear(runs, sphere) / Q, np.linspace(-Q, Q, 300)
+    ax.plot(sphere.shift(np.linspace(0, Q, 100)) * 1e3, np.linspace(0, Q, 100), **LINE)
+    ax.plot(sphere.unloading_shift(Q, shear) * 1e3, shear, color=RED, linewidth=1.2)
+    ax.plot(-sphere.unloading_shift(Q, shear) * 1e3, -shear, color=RED, linewidth=1.2)
+    force = -history["force_x"]
+    ax.plot((history["ux"] - own * force)[3:] * 1e3, force[3:], **DOTS)
+    label(ax, "Mindlin: loop, without the body's own shear", "shift in µm", "tangential force in N")
+
+
+def flat_punch(runs, ax):
+    radius, pressure = on_surface(runs.verified("flat_punch"), 1, "pressure")
+    inside, r = radius < 0.985, np.linspace(0, 0.985, 400)
+    ax.plot(r, punch_pressure(r, 1000), **LINE)
+    ax.plot(radius[inside], pressure[inside], **DOTS)
+    label(ax, "Flat punch", "r in mm", "pressure in MPa")
+
+
+def tilted_punch(runs, ax):
+    contact = runs.verified("tilted_punch").contact(1)
+    x, y = contact.points[:, :2].T
+    line, r = (np.abs(y) < 1e-9) & (np.abs(x) < 0.9), np.linspace(-0.9, 0.9, 400)
+    ax.plot(r, punch_pressure(np.abs(r), 1000) * (1 + punch_slope(1000, 1e-4) * r), **LINE)
+    ax.plot(x[line], contact["pressure"][line], **DOTS)
+    label(ax, "Inclined punch, along the inclination", "x in mm", "pressure in MPa")
+
+
+def polar(runs, ax):
+    for model, style in (("axisymmetric", {"color": RED, "label": "section"}), ("quarter", {**DOTS, "label": "quarter"})):
+        run = runs.verified("polar_friction", "Mesh/Degree=3", f"Mesh/Model={model}")
+        radius, traction = on_surface(run, 5, "friction_traction")
+        ax.plot(radius, np.hypot(*traction.T[:2]), **style)
+    label(ax, "Axes of friction along radius and hoop", "r in mm", "friction traction in MPa")
+
+
+def torsion(runs, ax):
+    angles = np.linspace(0, 0.5, 11)
+    run = runs.verified("torsion", "Load program/Legs=uz -0.1 : 1 ; rz 0.5 : 10")
+    moment = 105000 * 32 * 1e4 * math.sin(math.pi / 16) * (2 + math.cos(math.pi / 16)) / 12 / 10 * np.radians(angles)
+    ax.plot(angles, moment / 1e6, **LINE)
+    ax.plot(run.history["rz"], -run.history["moment_z"] / 1e6, **DOTS)
+    label(ax, "Torsion of a shaft that sticks", "angle in degrees", "moment in kN m")
+
+
+def first_slip(runs, ax):
+    cells = (2, 4, 8)
+    angles = []
+    for n in cells:
+        run = runs.verified("first_slip_in_torsion", f"Mesh/Core cells={n}", f"Mesh/Rings={n}")
+        angles.append(0.03 / (1 + on_surface(run, 2, "friction_criterion")[1].max()))
+    ax.axhline(math.degrees(6e-4), **LINE)
+    ax.plot(cells, angles, **{**DOTS, "linestyle": "--"})
+    ax.set_xticks(cells)
+    label(ax, "First slip of the twisted shaft, at its rim", "cells from the axis to the rim / 1.5", "angle in degrees")
+
+
+def gross_sliding(runs, ax):
+    direction, mu = np.radians(np.linspace(0, 90, 200)), (0.8, 0.4)
+    for p, colour, name in (((0.8, 0.4), RED, "associated"), ((1, 1), GREEN, "collinear")):
+        along = -np.array([p[0]**2 * np.cos(direction), p[1]**2 * np.sin(direction)])
+        along /= np.hypot(along[0] / mu[0], along[1] / mu[1])
+        ax.plot(-along[0], -along[1], color=colour, linewidth=1.2, label=f"{name}, all directions")
+        for angle in (15, 45, 75):
+            legs = f"0 0 -0.01 : 1 ; {math.cos(math.radians(angle)):.6g} {math.sin(math.radians(angle)):.6g} -0.01 : 20"
+            history = runs.verified("gross_sliding", f"Friction/Slip potential={p[0]}, {p[1]}",
+                                    f"Load program/Legs={legs}").history
+            ax.plot(-history["force_x"][-1] / history["force_z"][-1], -history["force_y"][-1] / history["force_z"][-1],
+                    "o", color=colour, markersize=5, markerfacecolor="none" if name == "collinear" else colour)
+            ax.plot(*(np.interp(math.radians(angle), direction, -part) for part in along), "+", color="0.2", markersize=9)
+    ax.set_aspect("equal")
+    label(ax, "Gross sliding along 15°, 45°, 75° (+: closed form)", "force_x / force_z", "force_y / force_z")
+
+
+def pressed_by_force(runs, ax):
+    history = runs.verified("pressed_by_force").history
+    legs = " ; ".join(f"Fz {-f!r} ux {u!r} : 1" for f, u in zip(history["force_z"].tolist(), history["ux"].tolist()))
+    by_force = runs.run("pressed-by-force", "../verification/pressed_by_force", "Output/Probes=",
+                        f"Load program/Legs={legs}").history
+    ax.plot(range(1, 10), -history["uz"] * 1e3, color=RED, label="driven by the motion")
+    ax.plot(range(1, 10), -by_force["uz"] * 1e3, **{**DOTS, "label": "driven by its force"})
+    label(ax, "The same press by motion and by force", "load step", "-uz in µm")
+
+
+def box(runs, ax):
+    contact = runs.verified("box").contact(2)
+    x, slip = contact.points[:, 0], contact["slip"][:, 0]
+    line = np.array([-10, 10])
+    ax.plot(line, 0.3 / 210 * line * 1e3, **LINE)
+    ax.plot(x, slip * 1e3, **DOTS)
+    label(ax, "Box under 240 kN: lateral strain at its base", "x in mm", "slip along x in µm")
+
+
+def patch(runs, ax):
+    radius, slip = on_surface(runs.verified("patch_test"), 1, "slip_magnitude")
+    ax.plot([0, 10], [0, 30], **LINE)
+    ax.plot(radius, slip * 1e3, **DOTS)
+    label(ax, "Patch test: lateral strain at the base", "r in mm", "slip in µm")
+
+
+PICTURES = {"verification_spheres": (hertz, mindlin_traction, mindlin_loop),
+            "verification_places": (flat_punch, tilted_punch, polar),
+            "verification_turns": (torsion, first_slip, gross_sliding),
+            "verification_bodies": (pressed_by_force, box, patch)}
+
+
+def sphere_rows(runs):
+    """Table: quantity, ours, closed form, difference."""
+    run, small = runs.verified("hertz"), Sphere(384.615)
+    radius, p0 = fitted_sphere(*on_surface(run, 4, "pressure"))
+    sheared, sphere = runs.verified("cattaneo_mindlin").history, Sphere(466.6, poisson=0.4999)
+    own = own_shear(runs, sphere)
+    stick = np.sqrt(sheared["stick_area"] / math.pi)
+    rows = [("Hertz, contact radius (mm)", radius, small.contact_radius),
+            ("Hertz, largest pressure (MPa)", p0, small.largest_pressure),
+            ("Hertz, approach (mm)", -run.history["uz"][-1], small.approach),
+            ("Cattaneo–Mindlin, stick radius at Q (mm)", stick[9], sphere.stick_radius(Q)),
+            ("the same at −Q, after a reversal (mm)", stick[21], sphere.stick_radius(Q)),
+            ("shift at Q less the body's own (mm)", sheared["ux"][9] - own, sphere.shift(Q)),
+            ("dissipation of a cycle (N mm)", sheared["dissipation"][10:34].sum(), sphere.loop_area(Q))]
+    lines = ["| quantity | orthocone | closed form | difference |", "|---|---|---|---|"]
+    lines += [f"| {name} | {ours:.5g} | {exact:.5g} | {100 * (ours / exact - 1):+.2f} % |"
+              for name, ours, exact in rows]
+    return "\n".join(lines) + "\n"
+
+
+def main():
+    parser = argparse.ArgumentParser(prog="tools/verification", description=__doc__)
+    parser.add_argument("--output", type=pathlib.Path, default=ROOT / "output/verification",
+                        help="folder of pictures and runs")
+    parser.add_argument("--docs", action="store_true",
+                        help="also refresh docs/images and the table of docs/verification.md")
+    options = parser.parse_args()
+    runs = VerificationRuns(ROOT / "build/orthocone", options.output / "runs")
+    try:
+        for name, panels in PICTURES.items():
+            figure, axes = three_panels()
+            for draw, ax in zip(panels, axes):
+                draw(runs, ax)
+            figure.savefig(options.output / f"{name}.png", dpi=150)
+            if options.docs:
+                docs_page.save_small(figure, ROOT / f"docs/images/{name}.png")
+            plt.close(figure)
+            print(f"verification: {options.output / name}.png", flush=True)
+        if options.docs:
+            docs_page.write_tables({"spheres": sphere_rows(runs)}, ROOT / "docs/verification.md", "verification")
+    except ProgramError as error:
+        sys.exit(f"verification: {error}")
+
+
+if __name__ == "__main__":
+    main()
