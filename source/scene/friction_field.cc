@@ -5,7 +5,7 @@
 #include <orthocone/base/errors.h>
 #include <orthocone/base/numbers.h>
 #include <orthocone/base/text.h>
-#include <orthocone/parameters/values.h>
+#include <orthocone/parameters/parameters.h>
 
 #include <algorithm>
 #include <cmath>
@@ -46,15 +46,27 @@ bool are_alike(const Matrix2d &one, const Matrix2d &other)
   return (one - other).norm() <= rounding * std::max(one.norm(), other.norm());
 }
 
+/// "Friction/Coefficients = 0.3-x/20, 0.15".
+std::string entry_text(const std::string &entry, const FrictionOptions &options)
+{
+  Parameters parameters;
+  parameters.friction = options;
+  for (const auto &[name, value] : entry_values(parameters))
+    if (name == entry)
+      return entry + " = " + value;
+  return entry;
+}
+
 /// Refuses two numbers at a place that are not positive; `may_be_none`: or both 0.
-void check_pair(const std::array<double, 2> &pair, const bool may_be_none, const std::string &entry,
-                const Vector2d &place)
+void check_pair(const FrictionOptions &options, const std::string &entry, const std::array<double, 2> &pair,
+                const bool may_be_none, const Vector2d &place)
 {
   const auto is_fine = [](const double number) { return number > 0 && std::isfinite(number); };
   if ((is_fine(pair[0]) && is_fine(pair[1])) || (may_be_none && pair[0] == 0 && pair[1] == 0))
     return;
-  throw InputError(entry + " is " + value_text(pair[0]) + ", " + value_text(pair[1]) + " at " +
-                   place_text(place) + " of the contact surface: allowed are two finite numbers > 0" +
+  throw InputError(entry_text(entry, options) + " is " + value_text(pair[0]) + ", " + value_text(pair[1]) +
+                   " at " + place_text(place) +
+                   " of the contact surface: allowed are two finite numbers > 0" +
                    (may_be_none ? ", or both 0 (no friction)" : ""));
 }
 
@@ -76,12 +88,13 @@ void FrictionField::check(const std::vector<Vector2d> &places) const
   for (const Vector2d &place : places)
   {
     const FrictionOptions there = options_.at(place[0], place[1]);
-    check_pair(there.mu, true, "Friction/Coefficients", place);
+    check_pair(options_, "Friction/Coefficients", there.mu, true, place);
     if (!there.is_frictionless())
-      check_pair(there.p(), false, "Friction/Slip potential", place);
+      check_pair(options_, "Friction/Slip potential", there.p(), false, place);
     if (!std::isfinite(there.angle))
-      throw InputError("Friction/Orthotropy angle is " + value_text(there.angle) + " at " +
-                       place_text(place) + " of the contact surface: allowed is a finite number (degrees)");
+      throw InputError(entry_text("Friction/Orthotropy angle", options_) + " is " + value_text(there.angle) +
+                       " at " + place_text(place) +
+                       " of the contact surface: allowed is a finite number (degrees)");
   }
 }
 

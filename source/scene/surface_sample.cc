@@ -9,6 +9,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
+#include <sstream>
 
 namespace orthocone
 {
@@ -76,6 +78,8 @@ std::string value_text(const double value)
 
 std::string place_text(const Vector2d &place)
 {
-  return "(" + to_text(place[0]) + ", " + to_text(place[1]) + ") mm";
+  std::ostringstream text;
+  text << std::setprecision(4) << "(" << place[0] << ", " << place[1] << ") mm";
+  return text.str();
 }
 } // namespace orthocone

@@ -103,6 +103,20 @@ class ParameterTest(ErrorTest):
         (self.folder / "parts/gap.txt").unlink()
         self.assert_rejected(["parts/case.prm"], FILE_ERROR, r"\S*/parts/gap\.txt: cannot be read \(No such file")
 
+    def test_fields_and_early_forces(self):
+        for override, expression in table.FIELDS:
+            with self.subTest(override=override):
+                self.assert_rejected(["good.prm", *settings([override])], WRONG_INPUT, r"good\.prm: " + expression + "$")
+        for overrides, expression in table.EARLY_FORCES:
+            with self.subTest(overrides=overrides):
+                self.assert_rejected(["good.prm", *settings(overrides)], WRONG_INPUT, r"good\.prm: " + expression + "$")
+
+    def test_grid_that_is_too_small(self):
+        self.put("gap.txt", "-1 2 2 -1 2 2\n0 0\n0 0\n")
+        self.assert_rejected(["good.prm", *settings([f"Obstacle/Gap file={self.folder / 'gap.txt'}"])], WRONG_INPUT,
+                             r"good\.prm: Obstacle/Gap file = \S*gap\.txt: allowed is a grid that holds the whole contact "
+                             r"surface, also \(\S+, \S+\) mm; this one reaches from \(-1, -1\) mm to \(1, 1\) mm$")
+
     def test_unreadable_file(self):
         self.put("secret.prm", table.SCENE).chmod(0)
         result = self.run_as_nobody("secret.prm")

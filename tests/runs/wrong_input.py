@@ -197,8 +197,35 @@ GAP_FILES = [
     ("", ": is empty; a grid of gaps is wanted$"),
 ]
 
+# Fields that are not defined on the whole surface, and forces that press on nothing: override, end of the sentence.
+PLACE = r" at \(\S+, \S+\) mm of the contact surface: allowed "
+FIELDS = [
+    ("Obstacle/Gap=sqrt(25-x^2)", r"Obstacle/Gap = sqrt\(25-x\^2\) is not a number" + PLACE + r"is a finite number \(mm\)"),
+    ("Obstacle/Gap=1/x", r"Obstacle/Gap = 1/x is infinite" + PLACE + r"is a finite number \(mm\)"),
+    ("Friction/Coefficients=0.3-x/20, 0.15",
+     r"Friction/Coefficients = 0\.3-x/20, 0\.15 is -0\.\d+, 0\.15" + PLACE +
+     r"are two finite numbers > 0, or both 0 \(no friction\)"),
+    ("Friction/Slip potential=1, x", r"Friction/Slip potential = 1, x is 1, -\S+" + PLACE + "are two finite numbers > 0"),
+    ("Friction/Slip potential=sqrt(x), 1", r"Friction/Slip potential = sqrt\(x\), 1 is not a number, 1" + PLACE +
+     "are two finite numbers > 0"),
+    ("Friction/Orthotropy angle=1/x", "Friction/Orthotropy angle = 1/x is infinite" + PLACE +
+     r"is a finite number \(degrees\)"),
+]
+EARLY_FORCES = [
+    (["Obstacle/Gap=0.01", "Load program/Legs=Fz -1 : 1"],
+     r"Load program/Legs: Fz presses from leg 1 on, where a gap of 0\.01 mm is open: allowed is a leg before it that "
+     "closes the gap by a motion of uz"),
+    (["Load program/Preload=uz 0.1 : 1 ; Fz -1 : 1", "Obstacle/Gap=x^2/100"],
+     r"Load program/Preload: Fz presses from leg 2 on, where a gap of 0\.1 mm is open: allowed is a leg before it that "
+     "closes the gap by a motion of uz"),
+]
+
 # Unusual but valid: overrides, word that the resolved model begins with.
 VALID = [
+    (["Obstacle/Gap=(x^2+y^2)/200", "Friction/Coefficients=0.3, 0.3"], "axisymmetric"),
+    (["Obstacle/Gap=x^2/200"], "quarter"), (["Obstacle/Gap=0.01+x/1000"], "half"),
+    (["Friction/Orthotropy angle=atan2(y,x)*180/pi"], "axisymmetric"), (["Friction/Orthotropy angle=x*y"], "quarter"),
+    (["Friction/Coefficients=0.3+x/100, 0.15"], "half"), (["Friction/Slip potential=collinear"], "quarter"),
     (["Friction/Orthotropy angle=90"], "quarter"), (["Friction/Orthotropy angle=-180"], "quarter"),
     (["Friction/Orthotropy angle=30"], "full"), (["Load program/Legs=0.1 0 -0.1 : 1"], "half"),
     (["Friction/Orthotropy angle=33", "Friction/Coefficients=0.2, 0.2", "Friction/Slip potential=1, 1"], "axisymmetric"),

@@ -82,6 +82,11 @@ def punch_slope(force, inclination, radius=1.0, poisson=0.3):
     return 2 * inclination / approach
 
 
+def radius_of_punch(middle, force):
+    """Of the punch whose pressure in the middle (MPa) this is, mm: that of a circle which nodes follow roughly."""
+    return math.sqrt(force / (2 * math.pi * middle))
+
+
 def fitted_sphere(r, pressure, most=0.8):
     """Contact radius and largest pressure of the half-ellipsoid through pressures at r: the line through their squares in
     the inner part of the contact."""

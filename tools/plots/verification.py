@@ -16,7 +16,7 @@ import numpy as np  # noqa: E402
 
 import docs_page  # noqa: E402
 from disc_map import LINES  # noqa: E402
-from half_space import Sphere, fitted_sphere, punch_pressure, punch_slope  # noqa: E402
+from half_space import Sphere, fitted_sphere, punch_pressure, punch_slope, radius_of_punch  # noqa: E402
 from paper_runs import ROOT, ProgramError, Runs  # noqa: E402
 
 BLUE, RED, GREEN, GREY = LINES
@@ -100,7 +100,9 @@ def tilted_punch(runs, ax):
     contact = runs.verified("tilted_punch").contact(1)
     x, y = contact.points[:, :2].T
     line, r = (np.abs(y) < 1e-9) & (np.abs(x) < 0.9), np.linspace(-0.9, 0.9, 400)
-    ax.plot(r, punch_pressure(np.abs(r), 1000) * (1 + punch_slope(1000, 1e-4) * r), **LINE)
+    radius = radius_of_punch(contact["pressure"][np.argmin(np.hypot(x, y))], 1000)
+    ax.plot(r, punch_pressure(np.abs(r), 1000, radius) * (1 + punch_slope(1000, 1e-4, radius) * r),
+            **{**LINE, "label": f"closed form, a = {radius:.3f} mm"})
     ax.plot(x[line], contact["pressure"][line], **DOTS)
     label(ax, "Inclined punch, along the inclination", "x in mm", "pressure in MPa")
 
@@ -131,7 +133,7 @@ def first_slip(runs, ax):
     ax.axhline(math.degrees(6e-4), **LINE)
     ax.plot(cells, angles, **{**DOTS, "linestyle": "--"})
     ax.set_xticks(cells)
-    label(ax, "First slip of the twisted shaft, at its rim", "cells from the axis to the rim / 1.5", "angle in degrees")
+    label(ax, "First slip of the twisted shaft, at its rim", "core cells = rings", "angle in degrees")
 
 
 def gross_sliding(runs, ax):
@@ -139,7 +141,7 @@ def gross_sliding(runs, ax):
     for p, colour, name in (((0.8, 0.4), RED, "associated"), ((1, 1), GREEN, "collinear")):
         along = -np.array([p[0]**2 * np.cos(direction), p[1]**2 * np.sin(direction)])
         along /= np.hypot(along[0] / mu[0], along[1] / mu[1])
-        ax.plot(-along[0], -along[1], color=colour, linewidth=1.2, label=f"{name}, all directions")
+        ax.plot([], [], "o", color=colour, markerfacecolor="none" if name == "collinear" else colour, label=name)
         for angle in (15, 45, 75):
             legs = f"0 0 -0.01 : 1 ; {math.cos(math.radians(angle)):.6g} {math.sin(math.radians(angle)):.6g} -0.01 : 20"
             history = runs.verified("gross_sliding", f"Friction/Slip potential={p[0]}, {p[1]}",
@@ -148,7 +150,10 @@ def gross_sliding(runs, ax):
                     "o", color=colour, markersize=5, markerfacecolor="none" if name == "collinear" else colour)
             ax.plot(*(np.interp(math.radians(angle), direction, -part) for part in along), "+", color="0.2", markersize=9)
     ax.set_aspect("equal")
-    label(ax, "Gross sliding along 15°, 45°, 75° (+: closed form)", "force_x / force_z", "force_y / force_z")
+    angle = np.linspace(0, math.pi / 2, 100)
+    ax.plot(mu[0] * np.cos(angle), mu[1] * np.sin(angle), color=GREY, linewidth=1, label="friction ellipse")
+    ax.plot([], [], "+", color="0.2", markersize=9, label="closed form")
+    label(ax, "Gross sliding along 15°, 45°, 75°", "force_x / force_z", "force_y / force_z")
 
 
 def pressed_by_force(runs, ax):

@@ -44,6 +44,6 @@ std::vector<Eigen::Matrix2d> symmetry_maps(const ModelSymmetry &symmetry);
 /// A value that messages tell: a number, "not a number" or "infinite".
 std::string value_text(double value);
 
-/// "(3, 4) mm".
+/// "(3, 4) mm", with four digits.
 std::string place_text(const Eigen::Vector2d &place);
 } // namespace orthocone
