@@ -7,6 +7,7 @@
 #include <orthocone/base/memory.h>
 #include <orthocone/base/stopwatch.h>
 #include <orthocone/body/shapes/mesh_ladder.h>
+#include <orthocone/march/march.h>
 #include <orthocone/results/totals.h>
 
 #include <algorithm>
@@ -63,34 +64,48 @@ Quantities unless_negligible(Quantities errors, const Quantities &values, const 
   return errors;
 }
 
+/// Measures what the search is for on the way through the first cycle.
+class QuantityWatch : public MarchObserver
+{
+public:
+  QuantityWatch(const Scene &scene, const unsigned int peak_step)
+      : evaluator_(scene),
+        peak_step_(peak_step)
+  {
+  }
+
+  void accepted(ContactState &state) override
+  {
+    const Totals totals = compute_totals(evaluator_, state);
+    values_[0] = std::max(values_[0], totals.max_slip);
+    if (state.step == peak_step_)
+    {
+      values_[1] = totals.force.norm();
+      values_[stick_area_index] = totals.stick_area;
+    }
+    values_[2] = totals.total_dissipation;
+  }
+
+  const Quantities &values() const { return values_; }
+
+private:
+  const ContactFieldEvaluator evaluator_;
+  unsigned int peak_step_;
+  Quantities values_{};
+};
 } // namespace
 
 Quantities march_first_cycle(const Scene &scene, StepSolver &solver)
 {
   const std::vector<LoadStep> steps = first_cycle(scene.parameters().load);
-  const unsigned int peak_step = peak(steps);
-  Quantities values{};
-  const ContactFieldEvaluator evaluator(scene);
+  QuantityWatch watch(scene, peak(steps));
   ContactState state(scene.gaps());
   const BlasThreads threads(state.force.size());
-  for (const LoadStep &step : steps)
-  {
-    const ContactState before = state;
-    if (!solver.solve(state, step).converged)
-      throw std::runtime_error("Mesh/Accuracy: load step " + std::to_string(step.number) +
-                               " is not solved on a mesh of " + std::to_string(scene.surface().nodes.size()) +
-                               " contact nodes; Mesh/Resolution takes a mesh without a search");
-    solver.accept(before, state, step);
-    const Totals totals = compute_totals(evaluator, state);
-    values[0] = std::max(values[0], totals.max_slip);
-    if (step.number == peak_step)
-    {
-      values[1] = totals.force.norm();
-      values[stick_area_index] = totals.stick_area;
-    }
-    values[2] = totals.total_dissipation;
-  }
-  return values;
+  if (march(steps, solver, state, watch) == MarchEnd::unsolved)
+    throw std::runtime_error("Mesh/Accuracy: load step " + std::to_string(state.step + 1) +
+                             " is not solved on a mesh of " + std::to_string(scene.surface().nodes.size()) +
+                             " contact nodes; Mesh/Resolution takes a mesh without a search");
+  return watch.values();
 }
 
 ChosenMesh find_mesh(const Parameters &parameters, const ModelChoice &choice, const Teller &tell,

@@ -2,7 +2,6 @@
 // Copyright (C) 2026 the orthocone authors
 #include "quasi_static_problem.h"
 
-#include "interrupt.h"
 #include "step_messages.h"
 
 #include <orthocone/base/blas_threads.h>
@@ -52,7 +51,7 @@ QuasiStaticProblem::QuasiStaticProblem(const Parameters &parameters, const Model
 ChosenMesh QuasiStaticProblem::with_scene(ChosenMesh chosen, const ModelChoice &choice) const
 {
   if (chosen.scene)
-    announce(choice, chosen.scene->body());
+    announce(choice, chosen.scene->body().mesh());
   else
     chosen.scene =
         std::make_unique<Scene>(parameters_, choice, [&](const Body &body) { announce(choice, body); });
@@ -82,7 +81,7 @@ QuasiStaticProblem::Outcome QuasiStaticProblem::run(const std::optional<Checkpoi
     on_resumed();
   try
   {
-    const Outcome outcome = march();
+    const Outcome outcome = march_on();
     finish(outcome);
     return outcome;
   }
@@ -135,117 +134,6 @@ void QuasiStaticProblem::begin(const std::optional<Checkpoint> &checkpoint)
   record_.critical_friction = critical_friction_;
   record_.seconds.add(scene_.seconds());
   seconds_before_ = record_.total_seconds;
-}
-
-QuasiStaticProblem::Outcome QuasiStaticProblem::march()
-{
-  log_.start_steps(state_.step, steps_);
-  let_steps_finish();
-  for (const LoadStep &step : steps_)
-  {
-    if (step.number <= state_.step)
-      continue;
-    if (cycles_.is_to_stop())
-      break;
-    if (stop_is_requested())
-    {
-      save_checkpoint();
-      return {ExitCode::interrupted, "interrupted after load step " + std::to_string(state_.step) + " of " +
-                                         std::to_string(steps_.size()) +
-                                         "; the same command with --resume goes on"};
-    }
-    const Outcome outcome = advance_to(step);
-    if (outcome.code != ExitCode::done)
-      return with_checkpoint(outcome);
-    if (since_checkpoint_.seconds() >= checkpoint_pause_)
-      save_checkpoint();
-  }
-  save_checkpoint();
-  return {};
-}
-
-void QuasiStaticProblem::write(const SolvedStep &solved)
-{
-  timed(record_.seconds.output,
-        [&]
-        {
-          output_.write(solved);
-          log_.progress(solved.step, solved.totals, solved.report);
-        });
-}
-
-std::string QuasiStaticProblem::failure_text(const LoadStep &step, const SolverReport &report) const
-{
-  const LoadStep told = step.resolved(solver_.leg_begin(state_, step));
-  if (report.verdict == Verdict::unbalanced)
-    return no_equilibrium_text(told, steps_, solver_.carried_share(state_, step));
-  return unsolved_step_text(told, steps_, parameters_.contact_solver, report,
-                            scene_.surface().nodes[report.worst_node]);
-}
-
-/// One that fails a check is neither accepted nor written.
-QuasiStaticProblem::Outcome QuasiStaticProblem::advance_to(const LoadStep &step)
-{
-  ContactState next = state_;
-  double seconds = 0;
-  const SolverReport report = timed(seconds, [&] { return solver_.solve(next, step); });
-  record_.seconds.contact += seconds;
-  if (!report.converged)
-  {
-    record_.verdict = report.verdict;
-    return {ExitCode::unsolved_step, failure_text(step, report)};
-  }
-  const Totals totals = compute_totals(evaluator_, next);
-  const StepChecks checks =
-      timed(record_.seconds.checks,
-            [&] {
-              return checker_.check({state_, totals_}, {next, totals}, report, record_.largest_energy);
-            });
-  if (const auto which = checker_.violation(checks))
-    return {ExitCode::unsolved_step, wrong_step_text(step.resolved(next.leg_begin), steps_, *which)};
-  const SolvedStep solved{next,
-                          totals_,
-                          totals,
-                          report,
-                          checks,
-                          seconds,
-                          step.resolved(next.leg_begin),
-                          parameters_.contact_solver.method,
-                          step.driven(scene_.symmetry(), parameters_.geometry.top_face)};
-  write(solved);
-  if (report.is_released)
-    log_.line("nothing presses any more: the top opens the contact at u_z = " + to_text(next.motion[2]) +
-              " mm");
-  const auto cycle = cycles_.add_step(step, state_, solved);
-  solver_.accept(state_, next, step);
-  record_.add_step(step.number, totals_, totals, report, checks);
-  state_ = std::move(next);
-  totals_ = totals;
-  if (cycle)
-    timed(record_.seconds.output, [&] { end_cycle(*cycle); });
-  return {};
-}
-
-/// Tells of a cycle, and ends the run or jumps the next cycles if these would be like it.
-void QuasiStaticProblem::end_cycle(const CycleRow &row)
-{
-  output_.write(row);
-  log_.note(describe(row, parameters_.load.cycles));
-  if (cycles_.is_to_stop())
-  {
-    log_.line(describe_stop(cycles_.memory(), parameters_.load.stop_when_periodic));
-    output_.end_with(state_);
-  }
-  if (const unsigned int n = cycles_.n_to_jump(); n > 0)
-  {
-    CycleRow jumped = cycles_.jump_cycles(state_, n);
-    totals_ = compute_totals(evaluator_, state_);
-    jumped.dissipation = totals_.total_dissipation - row.total_dissipation;
-    jumped.total_dissipation = totals_.total_dissipation;
-    jumped.max_accumulated_slip = totals_.max_accumulated_slip;
-    output_.write(jumped);
-    log_.line(describe_jump(jumped, cycles_.memory(), parameters_.load.jump_when_periodic));
-  }
 }
 
 /// Saves the state before the step that failed; what is told first is why it failed.

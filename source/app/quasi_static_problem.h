@@ -4,6 +4,7 @@
 
 #include <orthocone/accuracy/mesh_search.h>
 #include <orthocone/base/errors.h>
+#include <orthocone/march/march.h>
 #include <orthocone/output/checkpoint.h>
 #include <orthocone/output/log.h>
 #include <orthocone/output/run_output.h>
@@ -12,7 +13,7 @@ namespace orthocone
 {
 /// A body on the rigid plane through a load program, step after step. Owns every module by value; the member
 /// list is the wiring diagram of the program.
-class QuasiStaticProblem
+class QuasiStaticProblem : private MarchObserver
 {
 public:
   /// What came of a run; `message` tells the user why it did not come to its end.
@@ -36,11 +37,14 @@ private:
   void announce(const ModelChoice &choice, const Body &body) const;
   CriticalFrictionRecord critical_friction_of_model() const;
   void begin(const std::optional<Checkpoint> &checkpoint);
-  Outcome march();
-  Outcome advance_to(const LoadStep &step);
+  Outcome march_on();
+  bool goes_on(const LoadStep &next) override;
+  bool accepts(const MarchedStep &marched) override;
+  void accepted(ContactState &state) override;
+  void failed(const LoadStep &step, const SolverReport &report, double seconds) override;
   std::string failure_text(const LoadStep &step, const SolverReport &report) const;
   void write(const SolvedStep &solved);
-  void end_cycle(const CycleRow &row);
+  void end_cycle(const CycleRow &row, ContactState &state);
   Outcome with_checkpoint(Outcome outcome);
   void save_checkpoint();
   void finish(const Outcome &outcome);
@@ -62,6 +66,8 @@ private:
   StepChecker checker_;
   CycleWatch cycles_;
   RunOutput output_;
+  Outcome outcome_{};                     ///< why the march did not go on
+  std::optional<CycleRow> ended_cycle_{}; ///< by the last step
   Stopwatch since_checkpoint_;
   double checkpoint_pause_;   ///< least seconds to the next one
   double seconds_before_ = 0; ///< wall time of the runs before the checkpoint

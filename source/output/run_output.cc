@@ -54,14 +54,14 @@ void RunOutput::write_fields(const ContactState &state, const Eigen::VectorXd &v
   if (is_due(options_.contact_interval, state.step) && !contact_.has(state.step))
     contact_.add(state.step, [this, state] { return contact_vtu(evaluator_, state); });
   if (is_due(options_.volume_interval, state.step) && !volume_.has(state.step))
-    volume_.add(state.step, [this, u = scene_.condensed().with_motion(state.motion, volume)]
-                { return volume_vtu(scene_.body(), scene_.parameters().material, u); });
+    volume_.add(state.step, [this, u = scene_.body().with_motion(state.motion, volume)]
+                { return volume_vtu(scene_.body().mesh(), scene_.parameters().material, u); });
 }
 
 void RunOutput::end_with(const ContactState &state)
 {
   last_step_ = state.step;
-  write_fields(state, scene_.condensed().elastic_displacement(state.force));
+  write_fields(state, scene_.body().elastic_displacement(state.force));
 }
 
 void RunOutput::flush()

@@ -48,7 +48,7 @@ ContactFields mapped(ContactFields fields, const Eigen::Matrix2d &map)
 ContactFieldEvaluator::ContactFieldEvaluator(const Scene &scene)
     : surface_(scene.surface()),
       symmetry_(scene.symmetry()),
-      compliance_(scene.condensed().compliance()),
+      compliance_(scene.body().compliance()),
       axes_(scene.axes()),
       system_(scene.system()),
       gaps_(scene.gaps()),

@@ -80,15 +80,14 @@ StepChecker::StepChecker(const Scene &scene, const CheckOptions &options, const 
       length_(largest_way(scene.parameters().load, reach_)),
       gaps_(scene.gaps()),
       change_lengths_(scene.change_lengths()),
-      body_(scene.condensed()),
-      stiffness_(scene.stiffness())
+      body_(scene.body())
 {
 }
 
 void StepChecker::check_equilibrium(const ContactState &state, StepChecks &checks) const
 {
   const NodeVector elastic = state.displacement - gaps_ - body_.moved_with(state.motion);
-  auto mismatch = body_.mismatch(stiffness_, state.force, elastic, options_.equilibrium);
+  auto mismatch = body_.mismatch(state.force, elastic, options_.equilibrium);
   checks.equilibrium =
       std::max(mismatch.unbalanced,
                relative(mismatch.displacement,

@@ -2,22 +2,11 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/scene/scene.h>
 
-#include <orthocone/base/stopwatch.h>
+#include <orthocone/body/backends/factorized_body.h>
 #include <orthocone/scene/change_length.h>
 
 namespace orthocone
 {
-namespace
-{
-Stiffness announced_stiffness(const Parameters &parameters, const Body &body,
-                              const std::function<void(const Body &)> &on_meshed, double &seconds)
-{
-  if (on_meshed)
-    on_meshed(body);
-  return timed(seconds, [&] { return body.stiffness(parameters.material); });
-}
-} // namespace
-
 Scene::Scene(const Parameters &parameters, const ModelChoice &choice,
              const std::function<void(const Body &)> &on_meshed)
     : Scene(parameters, choice, *make_obstacle(parameters.obstacle), on_meshed)
@@ -28,15 +17,14 @@ Scene::Scene(const Parameters &parameters, const ModelChoice &choice, const Obst
              const std::function<void(const Body &)> &on_meshed)
     : parameters_(parameters),
       choice_(choice),
-      body_(timed(seconds_.mesh, [&] { return Body(parameters, choice.symmetry); })),
-      stiffness_(announced_stiffness(parameters, body_, on_meshed, seconds_.assembly)),
-      factor_(timed(seconds_.factorization,
-                    [&] { return StiffnessFactor(stiffness_.matrix(), body_.unknowns().n_interior()); })),
+      body_(std::make_unique<FactorizedBody>(
+          parameters, choice.symmetry,
+          [&](const ContactSurface &on)
+          { return FrictionField(parameters.friction).axes(on, choice.symmetry); },
+          on_meshed, seconds_)),
       axes_(FrictionField(parameters.friction).axes(surface(), choice.symmetry)),
-      condensed_(
-          timed(seconds_.condensation, [&] { return CondensedBody(body_.unknowns(), factor_, axes_); })),
       gaps_(gaps_of(obstacle, surface())),
-      system_(condensed_.compliance(), FrictionField(parameters.friction).laws(surface(), choice.symmetry))
+      system_(body_->compliance(), FrictionField(parameters.friction).laws(surface(), choice.symmetry))
 {
   if (parameters.friction.varies() || !obstacle.is_plane())
     change_lengths_ = orthocone::change_lengths(obstacle, FrictionField(parameters.friction), surface());
@@ -44,7 +32,7 @@ Scene::Scene(const Parameters &parameters, const ModelChoice &choice, const Obst
 
 Wrench Scene::held_wrench(const NodeVector &force) const
 {
-  const Wrench contact = condensed_.wrench(force);
+  const Wrench contact = body_->wrench(force);
   Wrench held;
   for (unsigned int i = 0; i < n_rigid_components; ++i)
     held[i] = symmetry().leaves(i) ? -static_cast<double>(symmetry().n_copies()) * contact[i] : 0;
@@ -56,7 +44,7 @@ NodeVector Scene::free_displacement(const FaceTarget &target) const
   RigidMotion motion;
   for (unsigned int i = 0; i < n_rigid_components; ++i)
     motion[i] = target.by_force[i] ? 0 : target.motion[i];
-  return gaps_ + condensed_.moved_with(motion);
+  return gaps_ + body_->moved_with(motion);
 }
 
 std::vector<unsigned int> Scene::free_components(const FaceTarget &target) const
@@ -80,7 +68,7 @@ FreeFace Scene::free_face(const FaceTarget &target) const
   {
     RigidMotion unit;
     unit[components[j]] = 1;
-    columns.col(j) = condensed_.moved_with(unit);
+    columns.col(j) = body_->moved_with(unit);
     balance[j] = -target.force[components[j]] / symmetry().n_copies();
   }
   return FreeFace(columns, balance);

@@ -35,19 +35,21 @@ double SceneWords::number(const std::string &option, const double otherwise) con
 }
 
 March::March(const Scene &scene, const unsigned int number)
-    : state(scene.system().n_nodes())
+    : state(scene.gaps())
 {
-  StepSolver solver(scene);
-  for (const LoadStep &step : load_steps(scene.parameters().load))
+  struct UntilStep : MarchObserver
   {
-    next = step;
-    if (step.number == number)
-      return;
-    const ContactState before = state;
-    if (!solver.solve(state, step).converged)
-      throw std::runtime_error("step " + std::to_string(step.number) + " is not solved");
-    solver.accept(before, state, step);
-  }
-  throw std::runtime_error("there is no step " + std::to_string(number));
+    bool goes_on(const LoadStep &step) override { return (next = step).number != number; }
+    unsigned int number = 0;
+    LoadStep next{};
+  } until;
+  until.number = number;
+  StepSolver solver(scene);
+  const MarchEnd end = march(load_steps(scene.parameters().load), solver, state, until);
+  if (end == MarchEnd::unsolved)
+    throw std::runtime_error("step " + std::to_string(until.next.number) + " is not solved");
+  if (end == MarchEnd::done)
+    throw std::runtime_error("there is no step " + std::to_string(number));
+  next = until.next;
 }
 } // namespace orthocone::studies

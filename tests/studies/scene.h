@@ -4,7 +4,7 @@
 
 #include "experiments.h"
 
-#include <orthocone/march/step_solver.h>
+#include <orthocone/march/march.h>
 #include <orthocone/parameters/parameters.h>
 #include <orthocone/scene/load_program.h>
 #include <orthocone/scene/scene.h>

@@ -166,7 +166,7 @@ void starts(const Words &words)
   for (unsigned int load = 0; load < std::max(n_loads, 1u); ++load)
   {
     const ContactStep problem(
-        system, n_loads == 0 ? step_displacement(model.condensed().moved_with(march.next.motion), last)
+        system, n_loads == 0 ? step_displacement(model.body().moved_with(march.next.motion), last)
                              : random_load(system.compliance(), generator));
     Trial trial(problem, scene.parameters.contact_solver, load);
     for (const Start &start : all_starts(problem, march.state.force, n_random, generator))

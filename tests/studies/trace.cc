@@ -27,7 +27,7 @@ public:
 
   void vmult(NodeVector &displacement, const NodeVector &force) const override
   {
-    const Eigen::VectorXd volume = model_.condensed().elastic_displacement(force);
+    const Eigen::VectorXd volume = model_.body().elastic_displacement(force);
     displacement.resize(force.size());
     for (Eigen::Index node = 0; node < n_nodes(); ++node)
     {
@@ -86,7 +86,7 @@ void trace(const Words &words)
   const bool is_condensed = scene.number("condensed", 1) != 0;
   const ContactSystem system(is_condensed ? model.system().compliance() : body, laws_of(model.system()));
   const ContactStep problem(
-      system, step_displacement(model.condensed().moved_with(march.next.motion), march.state.displacement));
+      system, step_displacement(model.body().moved_with(march.next.motion), march.state.displacement));
   double setup_seconds = 0;
   const auto solver = timed(setup_seconds, [&] { return make_contact_solver(system, options); });
   NodeVector force = march.state.force; // the same start for all methods

@@ -63,7 +63,6 @@ private:
   double length_;      ///< largest_way() of what motions drive, mm
   const NodeVector &gaps_;
   const Eigen::VectorXd &change_lengths_;
-  const CondensedBody &body_;
-  const Stiffness &stiffness_;
+  const ElasticBody &body_;
 };
 } // namespace orthocone

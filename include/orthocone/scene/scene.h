@@ -3,8 +3,7 @@
 #pragma once
 
 #include <orthocone/base/phases.h>
-#include <orthocone/body/backends/condensed_body.h>
-#include <orthocone/body/body.h>
+#include <orthocone/body/elastic_body.h>
 #include <orthocone/contact/problem/contact_system.h>
 #include <orthocone/contact/problem/free_face.h>
 #include <orthocone/scene/friction_field.h>
@@ -13,6 +12,7 @@
 #include <orthocone/scene/obstacle.h>
 
 #include <functional>
+#include <memory>
 
 namespace orthocone
 {
@@ -36,10 +36,8 @@ public:
   const Parameters &parameters() const { return parameters_; }
   const ModelChoice &choice() const { return choice_; }
   const ModelSymmetry &symmetry() const { return choice_.symmetry; }
-  const Body &body() const { return body_; }
-  const ContactSurface &surface() const { return body_.unknowns().contact_surface(); }
-  const Stiffness &stiffness() const { return stiffness_; }
-  const CondensedBody &condensed() const { return condensed_; }
+  const ElasticBody &body() const { return *body_; }
+  const ContactSurface &surface() const { return body_->surface(); }
   const LocalAxes &axes() const { return axes_; }
   const ContactSystem &system() const { return system_; }
 
@@ -69,11 +67,8 @@ private:
   const Parameters parameters_;
   const ModelChoice choice_;
   PhaseSeconds seconds_;
-  Body body_;
-  Stiffness stiffness_;
-  StiffnessFactor factor_;
+  std::unique_ptr<const ElasticBody> body_;
   LocalAxes axes_;
-  CondensedBody condensed_;
   NodeVector gaps_;
   Eigen::VectorXd change_lengths_;
   ContactSystem system_;

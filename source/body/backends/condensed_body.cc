@@ -104,8 +104,8 @@ VectorXd CondensedBody::with_motion(const RigidMotion &held, const VectorXd &ela
   return displacement;
 }
 
-CondensedBody::Mismatch CondensedBody::mismatch(const Stiffness &stiffness, const NodeVector &force,
-                                                const NodeVector &elastic, const double bound) const
+BodyMismatch CondensedBody::mismatch(const Stiffness &stiffness, const NodeVector &force,
+                                     const NodeVector &elastic, const double bound) const
 {
   const VectorXd forces = on_free_unknowns(force);
   VectorXd u = factor_.solve(forces);
@@ -118,7 +118,7 @@ CondensedBody::Mismatch CondensedBody::mismatch(const Stiffness &stiffness, cons
     u += factor_.solve(rest);
     rest = forces - stiffness.vmult(u);
   }
-  Mismatch mismatch{rest.norm(), 0, {}};
+  BodyMismatch mismatch{rest.norm(), 0, {}};
   // What rounding alone may leave is no lack of balance: for a Poisson ratio next to 0.5 the terms of K u
   // cancel.
   if (mismatch.unbalanced > share * bound * forces.norm())

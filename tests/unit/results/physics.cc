@@ -62,7 +62,7 @@ TEST(Physics, StickingEverywhereIsClampedAtTheBase)
   TestScene scene(parameters);
   scene.march();
   EXPECT_EQ(scene.totals().n_stick, scene.state.n_nodes());
-  const Stiffness &stiffness = scene.scene.stiffness();
+  const Stiffness stiffness = scene.scene.body().mesh().stiffness(parameters.material);
   const auto n_interior = static_cast<Index>(scene.discretization.n_interior());
   const auto n_free = static_cast<Index>(scene.discretization.n_free());
   std::vector<Eigen::Triplet<double>> entries;

@@ -4,7 +4,7 @@
 // Small scenes, marched without a run folder.
 #pragma once
 
-#include <orthocone/march/step_solver.h>
+#include <orthocone/march/march.h>
 #include <orthocone/results/totals.h>
 #include <orthocone/scene/scene.h>
 
@@ -12,6 +12,7 @@
 
 #include <cmath>
 #include <functional>
+#include <optional>
 
 namespace orthocone::test
 {
@@ -40,7 +41,7 @@ public:
         scene(parameters, choose_model(parameters)),
         symmetry(scene.symmetry()),
         discretization(scene.body().unknowns()),
-        condensed(scene.condensed()),
+        condensed(scene.body()),
         evaluator(scene),
         shares(symmetry.force_shares(discretization.contact_surface())),
         opening(opening_compliance(discretization.contact_surface(), symmetry, parameters.material)),
@@ -53,16 +54,30 @@ public:
 
   void march(const Watcher &on_step = {})
   {
-    StepSolver solver(scene);
-    for (const LoadStep &step : load_steps(parameters.load))
+    struct Caller : MarchObserver
     {
-      const ContactState before = state;
-      const SolverReport report = solver.solve(state, step);
-      ASSERT_TRUE(report.converged) << "step " << step.number << " residual " << report.residual;
-      solver.accept(before, state, step);
-      if (on_step)
-        on_step(before, state, step);
-    }
+      bool accepts(const MarchedStep &solved) override
+      {
+        before = solved.before;
+        step = solved.step;
+        return true;
+      }
+      void accepted(ContactState &after) override
+      {
+        if (call)
+          call(*before, after, *step);
+      }
+      void failed(const LoadStep &step, const SolverReport &report, double) override
+      {
+        ADD_FAILURE() << "step " << step.number << " residual " << report.residual;
+      }
+      Watcher call;
+      std::optional<ContactState> before;
+      std::optional<LoadStep> step;
+    } caller;
+    caller.call = on_step;
+    StepSolver solver(scene);
+    ASSERT_EQ(orthocone::march(load_steps(parameters.load), solver, state, caller), MarchEnd::done);
   }
 
   Totals totals() const { return compute_totals(evaluator, state); }
@@ -71,7 +86,7 @@ public:
   const Scene scene;
   const ModelSymmetry &symmetry;
   const BodyUnknowns &discretization;
-  const CondensedBody &condensed;
+  const ElasticBody &condensed;
   const ContactFieldEvaluator evaluator;
   const Eigen::VectorXd shares;
   const Eigen::VectorXd opening;

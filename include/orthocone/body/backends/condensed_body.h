@@ -4,6 +4,7 @@
 
 #include <orthocone/body/backends/stiffness_factor.h>
 #include <orthocone/body/body_unknowns.h>
+#include <orthocone/body/elastic_body.h>
 #include <orthocone/body/fe/stiffness.h>
 #include <orthocone/surface/compliance.h>
 #include <orthocone/surface/local_axes.h>
@@ -37,16 +38,9 @@ public:
   Eigen::VectorXd elastic_displacement(const NodeVector &force) const;
   Eigen::VectorXd with_motion(const RigidMotion &held, const Eigen::VectorXd &elastic) const;
 
-  /// How far body and condensed body differ under contact forces `force` that move the contact nodes by
-  /// `elastic` (without the motion of the held face). Rounding is kept well below `bound`.
-  struct Mismatch
-  {
-    double unbalanced;      ///< ||K u - r|| / ||r|| over all free unknowns, with u = K^-1 r
-    double displacement;    ///< largest difference between u and `elastic` on the contact surface, mm
-    Eigen::VectorXd volume; ///< u
-  };
-  Mismatch mismatch(const Stiffness &stiffness, const NodeVector &force, const NodeVector &elastic,
-                    double bound) const;
+  /// ElasticBody::mismatch().
+  BodyMismatch mismatch(const Stiffness &stiffness, const NodeVector &force, const NodeVector &elastic,
+                        double bound) const;
 
 private:
   Eigen::VectorXd on_free_unknowns(const NodeVector &force) const;

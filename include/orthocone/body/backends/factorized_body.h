@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/base/phases.h>
+#include <orthocone/body/backends/condensed_body.h>
+#include <orthocone/body/elastic_body.h>
+
+#include <functional>
+
+namespace orthocone
+{
+/// A body whose stiffness is factorized once and condensed to its contact nodes.
+class FactorizedBody : public ElasticBody
+{
+public:
+  /// `axes_of`: local axes of the contact nodes. `on_meshed` is called with the meshed body before the long
+  /// work begins, if it is given. Wall times are added to `seconds`. Throws std::runtime_error if the
+  /// stiffness cannot be factorized.
+  FactorizedBody(const Parameters &parameters, const ModelSymmetry &symmetry,
+                 const std::function<LocalAxes(const ContactSurface &)> &axes_of,
+                 const std::function<void(const Body &)> &on_meshed, PhaseSeconds &seconds);
+  FactorizedBody(const FactorizedBody &) = delete; // its modules refer to each other
+  FactorizedBody &operator=(const FactorizedBody &) = delete;
+
+  const Body &mesh() const override { return mesh_; }
+  const Compliance &compliance() const override { return condensed_.compliance(); }
+  NodeVector moved_with(const RigidMotion &held) const override { return condensed_.moved_with(held); }
+  Wrench wrench(const NodeVector &force) const override { return condensed_.wrench(force); }
+  Eigen::VectorXd elastic_displacement(const NodeVector &force) const override
+  {
+    return condensed_.elastic_displacement(force);
+  }
+  Eigen::VectorXd with_motion(const RigidMotion &held, const Eigen::VectorXd &elastic) const override
+  {
+    return condensed_.with_motion(held, elastic);
+  }
+  BodyMismatch mismatch(const NodeVector &force, const NodeVector &elastic, const double bound) const override
+  {
+    return condensed_.mismatch(stiffness_, force, elastic, bound);
+  }
+
+private:
+  Body mesh_;
+  Stiffness stiffness_;
+  StiffnessFactor factor_;
+  CondensedBody condensed_;
+};
+} // namespace orthocone

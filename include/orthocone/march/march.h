@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/march/step_solver.h>
+
+#include <vector>
+
+namespace orthocone
+{
+/// A step that is solved, and not accepted yet.
+struct MarchedStep
+{
+  const LoadStep &step;
+  const ContactState &before;
+  const ContactState &after;
+  const SolverReport &report;
+  double seconds; ///< of the solver
+};
+
+/// Who watches a march: results, tables, checkpoints, a search. A new one is a class of this kind.
+class MarchObserver
+{
+public:
+  virtual ~MarchObserver() = default;
+
+  /// Whether the march goes on with `next`.
+  virtual bool goes_on(const LoadStep & /*next*/) { return true; }
+
+  /// Whether a solved step is right. If it is not, the march ends with the state before it.
+  virtual bool accepts(const MarchedStep & /*solved*/) { return true; }
+
+  /// After a step is accepted. May move the state on, as a jump over cycles does.
+  virtual void accepted(ContactState & /*state*/) {}
+
+  /// A step that no halving solves ends the march; the state is that before it.
+  virtual void failed(const LoadStep & /*step*/, const SolverReport & /*report*/, double /*seconds*/) {}
+};
+
+enum class MarchEnd
+{
+  done,     ///< all steps are accepted
+  stopped,  ///< the observer did not go on
+  unsolved, ///< a step is not solved
+  refused,  ///< a step is solved, but not accepted
+};
+
+/// Solves the steps that lie behind `state`, one after another: the loop of every run.
+MarchEnd march(const std::vector<LoadStep> &steps, StepSolver &solver, ContactState &state,
+               MarchObserver &observer);
+} // namespace orthocone

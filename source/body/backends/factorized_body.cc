@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/body/backends/factorized_body.h>
+
+#include <orthocone/base/stopwatch.h>
+
+namespace orthocone
+{
+namespace
+{
+Stiffness announced_stiffness(const Parameters &parameters, const Body &mesh,
+                              const std::function<void(const Body &)> &on_meshed, double &seconds)
+{
+  if (on_meshed)
+    on_meshed(mesh);
+  return timed(seconds, [&] { return mesh.stiffness(parameters.material); });
+}
+} // namespace
+
+FactorizedBody::FactorizedBody(const Parameters &parameters, const ModelSymmetry &symmetry,
+                               const std::function<LocalAxes(const ContactSurface &)> &axes_of,
+                               const std::function<void(const Body &)> &on_meshed, PhaseSeconds &seconds)
+    : mesh_(timed(seconds.mesh, [&] { return Body(parameters, symmetry); })),
+      stiffness_(announced_stiffness(parameters, mesh_, on_meshed, seconds.assembly)),
+      factor_(timed(seconds.factorization,
+                    [&] { return StiffnessFactor(stiffness_.matrix(), mesh_.unknowns().n_interior()); })),
+      condensed_(timed(seconds.condensation,
+                       [&] { return CondensedBody(mesh_.unknowns(), factor_, axes_of(surface())); }))
+{
+}
+} // namespace orthocone
