@@ -149,6 +149,17 @@ QuasiStaticProblem::Outcome solve(Assignment &task, const RunFolder &folder)
   return problem.run(checkpoint, [&] { update_parameters(folder, task, parameters); });
 }
 
+/// The summary of a run that could not go on to its first step; that of the steps before an interruption
+/// keeps all but its status.
+void keep_failure(const RunFolder &folder, const Assignment &task, const std::string &message)
+{
+  const bool has_summary = folder.has("summary.json");
+  if (has_summary && task.line.resume)
+    folder.write("summary.json", summary_json_with_status(folder.read("summary.json"), message));
+  else if (!has_summary)
+    folder.write("summary.json", summary_json_before_steps(message, task.file.parameters));
+}
+
 QuasiStaticProblem::Outcome out_of_memory()
 {
   return {ExitCode::unsolved_step, "memory runs out; a coarser mesh or a reduced Mesh/Model needs less"};
@@ -161,9 +172,11 @@ int run(const CommandLine &line, const ParameterFile &file)
   require_memory_for(task);
   const RunFolder folder(run_folder_of(line));
   QuasiStaticProblem::Outcome outcome;
+  bool is_thrown = true;
   try
   {
     outcome = solve(task, folder);
+    is_thrown = false;
   }
   catch (const std::bad_alloc &)
   {
@@ -185,8 +198,8 @@ int run(const CommandLine &line, const ParameterFile &file)
   {
     outcome = {ExitCode::unsolved_step, error.what()};
   }
-  if (outcome.code == ExitCode::unsolved_step && !folder.has("summary.json"))
-    folder.write("summary.json", summary_json_before_steps(outcome.message, file.parameters));
+  if (is_thrown)
+    keep_failure(folder, task, outcome.message);
   return outcome.code == ExitCode::done ? static_cast<int>(outcome.code)
                                         : fail(outcome.code, outcome.message);
 }

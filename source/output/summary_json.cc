@@ -157,6 +157,15 @@ std::string summary_json(const Summary &summary)
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
 }
 
+std::string summary_json_with_status(const std::string &text, const std::string &status)
+{
+  Json json = Json::parse(text, nullptr, false);
+  if (!json.is_object())
+    return text;
+  json["status"] = status;
+  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+}
+
 std::string summary_json_before_steps(const std::string &status, const Parameters &parameters)
 {
   Json json;

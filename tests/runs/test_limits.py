@@ -78,6 +78,18 @@ class MemoryTest(RunTest):
         self.assertRegex(summary["status"], "^memory runs out")
         self.assertEqual(summary["steps"]["solved"], 0)
 
+    def test_a_resumed_run_that_memory_ends_says_so(self):
+        settings = ["Mesh/Core cells=24", "Mesh/Rings=12", "Mesh/Layers=4", "Mesh/Degree=2", "Mesh/Model=full",
+                    "Load program/Cycles=1"]
+        self.run_program("run", settings=[*settings, "Contact solver/Method=box3", "Contact solver/Maximum iterations=1"])
+        first = json.loads((self.folder / "run/summary.json").read_text())
+        self.assertRegex(first["status"], "^load step 1 of 15 ")
+        result = self.limited(1500000, "--insist", "--resume", settings=settings)
+        self.assertEqual(result.returncode, UNSOLVED, result.stderr)
+        second = json.loads((self.folder / "run/summary.json").read_text())
+        self.assertRegex(second["status"], "^memory runs out")
+        self.assertEqual({**second, "status": ""}, {**first, "status": ""})
+
     def test_many_steps_a_cycle(self):
         """What is remembered of them, for the starts of the next cycle, is bounded; so is the checkpoint."""
         settings = ["Mesh/Core cells=1", "Mesh/Rings=1", "Mesh/Layers=1", "Mesh/Degree=2", "Mesh/Model=full",

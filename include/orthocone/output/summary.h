@@ -78,6 +78,9 @@ std::string summary_json(const Summary &summary);
 /// The same of a run that failed before its first step.
 std::string summary_json_before_steps(const std::string &status, const Parameters &parameters);
 
+/// The text of a summary with another status; as it is if it is none.
+std::string summary_json_with_status(const std::string &text, const std::string &status);
+
 /// What the model gives reason to warn of before the first step, besides parameter_warnings().
 std::vector<std::string> model_warnings(const RunRecord &record);
 
