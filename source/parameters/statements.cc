@@ -97,6 +97,17 @@ std::string included_path(const std::string &including, const std::string &inclu
   return (fs::equivalent(path, direct, code) ? direct : path).string();
 }
 
+/// The line as it may stand in a copy of the file elsewhere: with the whole path of the one entry that names
+/// a file.
+std::string text_for_any_folder(const Line &line, const std::optional<Statement> &statement)
+{
+  if (!statement || statement->kind != Statement::Kind::set || statement->name != "Gap file" ||
+      statement->value.empty() || fs::path(statement->value).is_absolute())
+    return line.raw;
+  const fs::path path = fs::path(statement->file).parent_path() / statement->value;
+  return "  set Gap file = " + fs::absolute(path).lexically_normal().string() + "\n";
+}
+
 class Reader
 {
 public:
@@ -145,8 +156,9 @@ void Reader::read(const std::string &file_name, const std::string &asked_from)
       include(file_name, line);
     else
     {
-      result.text += line.raw;
-      if (const auto statement = parse(line, file_name))
+      const auto statement = parse(line, file_name);
+      result.text += text_for_any_folder(line, statement);
+      if (statement)
         result.statements.push_back(*statement);
       else if (!line.text.empty())
         throw InputError(line.place + ": '" + shown(line.text) + "'" + remark(line.text) +

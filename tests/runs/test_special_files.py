@@ -88,6 +88,16 @@ class SpecialFileTest(RunTest):
         self.assertEqual((result.returncode, result.stderr), (DONE, ""))
         self.assert_same_files("first", "second", ["history.csv", "parameters.prm"])
 
+    def test_the_input_of_a_run_finds_its_gap_file(self):
+        self.put("case.prm", SCENE + "subsection Obstacle\n  set Gap file = parts/gap.txt\nend\n")
+        self.put("parts/gap.txt", "# a hump\n-10 10 3 -10 10 3\n0.02 0.01 0.02\n0.01 0 0.01\n0.02 0.01 0.02\n")
+        self.assertEqual(self.run_program("first", file=self.folder / "case.prm").returncode, DONE)
+        self.assertGreater(int(self.rows("first")[0]["n_open"]), 0)
+        for copy in ("input.prm", "parameters.prm"):
+            result = self.run_program("second", file=self.folder / "first" / copy)
+            self.assertEqual((result.returncode, result.stderr), (DONE, ""))
+            self.assert_same_files("first", "second", ["history.csv", "parameters.prm"])
+
     def test_an_entry_twice_in_a_section(self):
         self.put("case.prm", SCENE.replace("  set Layers     = 1\n", "  set Layers     = 1\n  set Core cells = 4\n"))
         self.assert_rejected(self.start("case.prm"), WRONG_INPUT,
