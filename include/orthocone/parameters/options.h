@@ -5,6 +5,7 @@
 // handed on as const references. No library header is needed to read them.
 #pragma once
 
+#include <orthocone/base/contact_solver_options.h>
 #include <orthocone/base/rigid_components.h>
 #include <orthocone/parameters/expression.h>
 
@@ -56,17 +57,6 @@ enum class VolumetricQuadrature
 {
   full,
   reduced,
-};
-
-/// Contact solvers.
-enum class ContactMethod
-{
-  newton,
-  gauss_seidel,
-  uzawa,
-  feng2006,
-  box3,
-  plain_newton,
 };
 
 /// Section Geometry (mm).
@@ -201,16 +191,6 @@ struct LoadOptions
   double stop_when_periodic = 0;  ///< bound of the change of state in a cycle; 0 = never
   double jump_when_periodic = 0;  ///< bound of the change of state in a cycle; 0 = never
   unsigned int jump_cycles = 100; ///< most cycles that are jumped before another one is computed
-};
-
-/// Section Contact solver.
-struct ContactSolverOptions
-{
-  ContactMethod method = ContactMethod::newton;
-  double tolerance = 1e-10;               ///< bound of the relative natural-map residual
-  unsigned int maximum_iterations = 5000; ///< sweeps or iterations of one step
-  double relaxation = 1;                  ///< of the sweeps: share of the one-node solution that is taken
-  double rho_factor = 1;                  ///< of the methods that have a rho of their own
 };
 
 /// Section Checks: bounds of the independent checks of every step.

@@ -6,7 +6,6 @@
 #include <orthocone/base/text.h>
 #include <orthocone/contact/law/one_node.h>
 #include <orthocone/contact/problem/critical_friction.h>
-#include <orthocone/parameters/values.h>
 
 #include <gtest/gtest.h>
 
@@ -23,7 +22,8 @@ NodeVector solution(const OrthotropicFriction &law, const ContactMethod method)
   const GridProblem grid(law);
   NodeVector force = grid.zero();
   const SolverReport report = solve_step(grid.problem, solver_options(method), force);
-  EXPECT_TRUE(report.converged) << to_word(method) << " " << law.mu_x << " residual " << report.residual;
+  EXPECT_TRUE(report.converged) << "method " << static_cast<int>(method) << " " << law.mu_x << " residual "
+                                << report.residual;
   return force;
 }
 } // namespace
