@@ -25,8 +25,14 @@ Json peak_json(const std::pair<double, unsigned int> &peak)
 Json model_json(const Summary &summary)
 {
   const BodyUnknowns &unknowns = summary.unknowns;
+  Json planes = Json::array();
+  if (summary.model.symmetry.planes().normal_to_x)
+    planes.push_back("x = 0");
+  if (summary.model.symmetry.planes().normal_to_y)
+    planes.push_back("y = 0");
   return {{"kind", summary.model.symmetry.name()},
           {"reason", summary.model.reason},
+          {"symmetry_planes", planes},
           {"cells", unknowns.n_cells()},
           {"degree", summary.parameters.mesh.degree},
           {"dofs", unknowns.n_dofs()},

@@ -9,7 +9,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iomanip>
 #include <optional>
+#include <sstream>
 
 namespace orthocone
 {
@@ -85,6 +87,17 @@ NodeVector gaps_of(const Obstacle &obstacle, const ContactSurface &surface)
   return gaps;
 }
 
+namespace
+{
+std::string difference_text(const Obstacle &obstacle, const Vector2d &place, const Vector2d &image)
+{
+  std::ostringstream text;
+  text << std::setprecision(4) << "Obstacle/Gap is " << obstacle.gap(place) << " mm at " << place_text(place)
+       << " and " << obstacle.gap(image) << " mm at " << place_text(image);
+  return text.str();
+}
+} // namespace
+
 std::string Obstacle::asymmetry(const ModelSymmetry &symmetry, const SurfaceSample &sample) const
 {
   constexpr double rounding = 1e-9;
@@ -96,8 +109,7 @@ std::string Obstacle::asymmetry(const ModelSymmetry &symmetry, const SurfaceSamp
   for (const auto &map : symmetry_maps(symmetry))
     for (const Vector2d &place : sample.of(symmetry))
       if (const Vector2d image = map * place; !(std::abs(gap(image) - gap(place)) <= rounding * largest))
-        return "Obstacle/Gap is " + to_text(gap(place)) + " mm at " + place_text(place) + " and " +
-               to_text(gap(image)) + " mm at " + place_text(image);
+        return difference_text(*this, place, image);
   return {};
 }
 } // namespace orthocone

@@ -25,12 +25,24 @@ class Block:
         return steps[bisect.bisect_left(steps, self.first):bisect.bisect_right(steps, self.last)]
 
 
+COMPONENTS = ("ux", "uy", "uz", "rx", "ry", "rz", "Fx", "Fy", "Fz", "Mx", "My", "Mz")
+UNITS = dict(zip(COMPONENTS, 3 * ["mm"] + 3 * ["degrees"] + 3 * ["N"] + 3 * ["N mm"]))
+
+
+def parse_target(words):
+    """{component: value} of "ux uy uz" or of named components."""
+    if words[0] in UNITS:
+        return {name: float(value) for name, value in zip(words[::2], words[1::2])}
+    ux, uy, uz = map(float, words)
+    return {"ux": ux, "uy": uy, "uz": uz}
+
+
 def parse_legs(text):
-    """[((ux, uy, uz), steps), ...] of "ux uy uz : steps ; ..."."""
+    """[({component: value}, steps), ...] of "ux uy uz : steps ; uz -0.1 Fx 10 : steps ; ..."."""
     legs = []
     for leg in filter(str.strip, text.split(";")):
         target, steps = leg.split(":")
-        legs.append((tuple(float(word) for word in target.split()), int(steps)))
+        legs.append((parse_target(target.split()), int(steps)))
     return legs
 
 
@@ -63,9 +75,10 @@ class LoadProgram:
         return blocks
 
     def extremes(self):
-        """Largest motion of the top in each direction, with its sign."""
-        targets = [target for target, _ in self.preload + self.legs] or [(0, 0, 0)]
-        return [max((target[d] for target in targets), key=abs) for d in range(3)]
+        """Largest value of each component that is ever driven away from zero, with its sign."""
+        targets = [target for target, _ in self.preload + self.legs]
+        largest = {name: max((target.get(name, 0) for target in targets), key=abs, default=0) for name in COMPONENTS}
+        return {name: value for name, value in largest.items() if value}
 
 
 def choose_steps(steps, limit, blocks):

@@ -5,6 +5,7 @@ import math
 
 import numpy as np
 import svg
+from load_program import UNITS
 
 WIDTH, HEIGHT = 360, 330
 MOST_DRAWN_CELLS = 5000
@@ -67,23 +68,35 @@ def mesh_edges(mesh, node_of_point):
 
 
 def modelled_part(data, frame):
-    """Shade over the half or quarter that was computed, a line where it is a section; a half keeps the plane along
-    which the top does not move."""
-    kind = data.summary.get("model", {}).get("kind")
+    """Shade over the half or quarter that was computed, a line where it is a section."""
+    model = data.summary.get("model", {})
+    kind = model.get("kind")
     if kind == "axisymmetric":
         return svg.line(frame(0, 0), frame(data.radius, 0), "section")
     if kind not in ("half", "quarter"):
         return ""
-    moves_along_y = any(target[1] for target, _ in data.program.preload + data.program.legs)
-    first, last = (0, 90) if kind == "quarter" else (-90, 90) if moves_along_y else (0, 180)
+    # Older summaries do not name the plane: a half has that along which the top does not move.
+    planes = model.get("symmetry_planes", ["x = 0" if "uy" in data.program.extremes() else "y = 0"])
+    first, last = (0, 90) if kind == "quarter" else (-90, 90) if planes == ["x = 0"] else (0, 180)
+    if data.box:
+        x, y = data.box[0] / 2, data.box[1] / 2
+        left, low = (0 if first == 0 and last == 90 or first < 0 else -x), (-y if first < 0 else 0)
+        return svg.polyline(frame.all([(left, low), (x, low), (x, y), (left, y)]), "modelled", closed=True)
     angles = np.radians(np.linspace(first, last, 60))
     sector = [(0, 0), *zip(data.radius * np.cos(angles), data.radius * np.sin(angles))]
     return svg.polyline(frame.all(sector), "modelled", closed=True)
 
 
+def outline(data):
+    if not data.box:
+        return ellipse(data.radius, data.radius)
+    x, y = data.box[0] / 2, data.box[1] / 2
+    return [(-x, -y), (x, -y), (x, y), (-x, y)]
+
+
 def surface(data):
     frame = Frame(128 / data.radius)
-    out = svg.polyline(frame.all(ellipse(data.radius, data.radius)), "disc", closed=True) + modelled_part(data, frame)
+    out = svg.polyline(frame.all(outline(data)), "disc", closed=True) + modelled_part(data, frame)
     note = "mesh not drawn: no contact fields were written"
     if data.maps.mesh:
         note = f"{len(data.maps.mesh.cells)} cells of degree {data.maps.mesh.degree}"
@@ -101,7 +114,8 @@ def surface(data):
         # On the side of the centre there is room for it.
         side, anchor = (-7, "end") if x > WIDTH / 2 else (7, "start")
         out += svg.text((x + side, y - 6), shortened(name), "label halo", anchor)
-    out += svg.text((WIDTH / 2, HEIGHT - 4), f"{note}; radius {data.radius:g} mm", "small")
+    size = f"{data.box[0]:g} mm x {data.box[1]:g} mm" if data.box else f"radius {data.radius:g} mm"
+    out += svg.text((WIDTH / 2, HEIGHT - 4), f"{note}; {size}", "small")
     return svg.picture(WIDTH, HEIGHT, out, "Contact surface from above, with mesh, axes and probes")
 
 
@@ -138,7 +152,8 @@ def ellipses(data):
         y = HEIGHT - 34 + 15 * k
         out += svg.line((40, y - 4), (62, y - 4), css) + svg.text((68, y), legend, "small", "start")
     out += svg.text((WIDTH / 2, HEIGHT - 4), ("associated" if associated else "non-associated")
-                    + "; arrow at a force: opposite to its slip", "small")
+                    + ("; at the centre" if data.friction_varies else "") + "; arrow at a force: opposite to its slip",
+                    "small")
     return svg.picture(WIDTH, HEIGHT, out, "Friction ellipse and slip ellipse, to the same scale" if same_scale
                        else "Friction ellipse and slip ellipse")
 
@@ -160,16 +175,18 @@ def hatched(start, end, css, down=True):
 
 
 def load_arrows(data, left, right, y):
-    """The largest motion of the top in each direction, as the legs state it."""
-    ux, uy, uz = data.program.extremes()
+    """The largest motion or load of the top in each component, as the legs state it."""
+    largest = data.program.extremes()
+    words = {name: f"{name[0]}_{name[1]} = {svg.signed(value)} {UNITS[name]}" for name, value in largest.items()}
     middle, out = (left + right) / 2, ""
-    if uz:
+    normal = [name for name in ("uz", "Fz") if name in words]
+    if normal:
         ends = ((middle, y - 44), (middle, y - 11))
-        out += svg.arrow(*(ends if uz < 0 else ends[::-1]), "load", head=11)
-        out += svg.text((middle + 9, y - 28), f"u_z = {svg.signed(uz)} mm", "label", "start")
-    sideways = [f"u_{axis} = {svg.signed(value)} mm" for axis, value in zip("xy", (ux, uy)) if value]
+        out += svg.arrow(*(ends if largest[normal[0]] < 0 else ends[::-1]), "load", head=11)
+        out += svg.text((middle + 9, y - 28), ", ".join(words.pop(name) for name in normal), "label", "start")
+    sideways = list(words.values())
     if sideways:
-        forward = (ux or uy) > 0
+        forward = largest[next(iter(words))] > 0
         start, end = (left - 6, left - 44) if not forward else (left - 44, left - 6)
         out += svg.arrow((start, y + 2), (end, y + 2), "load", head=11)
         for k, words in enumerate(sideways):
@@ -178,29 +195,32 @@ def load_arrows(data, left, right, y):
 
 
 def side_view(data):
-    scale = min(205 / (2 * data.radius), 190 / data.height)
-    half, high, middle = scale * data.radius, scale * data.height, WIDTH / 2 - 12
+    width = data.box[0] if data.box else 2 * data.radius
+    scale = min(205 / width, 190 / data.height)
+    half, high, middle = scale * width / 2, scale * data.height, WIDTH / 2 - 12
     base = HEIGHT / 2 + high / 2 + 15
     left, right, top = middle - half, middle + half, base - high
     mesh = data.parameters.get("Mesh", {})
     out = svg.element("rect", x=left, y=top, width=2 * half, height=high, css="disc")
-    for z in layer_heights(int(mesh.get("Layers", 1)), float(mesh.get("Layer grading", 1)))[1:-1]:
+    layers = mesh["Cells"].split(",")[2].strip() if data.box else mesh.get("Layers", "1")
+    for z in layer_heights(int(layers), float(mesh.get("Layer grading", 1)))[1:-1]:
         out += svg.line((left, base - high * z), (right, base - high * z), "mesh")
     guided = data.parameters.get("Geometry", {}).get("Top face") == "guided"
     out += hatched((left - 3, top), (right + 3, top), "plate", down=False)
     out += hatched((left - 40, base), (right + 40, base), "plate")
     out += load_arrows(data, left, right, top - 8)
-    out += svg.text((middle, base - high / 2 + 4), f"{mesh.get('Layers', '?')} layers", "label halo")
+    out += svg.text((middle, base - high / 2 + 4), f"{layers} layers", "label halo")
     out += svg.text((right + 8, top + high / 2 + 4), f"H = {data.height:.5g} mm", "label", "start")
-    out += svg.text((middle, base + 24), f"2R = {2 * data.radius:g} mm; rigid plane, \u03bc = ({data.mu[0]:g}, "
-                    f"{data.mu[1]:g})", "label")
+    friction = "\u03bc varies" if data.friction_varies else f"\u03bc = ({data.mu[0]:g}, {data.mu[1]:g})"
+    out += svg.text((middle, base + 24), f"{'l_x' if data.box else '2R'} = {width:g} mm; "
+                    f"{'rigid, with a gap' if data.has_gap else 'rigid plane'}, {friction}", "label")
     top_face = "guided: free sideways" if guided else "clamped: a rigid plate"
-    out += svg.text((middle, HEIGHT - 4), f"top face {top_face}; arrows: largest motion", "small")
-    return svg.picture(WIDTH, HEIGHT, out, "The cylinder from the side, with layers, plane and motion of the top")
+    out += svg.text((middle, HEIGHT - 4), f"top face {top_face}; arrows: largest motion or load", "small")
+    return svg.picture(WIDTH, HEIGHT, out, "The body from the side, with layers, plane and motion of the top")
 
 
 def figures(data):
     """(caption, SVG) of each drawing."""
     of_friction = [("Ellipses of friction and slip", ellipses(data))] if any(data.mu) else []
     return [("Contact surface, from above", surface(data)), *of_friction,
-            ("Cylinder, from the side", side_view(data))]
+            (f"{'Box' if data.box else 'Cylinder'}, from the side", side_view(data))]

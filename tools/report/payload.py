@@ -63,7 +63,7 @@ def comparable_part(data, name, frames=()):
     ledger = [name for name in data.energy if name not in ("step", "scale")]
     return {"name": name, "history": table(data.history, names, steps), "energy": table(data.energy, ledger, steps),
             "departures": loop_part(data, steps), "cycles": cycle_part(data),
-            "jumps": data.read("cycles.csv", lambda: cycle_table.jumps(data)), "area": np.pi * data.radius**2,
+            "jumps": data.read("cycles.csv", lambda: cycle_table.jumps(data)), "area": data.area,
             "blocks": [[block.name, block.first, block.last, block.cycle] for block in blocks]}
 
 

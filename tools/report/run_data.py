@@ -35,11 +35,18 @@ class RunData:
         self.checks = self.read("checks.csv", self.run.checks)
         self.cycles = self.read("cycles.csv", self.run.cycles)
         self.blocks = self.program.blocks(self.steps)
-        self.mu = self.pair("Coefficients")
-        self.p = self.pair("Slip potential")
-        self.angle = self.number("Friction", "Orthotropy angle", 0)
-        self.radius = self.number("Geometry", "Radius")
-        self.height = self.number("Geometry", "Height")
+        # Of friction that varies the page shows that of the centre, which the summary has.
+        self.friction_varies = any(re.search("[xy]", text) for text in self.friction_texts())
+        centre = self.summary.get("friction", {"mu": (0, 0), "p": (1, 1), "angle_degrees": 0})
+        self.mu = tuple(centre["mu"]) if self.friction_varies else self.pair("Coefficients")
+        self.p = tuple(centre["p"]) if self.friction_varies else self.pair("Slip potential")
+        self.angle = (centre["angle_degrees"] if self.friction_varies
+                      else self.number("Friction", "Orthotropy angle", 0))
+        obstacle = self.parameters.get("Obstacle", {})
+        self.has_gap = obstacle.get("Gap", "0") != "0" or bool(obstacle.get("Gap file"))
+        self.box = self.read("parameters.prm", self.sizes)
+        self.radius = np.hypot(*self.box[:2]) / 2 if self.box else self.number("Geometry", "Radius")
+        self.height = self.box[2] if self.box else self.number("Geometry", "Height")
         self.probe_places = self.places_of_probes()
         self.energy = self.read("history.csv", self.energy_ledger)
 
@@ -71,11 +78,28 @@ class RunData:
     def number(self, section, entry, default=None):
         return self.read("parameters.prm", lambda: float(self.parameters[section].get(entry, default)))
 
+    @property
+    def area(self):
+        return self.box[0] * self.box[1] if self.box else np.pi * self.radius**2
+
+    def sizes(self):
+        """l_x, l_y, l_z of a box, in mm; None for a cylinder."""
+        geometry = self.parameters["Geometry"]
+        if geometry.get("Shape", "cylinder") != "box":
+            return None
+        return tuple(float(size) for size in geometry["Sizes"].split(","))
+
+    def friction_texts(self):
+        words = ("associated", "collinear")
+        return [text for text in self.parameters.get("Friction", {}).values() if text not in words]
+
     def pair(self, entry):
         def two():
             text = self.parameters["Friction"][entry]
             if text == "associated":
                 return self.mu
+            if text == "collinear":
+                return 1.0, 1.0
             x, y = text.split(",")
             return float(x), float(y)
         return self.read("parameters.prm", two)
