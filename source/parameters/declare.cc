@@ -92,7 +92,7 @@ void declare_obstacle(ObstacleOptions &obstacle, EntryTable &table)
   add_path(
       table, "Gap file", obstacle.gap_file,
       "A gap on a regular grid, which is added to Gap: a text file with the line 'x0 dx nx y0 dy ny', then "
-      "ny lines of nx numbers, all in mm; relative to the folder of the parameter file.");
+      "ny lines of nx numbers, mm; relative to the folder of the parameter file.");
 }
 
 void declare_load(LoadOptions &load, EntryTable &table)

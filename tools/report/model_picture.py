@@ -215,7 +215,7 @@ def side_view(data):
     out += svg.text((middle, base + 24), f"{'l_x' if data.box else '2R'} = {width:g} mm; "
                     f"{'rigid, with a gap' if data.has_gap else 'rigid plane'}, {friction}", "label")
     top_face = "guided: free sideways" if guided else "clamped: a rigid plate"
-    out += svg.text((middle, HEIGHT - 4), f"top face {top_face}; arrows: largest motion or load", "small")
+    out += svg.text((middle, HEIGHT - 4), f"top face {top_face}; arrows: the largest", "small")
     return svg.picture(WIDTH, HEIGHT, out, "The body from the side, with layers, plane and motion of the top")
 
 

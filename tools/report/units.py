@@ -4,11 +4,12 @@
 import re
 
 UNITS = {
-    "Geometry": {"Radius": "mm", "Height": "mm"},
+    "Geometry": {"Radius": "mm", "Height": "mm", "Sizes": "mm"},
     "Material": {"Young modulus": "MPa"},
     "Mesh": {"Accuracy": "%"},
     "Friction": {"Orthotropy angle": "degrees"},
-    "Load program": {"Preload": "(mm : steps)", "Legs": "(mm : steps)"},
+    "Obstacle": {"Gap": "mm"},
+    "Load program": {name: "(mm, degrees, N, N mm : steps)" for name in ("Preload", "Legs")},
     "Checks": {name: "\u00d7 tolerance" for name in ("Penetration", "Complementarity", "Friction cone", "Slip rule")},
     "Output": {"Checkpoint": "s", "Probes": "(mm)"},
 }
