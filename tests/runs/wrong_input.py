@@ -205,8 +205,8 @@ FIELDS = [
     ("Friction/Coefficients=0.3-x/20, 0.15",
      r"Friction/Coefficients = 0\.3-x/20, 0\.15 is -0\.\d+, 0\.15" + PLACE +
      r"are two finite numbers > 0, or both 0 \(no friction\)"),
-    ("Friction/Slip potential=1, x", r"Friction/Slip potential = 1, x is 1, -\S+" + PLACE + "are two finite numbers > 0"),
-    ("Friction/Slip potential=sqrt(x), 1", r"Friction/Slip potential = sqrt\(x\), 1 is not a number, 1" + PLACE +
+    ("Friction/Slip potential=1, x-1", r"Friction/Slip potential = 1, x-1 is 1, -\S+" + PLACE + "are two finite numbers > 0"),
+    ("Friction/Slip potential=sqrt(x-1), 1", r"Friction/Slip potential = sqrt\(x-1\), 1 is not a number, 1" + PLACE +
      "are two finite numbers > 0"),
     ("Friction/Orthotropy angle=1/x", "Friction/Orthotropy angle = 1/x is infinite" + PLACE +
      r"is a finite number \(degrees\)"),
