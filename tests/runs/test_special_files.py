@@ -90,7 +90,7 @@ class SpecialFileTest(RunTest):
 
     def test_the_input_of_a_run_finds_its_gap_file(self):
         self.put("case.prm", SCENE + "subsection Obstacle\n  set Gap file = gap.txt\nend\n")
-        self.put("gap.txt", "# a hump\n-10 10 3 -10 10 3\n0.02 0.01 0.02\n0.01 0 0.01\n0.02 0.01 0.02\n")
+        self.put("gap.txt", "# a hump\n-10 10 3 -10 10 3\n0.4 0.2 0.4\n0.2 0 0.2\n0.4 0.2 0.4\n")
         self.assertEqual(self.run_program("first", file=self.folder / "case.prm").returncode, DONE)
         self.assertGreater(int(self.rows("first")[0]["n_open"]), 0)
         for copy in ("input.prm", "parameters.prm"):

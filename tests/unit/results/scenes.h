@@ -67,9 +67,9 @@ public:
         if (call)
           call(*before, after, *step);
       }
-      void failed(const LoadStep &step, const SolverReport &report, double) override
+      void failed(const LoadStep &unsolved, const SolverReport &report, double) override
       {
-        ADD_FAILURE() << "step " << step.number << " residual " << report.residual;
+        ADD_FAILURE() << "step " << unsolved.number << " residual " << report.residual;
       }
       Watcher call;
       std::optional<ContactState> before;
