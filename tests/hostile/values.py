@@ -59,6 +59,7 @@ DONE_WITH = [
     ["Mesh/Resolution=coarse", "Material/Poisson ratio=0.499999", "Mesh/Volumetric quadrature=reduced"],
     ["Mesh/Resolution=paper", "Material/Poisson ratio=-0.5"],
     ["Friction/Slip potential=collinear"], ["Friction/Coefficients=3/10, max(0.1,0.15)", "Obstacle/Gap=1-1"],
+    ["Load program/Legs=1e6 0 -0.1 : 2"],
     ["Load program/Legs=uz -0.1 : 1 ; ux 0.01 : 2 ; ux 0 uz -0.05 : 1"],
     ["Friction/Coefficients=0.01,0.01"], ["Friction/Coefficients=10,0.1"], ["Friction/Coefficients=10,10"],
     ["Friction/Slip potential=3e50,1.5e50"],
@@ -106,7 +107,7 @@ DONE_WITH = [
 UNSOLVED_WITH = [
     (["Material/Young modulus=1e-300"], "load step 1 of 4"),
     *[([f"Load program/Legs={slide} 0 -0.1 : 2"], "Checks/Penetration: .* no more digits are left")
-      for slide in ("1e6", "1e9", "1e12")],
+      for slide in ("1e9", "1e12")],
     (["Material/Young modulus=1e-320"], "load step 1"),
     (["Material/Poisson ratio=0.49999999999999994"], "stiffness|Poisson"),
     (["Load program/Legs=0 0 -1e-320 : 2"], "load step 1 of 2"),
