@@ -31,7 +31,7 @@ QuasiStaticProblem::QuasiStaticProblem(const Parameters &parameters, const Model
       critical_friction_(critical_friction_of_model()),
       checker_(scene_, parameters_.checks, parameters_.contact_solver.tolerance),
       cycles_(parameters_.load, scene_.symmetry().force_shares(scene_.surface()),
-              reach_of(scene_.surface(), parameters_.geometry)),
+              reach_of(scene_.body().unknowns())),
       output_(folder_, parameters_.output, scene_, evaluator_),
       checkpoint_pause_(parameters.output.checkpoint_seconds)
 {

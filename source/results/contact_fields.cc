@@ -46,15 +46,15 @@ ContactFields mapped(ContactFields fields, const Eigen::Matrix2d &map)
 }
 
 ContactFieldEvaluator::ContactFieldEvaluator(const Scene &scene)
-    : surface_(scene.surface()),
+    : unknowns_(scene.body().unknowns()),
+      surface_(scene.surface()),
       symmetry_(scene.symmetry()),
       compliance_(scene.body().compliance()),
       axes_(scene.axes()),
       system_(scene.system()),
       gaps_(scene.gaps()),
       shares_(symmetry_.force_shares(surface_)),
-      stick_area_(surface_, scene.parameters().material),
-      geometry_(scene.parameters().geometry)
+      stick_area_(surface_, scene.parameters().material)
 {
 }
 

@@ -8,16 +8,11 @@
 
 namespace orthocone
 {
-Eigen::Vector3d arm_of(const ContactNode &node, const GeometryOptions &geometry)
-{
-  return {node.position[0], node.position[1], -geometry.held_height()};
-}
-
-double reach_of(const ContactSurface &surface, const GeometryOptions &geometry)
+double reach_of(const BodyUnknowns &unknowns)
 {
   double reach = 0;
-  for (const ContactNode &node : surface.nodes)
-    reach = std::max(reach, arm_of(node, geometry).norm());
+  for (const ContactNode &node : unknowns.contact_surface().nodes)
+    reach = std::max(reach, unknowns.arm(node).norm());
   return reach;
 }
 

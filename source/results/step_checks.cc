@@ -76,7 +76,7 @@ StepChecker::StepChecker(const Scene &scene, const CheckOptions &options, const 
       slip_amplification_(slip_amplification(scene.system())),
       n_copies_(scene.symmetry().n_copies()),
       compression_(largest_motion(scene.parameters().load, 2)),
-      reach_(reach_of(scene.surface(), scene.parameters().geometry)),
+      reach_(reach_of(scene.body().unknowns())),
       length_(largest_way(scene.parameters().load, reach_)),
       gaps_(scene.gaps()),
       change_lengths_(scene.change_lengths()),

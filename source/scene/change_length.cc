@@ -39,7 +39,8 @@ void shorten(VectorXd &lengths, const Values &values, const std::vector<Vector2d
     double &length = lengths[static_cast<Eigen::Index>(i)];
     for (Eigen::Index k = 0; k < slope.size(); ++k)
       if (slope[k] > 0 && std::isfinite(slope[k])) // just outside of the surface there may be nothing
-        length = std::min(length, ranges[k] / slope[k]);
+        length =
+            std::min(length, std::max(step, ranges[k] / slope[k])); // all nodes may lie on zeros of a wave
   }
 }
 } // namespace
@@ -48,13 +49,10 @@ VectorXd change_lengths(const Obstacle &obstacle, const FrictionField &friction,
                         const ContactSurface &surface)
 {
   constexpr double fine = 1e-4;
-  std::vector<Vector2d> places;
+  const std::vector<Vector2d> places = places_of(surface);
   double reach = 0;
-  for (const ContactNode &node : surface.nodes)
-  {
-    places.emplace_back(node.position[0], node.position[1]);
-    reach = std::max(reach, places.back().norm());
-  }
+  for (const Vector2d &place : places)
+    reach = std::max(reach, place.norm());
   VectorXd lengths =
       VectorXd::Constant(static_cast<Eigen::Index>(places.size()), std::numeric_limits<double>::infinity());
   if (!obstacle.is_plane())

@@ -7,6 +7,17 @@
 
 namespace orthocone
 {
+namespace
+{
+/// The nodes of a mesh that a search takes are not those at which the model was chosen.
+void check_fields(const Obstacle &obstacle, const FrictionField &friction, const ContactSurface &surface)
+{
+  const std::vector<Eigen::Vector2d> places = places_of(surface);
+  obstacle.check(places);
+  friction.check(places);
+}
+} // namespace
+
 Scene::Scene(const Parameters &parameters, const ModelChoice &choice,
              const std::function<void(const Body &)> &on_meshed)
     : Scene(parameters, choice, *make_obstacle(parameters.obstacle), on_meshed)
@@ -17,17 +28,23 @@ Scene::Scene(const Parameters &parameters, const ModelChoice &choice, const Obst
              const std::function<void(const Body &)> &on_meshed)
     : parameters_(parameters),
       choice_(choice),
+      friction_(parameters.friction),
       body_(std::make_unique<FactorizedBody>(
           parameters, choice.symmetry,
-          [&](const ContactSurface &on)
-          { return FrictionField(parameters.friction).axes(on, choice.symmetry); },
-          on_meshed, seconds_)),
-      axes_(FrictionField(parameters.friction).axes(surface(), choice.symmetry)),
+          [&](const ContactSurface &on) { return friction_.axes(on, choice.symmetry); },
+          [&](const Body &meshed)
+          {
+            check_fields(obstacle, friction_, meshed.unknowns().contact_surface());
+            if (on_meshed)
+              on_meshed(meshed);
+          },
+          seconds_)),
+      axes_(friction_.axes(surface(), choice.symmetry)),
       gaps_(gaps_of(obstacle, surface())),
-      system_(body_->compliance(), FrictionField(parameters.friction).laws(surface(), choice.symmetry))
+      system_(body_->compliance(), friction_.laws(surface(), choice.symmetry))
 {
-  if (parameters.friction.varies() || !obstacle.is_plane())
-    change_lengths_ = orthocone::change_lengths(obstacle, FrictionField(parameters.friction), surface());
+  if (friction_.varies() || !obstacle.is_plane())
+    change_lengths_ = orthocone::change_lengths(obstacle, friction_, surface());
 }
 
 Wrench Scene::held_wrench(const NodeVector &force) const

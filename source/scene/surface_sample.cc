@@ -32,24 +32,28 @@ MeshOptions flat_mesh(const Parameters &parameters, const bool is_axisymmetric)
   return mesh;
 }
 
-std::vector<Vector2d> places_of(const Parameters &given, const ModelSymmetry &symmetry)
+std::vector<Vector2d> contact_places(const Parameters &given, const ModelSymmetry &symmetry)
 {
   Parameters parameters = given;
   parameters.mesh = flat_mesh(given, symmetry.is_axisymmetric());
   parameters.geometry.top_face = TopFace::clamped;
-  const Body body(parameters, symmetry);
-  std::vector<Vector2d> places;
-  for (const ContactNode &node : body.unknowns().contact_surface().nodes)
-    places.emplace_back(node.position[0], node.position[1]);
-  return places;
+  return places_of(Body(parameters, symmetry).unknowns().contact_surface());
 }
 } // namespace
 
+std::vector<Vector2d> places_of(const ContactSurface &surface)
+{
+  std::vector<Vector2d> places;
+  for (const ContactNode &node : surface.nodes)
+    places.emplace_back(node.position[0], node.position[1]);
+  return places;
+}
+
 SurfaceSample surface_sample(const Parameters &parameters)
 {
-  SurfaceSample sample{places_of(parameters, {}), {}};
+  SurfaceSample sample{contact_places(parameters, {}), {}};
   if (parameters.geometry.shape == BodyShape::cylinder)
-    sample.radii = places_of(parameters, ModelSymmetry::of_revolution());
+    sample.radii = contact_places(parameters, ModelSymmetry::of_revolution());
   return sample;
 }
 

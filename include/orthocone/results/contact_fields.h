@@ -64,14 +64,15 @@ public:
   /// Area that sticks in the whole body, mm^2.
   double stick_area(const ContactState &state) const;
 
-  /// Where a node lies as seen from the centre of the held face, mm.
-  Eigen::Vector3d arm(const unsigned int node) const { return arm_of(surface_.nodes[node], geometry_); }
+  /// BodyUnknowns::arm().
+  Eigen::Vector3d arm(const unsigned int node) const { return unknowns_.arm(surface_.nodes[node]); }
 
   const ContactSurface &surface() const { return surface_; }
   const ModelSymmetry &symmetry() const { return symmetry_; }
   const Compliance &compliance() const { return compliance_; }
 
 private:
+  const BodyUnknowns &unknowns_;
   const ContactSurface &surface_;
   const ModelSymmetry &symmetry_;
   const Compliance &compliance_;
@@ -80,6 +81,5 @@ private:
   const NodeVector &gaps_;
   Eigen::VectorXd shares_; ///< ModelSymmetry::force_shares()
   StickArea stick_area_;
-  GeometryOptions geometry_;
 };
 } // namespace orthocone

@@ -8,8 +8,8 @@
 namespace orthocone
 {
 /// Length (mm) over which gap or friction change at each contact node: what they range over on the whole
-/// surface divided by their slope there, infinite where they are constant. They are taken at the reference
-/// position of the nodes, which is right for slips that are small against it.
+/// surface divided by their slope there, infinite where they are constant, never zero. They are taken at the
+/// reference position of the nodes, which is right for slips that are small against it.
 Eigen::VectorXd change_lengths(const Obstacle &obstacle, const FrictionField &friction,
                                const ContactSurface &surface);
 } // namespace orthocone

@@ -22,8 +22,8 @@ namespace orthocone
 class Scene
 {
 public:
-  /// `on_meshed` is called with the meshed body before the long work begins. Throws InputError, or
-  /// std::runtime_error if the stiffness cannot be factorized.
+  /// `on_meshed` is called with the meshed body before the long work begins. Throws InputError where gap or
+  /// friction are not defined at a contact node, or std::runtime_error if the stiffness cannot be factorized.
   Scene(const Parameters &parameters, const ModelChoice &choice,
         const std::function<void(const Body &)> &on_meshed = {});
 
@@ -66,6 +66,7 @@ public:
 private:
   const Parameters parameters_;
   const ModelChoice choice_;
+  const FrictionField friction_;
   PhaseSeconds seconds_;
   std::unique_ptr<const ElasticBody> body_;
   LocalAxes axes_;

@@ -34,6 +34,9 @@ inline bool varies_over_surface(const Parameters &parameters)
   return parameters.friction.varies() || !parameters.obstacle.is_plane();
 }
 
+/// Where contact nodes lie, mm.
+std::vector<Eigen::Vector2d> places_of(const ContactSurface &surface);
+
 /// The contact nodes that the parameters give; those of the finest mesh if a search is to choose it.
 SurfaceSample surface_sample(const Parameters &parameters);
 

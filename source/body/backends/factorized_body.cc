@@ -11,8 +11,7 @@ namespace
 Stiffness announced_stiffness(const Parameters &parameters, const Body &mesh,
                               const std::function<void(const Body &)> &on_meshed, double &seconds)
 {
-  if (on_meshed)
-    on_meshed(mesh);
+  on_meshed(mesh);
   return timed(seconds, [&] { return mesh.stiffness(parameters.material); });
 }
 } // namespace

@@ -30,11 +30,11 @@ inline MeshOptions small_mesh(const unsigned int degree)
 }
 
 /// Body with factorized stiffness, ready to be loaded.
-struct FactorizedBody
+struct LoadableBody
 {
-  FactorizedBody(const GeometryOptions &geometry, const MeshOptions &mesh_options,
-                 const MaterialOptions &material, const SymmetryPlanes &planes,
-                 const LocalAxes &axes = LocalAxes(0))
+  LoadableBody(const GeometryOptions &geometry, const MeshOptions &mesh_options,
+               const MaterialOptions &material, const SymmetryPlanes &planes,
+               const LocalAxes &axes = LocalAxes(0))
       : lame(material),
         mesh(geometry, mesh_options, planes),
         discretization(mesh.triangulation(), mesh_options, geometry.top_face),

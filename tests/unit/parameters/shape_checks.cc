@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include <orthocone/base/errors.h>
+#include "rejection.h"
+
 #include <orthocone/parameters/parameters.h>
 
 #include <gtest/gtest.h>
@@ -19,15 +20,7 @@ Parameters box()
 
 std::string rejection(const Parameters &parameters)
 {
-  try
-  {
-    check_parameters(parameters);
-  }
-  catch (const InputError &error)
-  {
-    return error.what();
-  }
-  return {};
+  return rejection_of([&] { check_parameters(parameters); });
 }
 } // namespace
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include <orthocone/base/errors.h>
+#include "rejection.h"
+
 #include <orthocone/scene/model_choice.h>
 
 #include <gtest/gtest.h>
@@ -33,15 +34,7 @@ std::string model(const Parameters &parameters)
 
 std::string rejection(const Parameters &parameters)
 {
-  try
-  {
-    choose_model(parameters);
-  }
-  catch (const InputError &error)
-  {
-    return error.what();
-  }
-  return {};
+  return rejection_of([&] { choose_model(parameters); });
 }
 
 Drive force(const double value)

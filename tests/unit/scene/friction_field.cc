@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include <orthocone/base/errors.h>
+#include "rejection.h"
+
 #include <orthocone/base/numbers.h>
 #include <orthocone/scene/change_length.h>
 #include <orthocone/scene/friction_field.h>
@@ -27,15 +28,7 @@ FrictionOptions polar()
 
 std::string rejection(const FrictionOptions &friction)
 {
-  try
-  {
-    FrictionField(friction).check({{1, 2}, {3, 4}});
-  }
-  catch (const InputError &error)
-  {
-    return error.what();
-  }
-  return {};
+  return rejection_of([&] { FrictionField(friction).check({{1, 2}, {3, 4}}); });
 }
 
 ContactSurface surface_of(const std::vector<Eigen::Vector2d> &places)

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include <orthocone/base/errors.h>
+#include "rejection.h"
+
 #include <orthocone/scene/obstacle.h>
 
 #include <gtest/gtest.h>
@@ -15,15 +16,7 @@ namespace
 {
 std::string rejection(const Obstacle &obstacle, const std::vector<Eigen::Vector2d> &places)
 {
-  try
-  {
-    obstacle.check(places);
-  }
-  catch (const InputError &error)
-  {
-    return error.what();
-  }
-  return {};
+  return rejection_of([&] { obstacle.check(places); });
 }
 } // namespace
 

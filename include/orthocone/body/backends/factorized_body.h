@@ -15,7 +15,7 @@ class FactorizedBody : public ElasticBody
 {
 public:
   /// `axes_of`: local axes of the contact nodes. `on_meshed` is called with the meshed body before the long
-  /// work begins, if it is given. Wall times are added to `seconds`. Throws std::runtime_error if the
+  /// work begins. Wall times are added to `seconds`. Throws std::runtime_error if the
   /// stiffness cannot be factorized.
   FactorizedBody(const Parameters &parameters, const ModelSymmetry &symmetry,
                  const std::function<LocalAxes(const ContactSurface &)> &axes_of,

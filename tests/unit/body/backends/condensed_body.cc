@@ -21,7 +21,7 @@ const GeometryOptions geometry;
 const MaterialOptions material;
 
 /// Internal forces of a displacement, by quadrature of its own.
-VectorXd forces_of(const FactorizedBody &body, const VectorXd &displacement)
+VectorXd forces_of(const LoadableBody &body, const VectorXd &displacement)
 {
   const auto &discretization = body.discretization;
   return internal_forces(
@@ -39,7 +39,7 @@ TEST(Condensation, SatisfiesTheFullSystem)
   for (const SymmetryPlanes &planes : {full, quarter})
     for (const unsigned int degree : {1, 2, 3})
     {
-      const FactorizedBody body(geometry, small_mesh(degree), material, planes);
+      const LoadableBody body(geometry, small_mesh(degree), material, planes);
       const auto &surface = body.discretization.contact_surface();
       NodeVector force = uneven_forces(static_cast<Index>(surface.nodes.size()));
       for (std::size_t i = 0; i < surface.nodes.size(); ++i)
@@ -72,7 +72,7 @@ TEST(Condensation, SatisfiesTheFullSystem)
 // Force on the base + force on the top = 0, and so for the moments.
 TEST(Condensation, KeepsTheBodyInEquilibrium)
 {
-  const FactorizedBody body(geometry, small_mesh(2), material, full);
+  const LoadableBody body(geometry, small_mesh(2), material, full);
   const NodeVector force = uneven_forces(body.condensed.compliance().n_nodes());
   const VectorXd u = body.condensed.volume_displacement(moved_by(0.01, -0.02, -0.1), force);
   const VectorXd internal = forces_of(body, u);
@@ -109,7 +109,7 @@ TEST(Condensation, KeepsTheBodyInEquilibrium)
 
 TEST(Condensation, GivesASymmetricPositiveCompliance)
 {
-  const FactorizedBody body(geometry, small_mesh(2), material, quarter);
+  const LoadableBody body(geometry, small_mesh(2), material, quarter);
   const Eigen::MatrixXd &w = *body.condensed.compliance().dense();
   EXPECT_LE((w - w.transpose()).norm(), 1e-14 * w.norm());
   EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(w).eigenvalues().minCoeff(), 0);
@@ -119,7 +119,7 @@ TEST(Condensation, WorksForASingleLayerOfTrilinearBricks)
 {
   MeshOptions mesh = small_mesh(1);
   mesh.layers = 1; // no interior unknowns at all
-  const FactorizedBody body(geometry, mesh, material, full);
+  const LoadableBody body(geometry, mesh, material, full);
   EXPECT_EQ(body.discretization.n_interior(), 0u);
   const NodeVector force = uneven_forces(body.condensed.compliance().n_nodes());
   const VectorXd internal = forces_of(body, body.condensed.volume_displacement({}, force));
@@ -151,8 +151,8 @@ namespace
 /// Compliance and motion are the same in turned axes as in straight ones.
 void expect_same_body_in(const LocalAxes &axes)
 {
-  const FactorizedBody straight(geometry, small_mesh(1), material, full);
-  const FactorizedBody turned(geometry, small_mesh(1), material, full, axes);
+  const LoadableBody straight(geometry, small_mesh(1), material, full);
+  const LoadableBody turned(geometry, small_mesh(1), material, full, axes);
   const NodeVector local = uneven_forces(turned.condensed.compliance().n_nodes());
   NodeVector global = local;
   for (Index i = 0; i < turned.condensed.compliance().n_nodes(); ++i)
@@ -209,7 +209,7 @@ TEST(RigidRotation, StrainsNothing)
   motion.components << 0.01, -0.02, -0.1, 0.3, -0.2, 0.5;
   for (const unsigned int degree : {1, 2, 3})
   {
-    const FactorizedBody body(geometry, small_mesh(degree), material, full);
+    const LoadableBody body(geometry, small_mesh(degree), material, full);
     const VectorXd free = VectorXd::Zero(body.discretization.n_free());
     const VectorXd u = body.condensed.with_motion(motion, free);
     const double size = body.stiffness.rounding(u.head(free.size())) / std::numeric_limits<double>::epsilon();
@@ -221,7 +221,7 @@ TEST(RigidRotation, StrainsNothing)
 TEST(RigidRotation, MovesContactNodesAsItMovesTheBody)
 {
   const LocalAxes axes = uneven_axes();
-  const FactorizedBody body(geometry, small_mesh(1), material, full, axes);
+  const LoadableBody body(geometry, small_mesh(1), material, full, axes);
   const VectorXd free = VectorXd::Zero(body.discretization.n_free());
   for (unsigned int i = 0; i < n_rigid_components; ++i)
   {
@@ -241,7 +241,7 @@ TEST(RigidRotation, MovesContactNodesAsItMovesTheBody)
 
 TEST(RigidRotation, WrenchDoesTheWorkOfTheContactForces)
 {
-  const FactorizedBody body(geometry, small_mesh(1), material, full, uneven_axes());
+  const LoadableBody body(geometry, small_mesh(1), material, full, uneven_axes());
   const NodeVector force = uneven_forces(body.condensed.compliance().n_nodes());
   const Wrench wrench = body.condensed.wrench(force);
   for (unsigned int seed = 1; seed <= 5; ++seed)

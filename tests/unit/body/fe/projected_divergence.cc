@@ -84,7 +84,7 @@ unsigned int n_volume_constraints(const unsigned int degree, const VolumetricQua
 /// Total force on the base where it sticks all over and the clamped top comes down by 0.1 mm.
 double stuck_force(const MeshOptions &options, const double poisson)
 {
-  const FactorizedBody body(GeometryOptions(), options, material_of(poisson), {true, true});
+  const LoadableBody body(GeometryOptions(), options, material_of(poisson), {true, true});
   const NodeVector free = body.condensed.moved_with(moved_by(0, 0, -0.1));
   const NodeVector force = body.condensed.compliance().dense()->llt().solve(-free);
   double total = 0;

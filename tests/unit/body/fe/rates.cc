@@ -50,7 +50,7 @@ double energy_error(const unsigned int degree, const unsigned int n_cells,
   options.core_cells = n_cells;
   options.layers = n_cells;
   options.volumetric_quadrature = quadrature;
-  const FactorizedBody body(GeometryOptions(), options, material, SymmetryPlanes());
+  const LoadableBody body(GeometryOptions(), options, material, SymmetryPlanes());
   const auto &discretization = body.discretization;
   const unsigned int n_points = degree + 3;
   const VectorXd load = internal_forces(
@@ -84,7 +84,7 @@ void expect_uniform_compression(const MeshOptions &mesh, const double poisson)
   geometry.top_face = TopFace::guided;
   MaterialOptions foam;
   foam.poisson_ratio = poisson;
-  const FactorizedBody body(geometry, mesh, foam, {true, true});
+  const LoadableBody body(geometry, mesh, foam, {true, true});
   const auto &nodes = body.discretization.contact_surface().nodes;
   constexpr double pressure = 100;
   NodeVector force(3 * nodes.size());

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
+#include "cells.h"
+
 #include "body/bodies.h"
 
 #include <gtest/gtest.h>
@@ -40,24 +42,6 @@ std::vector<double> places(const BodyMesh &mesh, const unsigned int direction)
   for (const auto &vertex : mesh.triangulation().get_vertices())
     all.insert(vertex[direction]);
   return {all.begin(), all.end()};
-}
-
-using CellKey = std::set<std::array<double, 3>>;
-
-std::set<CellKey> cells_of(const BodyMesh &mesh)
-{
-  std::set<CellKey> cells;
-  for (const auto &cell : mesh.triangulation().active_cell_iterators())
-  {
-    CellKey key;
-    for (const unsigned int vertex : cell->vertex_indices())
-    {
-      const auto &x = cell->vertex(vertex);
-      key.insert(std::array<double, 3>{{x[0], x[1], x[2]}});
-    }
-    cells.insert(key);
-  }
-  return cells;
 }
 } // namespace
 
@@ -128,7 +112,7 @@ TEST(Box, PassesThePatchTest)
   for (const SymmetryPlanes &planes : {full, half_y, quarter})
     for (const unsigned int degree : {1, 2, 3})
     {
-      const FactorizedBody body(geometry, graded_mesh(degree), material, planes);
+      const LoadableBody body(geometry, graded_mesh(degree), material, planes);
       const auto &nodes = body.discretization.contact_surface().nodes;
       NodeVector force = NodeVector::Zero(3 * static_cast<Eigen::Index>(nodes.size()));
       for (std::size_t i = 0; i < nodes.size(); ++i)

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
+#include "cells.h"
+
 #include "body/bodies.h"
 
 #include <orthocone/base/numbers.h>
@@ -31,24 +33,6 @@ double contact_area(const Discretization &discretization)
 double volume(const BodyMesh &mesh, const unsigned int degree)
 {
   return dealii::GridTools::volume(mesh.triangulation(), dealii::MappingQ<3>(degree));
-}
-
-using CellKey = std::set<std::array<double, 3>>;
-
-std::set<CellKey> cells_of(const BodyMesh &mesh)
-{
-  std::set<CellKey> cells;
-  for (const auto &cell : mesh.triangulation().active_cell_iterators())
-  {
-    CellKey key;
-    for (const unsigned int vertex : cell->vertex_indices())
-    {
-      const auto &x = cell->vertex(vertex);
-      key.insert(std::array<double, 3>{{x[0], x[1], x[2]}});
-    }
-    cells.insert(key);
-  }
-  return cells;
 }
 } // namespace
 
