@@ -226,6 +226,26 @@ class PageTest(Page):
                 self.media(**{"prefers-color-scheme": "dark"})
                 self.assert_contrast()
 
+    def test_another_scene(self):
+        """A box on a cylinder, pressed by a force and pushed by a motion, with friction that varies: half of it is modelled."""
+        folder = run("box", *COARSE, "Geometry/Shape=box", "Geometry/Sizes=20, 10, 8", "Mesh/Cells=4, 4, 2",
+                     "Obstacle/Gap=y^2/2000", "Friction/Coefficients=0.2 + 0.001*x, 0.1", "Friction/Slip potential=associated",
+                     "Load program/Legs=Fz -2e4 : 2 ; ux 0.02 : 2", "Load program/Cycles=1", "Output/Probes=P: 3 2")
+        self.open(folder)
+        self.assert_sections()
+        drawn = self.text("#model")
+        for words in ("20 mm x 10 mm", "Box, from the side", "l_x = 20 mm; rigid, with a gap, \u03bc varies", "at the centre",
+                      "F_z = \u221220000 N", "u_x = 0.02 mm"):
+            self.assertIn(words, drawn)
+        part = self.script("return document.querySelector('#model .modelled').getAttribute('points')")
+        corners = np.array(re.findall(r"[\d.]+", part), dtype=float).reshape(-1, 2)
+        surface = self.script("return document.querySelector('#model .disc').getAttribute('points')")
+        whole = np.array(re.findall(r"[\d.]+", surface), dtype=float).reshape(-1, 2)
+        # Symmetric about y = 0 alone: all of x, and the half that is up in the picture.
+        self.assertEqual(list(corners.min(axis=0)), list(whole.min(axis=0)))
+        self.assertAlmostEqual(np.ptp(corners[:, 1]) / np.ptp(whole[:, 1]), 0.5, 2)
+        self.assertEqual(self.find("#map").is_displayed(), True)
+
 
 def tearDownModule():
     SCRATCH.cleanup()

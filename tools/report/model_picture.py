@@ -77,14 +77,15 @@ def modelled_part(data, frame):
         return ""
     # Older summaries do not name the plane: a half has that along which the top does not move.
     planes = model.get("symmetry_planes", ["x = 0" if "uy" in data.program.extremes() else "y = 0"])
-    first, last = (0, 90) if kind == "quarter" else (-90, 90) if planes == ["x = 0"] else (0, 180)
+    about_x, about_y = (kind == "quarter" or plane in planes for plane in ("x = 0", "y = 0"))
     if data.box:
         x, y = data.box[0] / 2, data.box[1] / 2
-        left, low = (0 if first == 0 and last == 90 or first < 0 else -x), (-y if first < 0 else 0)
-        return svg.polyline(frame.all([(left, low), (x, low), (x, y), (left, y)]), "modelled", closed=True)
-    angles = np.radians(np.linspace(first, last, 60))
-    sector = [(0, 0), *zip(data.radius * np.cos(angles), data.radius * np.sin(angles))]
-    return svg.polyline(frame.all(sector), "modelled", closed=True)
+        left, low = 0 if about_x else -x, 0 if about_y else -y
+        part = [(left, low), (x, low), (x, y), (left, y)]
+    else:
+        angles = np.radians(np.linspace(0 if about_y else -90, 90 if about_x else 180, 60))
+        part = [(0, 0), *zip(data.radius * np.cos(angles), data.radius * np.sin(angles))]
+    return svg.polyline(frame.all(part), "modelled", closed=True)
 
 
 def outline(data):
