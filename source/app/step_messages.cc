@@ -28,11 +28,11 @@ std::string unsolved_step_text(const LoadStep &step, const std::vector<LoadStep>
                                const ContactNode &worst)
 {
   std::ostringstream text;
-  text << name_of(step, steps) << " is not solved by " << to_word(options.method)
-       << ", not even in eighths: residual " << report.residual << " > tolerance " << options.tolerance
-       << ", penetration " << report.penetration << " mm, worst node at (" << worst.position[0] << ", "
-       << worst.position[1] << ") mm after " << report.iterations
-       << " iterations.\nThe files of the steps before stay. " << diagnosis(options, report);
+  text << name_of(step, steps) << " is not solved by " << options.method << ", not even in eighths: residual "
+       << report.residual << " > tolerance " << options.tolerance << ", penetration " << report.penetration
+       << " mm, worst node at (" << worst.position[0] << ", " << worst.position[1] << ") mm after "
+       << report.iterations << " iterations.\nThe files of the steps before stay. "
+       << diagnosis(options, report);
   return text.str();
 }
 

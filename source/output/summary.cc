@@ -173,7 +173,7 @@ std::string describe_model(const Parameters &parameters, const ModelChoice &mode
        << unknowns.contact_surface().nodes.size() << (model.symmetry.is_axisymmetric() ? " (rings)" : "")
        << "\n"
        << describe_friction(parameters) << "load steps     " << n_steps << "\n"
-       << "contact solver " << to_word(solver.method) << ", tolerance " << to_text(solver.tolerance);
+       << "contact solver " << solver.method << ", tolerance " << to_text(solver.tolerance);
   return text.str();
 }
 } // namespace orthocone

@@ -141,7 +141,7 @@ std::string summary_json(const Summary &summary)
   json["scene"] = scene_json(summary);
   json["steps"] = {{"planned", summary.n_steps}, {"solved", summary.n_solved}};
   json["cycles"] = cycles_json(summary.cycles);
-  json["contact_solver"] = {{"method", to_word(summary.parameters.contact_solver.method)},
+  json["contact_solver"] = {{"method", summary.parameters.contact_solver.method},
                             {"tolerance", summary.parameters.contact_solver.tolerance},
                             {"iterations", summary.record.n_iterations},
                             {"largest_residual", summary.record.largest_residual},

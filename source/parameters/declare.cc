@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include "declare.h"
 
-#include "entries.h"
+#include "solver_entries.h"
 
 namespace orthocone
 {
@@ -26,7 +26,7 @@ void declare_geometry(GeometryOptions &geometry, EntryTable &table)
 void declare_mesh(MeshOptions &mesh, EntryTable &table)
 {
   add_choice(table, "Model", mesh.model,
-             "Part of the cylinder that is modelled; auto takes the smallest that is exact for the scene. "
+             "Part of the body that is modelled; auto takes the smallest that is exact for the scene. "
              "axisymmetric: "
              "its section (r, z), with the cells that lie along the x axis.");
   add_choice(table, "Resolution", mesh.resolution,
@@ -119,24 +119,14 @@ void declare_load(LoadOptions &load, EntryTable &table)
 
 void declare_contact_solver(ContactSolverOptions &solver, EntryTable &table)
 {
-  add_choice(
-      table, "Method", solver.method,
-      "newton: semismooth Newton between exact sweeps; gauss-seidel: sweeps of exact one-node solves; uzawa: "
-      "simultaneous projections with adaptive step; feng2006: the paper's Box 3, node by node. For the study "
-      "of what "
-      "fails (docs/stability.md): box3, the paper's Box 3 for all nodes at once; plain-newton, semismooth "
-      "Newton without "
-      "line search and sweeps.");
+  add_contact_method(table, "Method", solver.method);
   add_number(table, "Tolerance", solver.tolerance, Range{1e-14, 1, true, false},
              "Bound of the natural-map residual relative to the contact forces.");
   add_count(table, "Maximum iterations", solver.maximum_iterations, 1, 10000000,
             "Sweeps or iterations for one load step, and for each part of one that has to be halved.");
   add_number(table, "Relaxation", solver.relaxation, Range{0, 2},
              "Relaxation factor of the sweeps of gauss-seidel: 1 takes the one-node solutions as they are.");
-  add_number(table, "Rho factor", solver.rho_factor, positive,
-             "Factor of the rho of newton, plain-newton (1 / the largest diagonal entry of a node's "
-             "compliance), feng2006 "
-             "and box3 (1 / the smallest). The residual that is reported does not depend on it.");
+  add_rho_factor(table, "Rho factor", solver.rho_factor);
 }
 
 void declare_checks(CheckOptions &checks, EntryTable &table)

@@ -17,7 +17,7 @@ namespace orthocone
 {
 namespace
 {
-constexpr const char *form = "'x0 dx nx y0 dy ny' (mm, mm, at least 2; the same of y)";
+constexpr const char *head_form = "'x0 dx nx y0 dy ny' (mm, mm, at least 2; the same of y)";
 
 /// A line that is more than a comment.
 struct Row
@@ -44,7 +44,7 @@ GapGrid read_head(const Row &row)
   std::string all;
   for (const std::string &word : row.words)
     all += (all.empty() ? "" : " ") + word;
-  const auto fail = [&] { return InputError(row.place + ": '" + shown(all) + "': allowed is " + form); };
+  const auto fail = [&] { return InputError(row.place + ": '" + shown(all) + "': allowed is " + head_form); };
   if (row.words.size() != 6)
     throw fail();
   std::array<std::optional<double>, 4> numbers;
@@ -107,7 +107,7 @@ GapGrid read_gap_file(const std::string &file_name)
   unsigned int line = 0;
   Row row;
   if (!next_row(stream, name, line, row))
-    throw InputError(name + ": has no line but comments: allowed is " + form + ", then ny rows");
+    throw InputError(name + ": has no line but comments: allowed is " + head_form + ", then ny rows");
   GapGrid grid = read_head(row);
   std::size_t n_rows = 0;
   for (; next_row(stream, name, line, row); ++n_rows)

@@ -13,7 +13,7 @@ namespace orthocone
 {
 namespace
 {
-constexpr const char *form =
+constexpr const char *leg_form =
     "legs \"ux uy uz : steps\" (numbers in mm, at least one step) or \"NAME value ... : steps\" (ux, uy, uz "
     "in "
     "mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N mm), separated by ';'";
@@ -72,12 +72,12 @@ std::string parse_targets(const std::string &text, Leg &leg)
   std::istringstream stream(text);
   const std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
   if (words.empty() || words.size() % 2 != 0)
-    return form;
+    return leg_form;
   for (std::size_t i = 0; i < words.size(); i += 2)
   {
     const auto value = parse_number(words[i + 1]);
     if (!value || parse_number(words[i]))
-      return form;
+      return leg_form;
     if (const std::string fault = add_component(words[i], *value, leg); !fault.empty())
       return fault;
   }
@@ -90,7 +90,7 @@ std::string parse_leg(const std::string &text, Leg &leg)
   const auto parts = split(text, ':');
   const auto steps = parts.size() == 2 ? parse_count(parts[1]) : std::nullopt;
   if (!steps || *steps == 0)
-    return form;
+    return leg_form;
   leg.steps = *steps;
   return parse_targets(parts[0], leg);
 }
@@ -106,7 +106,7 @@ bool is_translation(const Leg &leg)
 
 std::string allowed_legs()
 {
-  return form;
+  return leg_form;
 }
 
 std::optional<std::vector<Leg>> parse_legs(const std::string &text, std::string *const allowed)

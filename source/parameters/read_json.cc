@@ -17,7 +17,7 @@ namespace
 {
 using Json = nlohmann::ordered_json;
 
-constexpr const char *form = "{\"Section\": {\"Entry\": value}}";
+constexpr const char *json_form = "{\"Section\": {\"Entry\": value}}";
 
 constexpr unsigned int deepest = 10;
 
@@ -58,7 +58,7 @@ bool JsonCheck::open()
   levels_.emplace_back();
   if (!JsonWalk::open())
     throw InputError(name_ + ": is nested more than " + std::to_string(deepest) + " deep; allowed is " +
-                     form);
+                     json_form);
   return true;
 }
 
@@ -72,7 +72,7 @@ bool JsonCheck::key(string_t &name)
 {
   constexpr unsigned int most = 1000; // the tree that is made of them finds a name by going through all
   if (++n_names_ > most)
-    throw InputError(name_ + ": has more than " + std::to_string(most) + " names; allowed is " + form);
+    throw InputError(name_ + ": has more than " + std::to_string(most) + " names; allowed is " + json_form);
   const bool is_first = levels_.back().names.insert(name).second;
   levels_.back().last = name;
   if (is_first)
@@ -98,7 +98,7 @@ bool JsonCheck::parse_error(const std::size_t position, const std::string &,
     else if (!continues_character(c))
       ++column;
   throw InputError(name_ + ":" + std::to_string(line) + ": is not valid JSON at column " +
-                   std::to_string(column) + "; allowed is " + form);
+                   std::to_string(column) + "; allowed is " + json_form);
 }
 
 /// What is wrong with something at the top that is not a section with entries.
@@ -124,7 +124,7 @@ std::string read_json(const std::string &file_name, EntryTable &table)
   Json::sax_parse(text, &check);
   const Json json = Json::parse(text);
   if (!json.is_object())
-    throw InputError(place + "is not valid JSON of the form " + form);
+    throw InputError(place + "is not valid JSON of the form " + json_form);
   table.read_from(file_name);
   bool sets_anything = false;
   for (const auto &[section, entries] : json.items())

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 #include "shape_checks.h"
+#include "solver_entries.h"
 
 #include <orthocone/base/text.h>
+#include <orthocone/contact/solvers/contact_method.h>
 #include <orthocone/parameters/parameters.h>
 #include <orthocone/parameters/values.h>
 
@@ -128,27 +130,29 @@ void warn_of_large_rotations(const LoadOptions &load, std::vector<std::string> &
 
 void warn_of_ignored_relaxation(const ContactSolverOptions &solver, std::vector<std::string> &warnings)
 {
-  if (solver.method != ContactMethod::gauss_seidel && solver.relaxation != ContactSolverOptions().relaxation)
+  if (!find_contact_method(solver.method)->has_relaxation &&
+      solver.relaxation != ContactSolverOptions().relaxation)
     warnings.push_back("Contact solver/Relaxation = " + to_text(solver.relaxation) +
-                       " is ignored with Contact solver/Method = " + to_word(solver.method) +
-                       "; it is for gauss-seidel");
+                       " is ignored with Contact solver/Method = " + solver.method + "; it is for " +
+                       entries::contact_method_words(", ", [](const ContactMethod &method)
+                                                     { return method.has_relaxation; }));
 }
 
 void warn_of_ignored_rho(const ContactSolverOptions &solver, std::vector<std::string> &warnings)
 {
-  const bool has_none = solver.method == ContactMethod::gauss_seidel || solver.method == ContactMethod::uzawa;
-  if (has_none && solver.rho_factor != ContactSolverOptions().rho_factor)
+  if (find_contact_method(solver.method)->rho.empty() &&
+      solver.rho_factor != ContactSolverOptions().rho_factor)
     warnings.push_back("Contact solver/Rho factor = " + to_text(solver.rho_factor) +
-                       " is ignored with Contact solver/Method = " + to_word(solver.method) +
+                       " is ignored with Contact solver/Method = " + solver.method +
                        ", which has no rho to be chosen");
 }
 
 void warn_of_weak_method(const ContactSolverOptions &solver, std::vector<std::string> &warnings)
 {
-  if (solver.method == ContactMethod::box3 || solver.method == ContactMethod::plain_newton)
-    warnings.push_back(
-        "Contact solver/Method = " + to_word(solver.method) +
-        " is there to show where it fails (docs/stability.md); newton is the method to work with");
+  if (find_contact_method(solver.method)->is_for_study)
+    warnings.push_back("Contact solver/Method = " + solver.method +
+                       " is there to show where it fails (docs/stability.md); " +
+                       ContactSolverOptions().method + " is the method to work with");
 }
 
 /// Forces may differ by a hundred times the residual that the solver leaves: W is that ill-conditioned.

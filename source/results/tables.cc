@@ -52,7 +52,7 @@ Columns<SolvedStep> first_history_columns()
       {"total_dissipation", "N mm", "of friction since the start",
        [](const Step &s) { return s.totals.total_dissipation; }},
       {"elastic_energy", "N mm", "stored in the body", [](const Step &s) { return s.totals.elastic_energy; }},
-      {"method", "", "contact solver", [](const Step &s) { return std::string(to_word(s.method)); }},
+      {"method", "", "contact solver", [](const Step &s) { return s.method; }},
       {"iterations", "", "of the contact solver", [](const Step &s) { return s.report.iterations; }},
       {"residual", "", "of the contact problem, relative", [](const Step &s) { return s.report.residual; }}};
 }

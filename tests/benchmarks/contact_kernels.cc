@@ -52,12 +52,12 @@ BENCHMARK(newton_iteration)->Apply(all_sizes);
 void contact_step(benchmark::State &state)
 {
   const Scene &s = scene_of(state);
-  const SemismoothNewton solver(s.system, s.parameters.contact_solver);
+  const auto solver = make_contact_solver(s.system, s.parameters.contact_solver);
   SolverReport report;
   for (auto _ : state)
   {
     NodeVector force = s.force;
-    report = solver.solve(s.problem, force);
+    report = solver->solve(s.problem, force);
   }
   if (!report.converged)
     state.SkipWithError("the step did not converge");

@@ -19,7 +19,7 @@ std::string file_of(const std::string &name)
 
 /// Solves every step with each method from the same start and compares the forces. `newton` must converge; a
 /// method that does not is left out of the comparison, and the number of its failures is returned.
-unsigned int compare_methods(const std::string &name, const ContactMethod method,
+unsigned int compare_methods(const std::string &name, const std::string &method,
                              const unsigned int most_iterations,
                              const std::vector<std::string> &overrides = {})
 {
@@ -128,7 +128,7 @@ INSTANTIATE_TEST_SUITE_P(Cases, EveryFile,
 
 TEST_P(EveryFile, SweepsGiveTheForcesOfNewton)
 {
-  EXPECT_EQ(compare_methods(GetParam(), ContactMethod::gauss_seidel, 5000), 0u); // all cycles
+  EXPECT_EQ(compare_methods(GetParam(), "gauss-seidel", 5000), 0u); // all cycles
 }
 
 // With the slip rule of case C it solves no step but full unloading, and says so.
@@ -136,15 +136,14 @@ TEST_P(EveryFile, UzawaGivesTheForcesOfNewtonWhereSlipIsAssociated)
 {
   constexpr unsigned int n_steps = 15, enough = 5000, few = 500;
   const bool is_associated = GetParam().substr(0, 6) != "case_c";
-  const unsigned int n_failures = compare_methods(GetParam(), ContactMethod::uzawa,
-                                                  is_associated ? enough : few, {"Load program/Cycles=1"});
+  const unsigned int n_failures =
+      compare_methods(GetParam(), "uzawa", is_associated ? enough : few, {"Load program/Cycles=1"});
   EXPECT_EQ(n_failures, is_associated ? 0 : n_steps - 1);
 }
 
 TEST_P(EveryFile, Feng2006GivesTheForcesOfNewtonWhereItConverges)
 {
-  const unsigned int n_failures =
-      compare_methods(GetParam(), ContactMethod::feng2006, 2000, {"Load program/Cycles=1"});
+  const unsigned int n_failures = compare_methods(GetParam(), "feng2006", 2000, {"Load program/Cycles=1"});
   const bool is_associated = GetParam().substr(0, 6) != "case_c";
   EXPECT_EQ(n_failures == 0, is_associated);
 }

@@ -53,7 +53,7 @@ std::map<std::string, double> numbers(const Words &words)
 }
 
 /// State of the solution that the method finds from no force, or '-'.
-char found_by(const ContactMethod method, const ContactStep &problem,
+char found_by(const std::string &method, const ContactStep &problem,
               const std::vector<NodeSolution> &solutions)
 {
   constexpr double same = 1e-6;
@@ -93,8 +93,8 @@ void one_node(const Words &words)
       states += solution.state;
     }
     std::cout << angle * 180 / pi << "," << states << "," << solutions.size() << "," << residual << ","
-              << found_by(ContactMethod::newton, problem, solutions) << ","
-              << found_by(ContactMethod::gauss_seidel, problem, solutions) << "\n";
+              << found_by("newton", problem, solutions) << "," << found_by("gauss-seidel", problem, solutions)
+              << "\n";
   }
 }
 } // namespace orthocone::studies

@@ -71,12 +71,9 @@ void small_problems(const Words &words)
 {
   if (words.size() != 4)
     throw std::runtime_error("the words are METHOD NODES PROBLEMS MAXIMUM_ITERATIONS");
-  const auto method = from_word<ContactMethod>(words[0]);
-  if (!method)
-    throw std::runtime_error("'" + words[0] + "': allowed is " + all_words<ContactMethod>());
   const Index n_nodes = std::stoi(words[1]);
   ContactSolverOptions options;
-  options.method = *method;
+  options.method = words[0];
   options.maximum_iterations = static_cast<unsigned int>(std::stoul(words[3]));
   RandomProblems problems(n_nodes);
   std::map<std::pair<bool, Verdict>, unsigned int>

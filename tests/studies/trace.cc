@@ -74,12 +74,7 @@ void trace(const Words &words)
   ContactSolverOptions options = scene.parameters.contact_solver;
   const auto method = scene.options.find("method");
   if (method != scene.options.end())
-  {
-    const auto known = from_word<ContactMethod>(method->second);
-    if (!known)
-      throw std::runtime_error("--method " + method->second + ": allowed is " + all_words<ContactMethod>());
-    options.method = *known;
-  }
+    options.method = method->second;
   const March march(model, static_cast<unsigned int>(scene.number("step", 1)));
   const LocalAxes axes(scene.parameters.friction.angle);
   const BodyCompliance body(model, axes);

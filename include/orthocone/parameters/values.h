@@ -63,18 +63,6 @@ struct Words<VolumetricQuadrature>
       {{VolumetricQuadrature::full, "full"}, {VolumetricQuadrature::reduced, "reduced"}}};
 };
 
-template<>
-struct Words<ContactMethod>
-{
-  static constexpr std::array<std::pair<ContactMethod, std::string_view>, 6> table{
-      {{ContactMethod::newton, "newton"},
-       {ContactMethod::gauss_seidel, "gauss-seidel"},
-       {ContactMethod::uzawa, "uzawa"},
-       {ContactMethod::feng2006, "feng2006"},
-       {ContactMethod::box3, "box3"},
-       {ContactMethod::plain_newton, "plain-newton"}}};
-};
-
 /// The word of an enumerator.
 template<typename Enum>
 std::string to_word(const Enum value)

@@ -21,7 +21,7 @@ struct SolvedStep
   const StepChecks &checks;
   double seconds; ///< of the solver
   LoadStep step{};
-  ContactMethod method = ContactMethod::newton;
+  std::string method = ContactSolverOptions().method; ///< word of a ContactMethod
   std::string driven{}; ///< components of the held face that the step drives, such as "ux uy uz"
 };
 } // namespace orthocone

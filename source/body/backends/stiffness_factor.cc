@@ -17,7 +17,8 @@
 
 namespace orthocone
 {
-namespace
+/// CHOLMOD's objects and their owners.
+namespace cholmod
 {
 TooLargeError too_large()
 {
@@ -79,7 +80,12 @@ using Owner = std::unique_ptr<Object, Deleter<Object, free_object>>;
 using Sparse = Owner<cholmod_sparse, cholmod_free_sparse>;
 using Dense = Owner<cholmod_dense, cholmod_free_dense>;
 using Factor = Owner<cholmod_factor, cholmod_free_factor>;
+} // namespace cholmod
 
+using namespace cholmod;
+
+namespace
+{
 /// Leading n x n block of a matrix as CHOLMOD's sparse matrix, without values if `matrix` is null. Its
 /// columns are our rows: the upper triangle.
 Sparse leading_block(const dealii::SparsityPattern &pattern, const dealii::SparseMatrix<double> *const matrix,

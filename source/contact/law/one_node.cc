@@ -18,7 +18,7 @@ namespace
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr unsigned int n_grid = 64;
+constexpr unsigned int n_directions = 64;
 
 /// k_0 + k_1 cos a + k_2 sin a.
 struct Harmonic
@@ -121,8 +121,8 @@ public:
   explicit SlipRoots(const SlipEquation &equation)
       : equation_(equation)
   {
-    static const std::array<Vector2d, n_grid + 1> grid = make_grid();
-    for (unsigned int i = 0; i < n_grid; ++i)
+    static const std::array<Vector2d, n_directions + 1> grid = make_grid();
+    for (unsigned int i = 0; i < n_directions; ++i)
       search_cell(i, grid[i], grid[i + 1]);
   }
 
@@ -144,12 +144,12 @@ public:
   }
 
 private:
-  static double grid_angle(const unsigned int i) { return 2 * pi * i / n_grid; }
+  static double grid_angle(const unsigned int i) { return 2 * pi * i / n_directions; }
 
-  static std::array<Vector2d, n_grid + 1> make_grid()
+  static std::array<Vector2d, n_directions + 1> make_grid()
   {
-    std::array<Vector2d, n_grid + 1> grid;
-    for (unsigned int i = 0; i <= n_grid; ++i)
+    std::array<Vector2d, n_directions + 1> grid;
+    for (unsigned int i = 0; i <= n_directions; ++i)
       grid[i] = at_angle(grid_angle(i));
     return grid;
   }

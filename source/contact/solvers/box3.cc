@@ -7,6 +7,23 @@ namespace orthocone
 using Eigen::Index;
 using Eigen::Vector3d;
 
+namespace
+{
+/// The paper's Box 3 for all nodes at once, as its text reads: prediction and correction with the
+/// displacements that the forces of the last iteration cause. Diverges where rho times the largest eigenvalue
+/// of W exceeds 2, which is nearly everywhere: for study only.
+class Box3 : public ContactSolver
+{
+public:
+  Box3(const ContactSystem &system, const ContactSolverOptions &options);
+
+  SolverReport solve(const ContactStep &step, Eigen::VectorXd &unknowns) const override;
+
+private:
+  const ContactSystem &system_;
+  ContactSolverOptions options_;
+};
+
 Box3::Box3(const ContactSystem &system, const ContactSolverOptions &options)
     : system_(system),
       options_(options)
@@ -30,5 +47,14 @@ SolverReport Box3::solve(const ContactStep &step, Eigen::VectorXd &unknowns) con
     }
   };
   return iterate_until_converged(step, options_, iterations_between_checks, unknowns, iterate);
+}
+} // namespace
+
+ContactMethod box3_method()
+{
+  ContactMethod method{"box3", "the paper's Box 3 for all nodes at once", make<Box3>};
+  method.rho = "1 / the smallest diagonal entry of a node's compliance";
+  method.is_for_study = true;
+  return method;
 }
 } // namespace orthocone

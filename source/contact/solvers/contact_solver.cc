@@ -76,25 +76,4 @@ std::unique_ptr<ConditionSolver> condition_solver(const ContactSystem &system, c
                                 " needs a solver of linearized laws, which this backend does not have");
   return solver;
 }
-
-std::unique_ptr<ContactSolver> make_contact_solver(const ContactSystem &system,
-                                                   const ContactSolverOptions &options)
-{
-  switch (options.method)
-  {
-  case ContactMethod::newton:
-    return std::make_unique<SemismoothNewton>(system, options);
-  case ContactMethod::gauss_seidel:
-    return std::make_unique<GaussSeidel>(system, options);
-  case ContactMethod::uzawa:
-    return std::make_unique<Uzawa>(system, options);
-  case ContactMethod::feng2006:
-    return std::make_unique<Feng2006>(system, options);
-  case ContactMethod::box3:
-    return std::make_unique<Box3>(system, options);
-  case ContactMethod::plain_newton:
-    return std::make_unique<PlainNewton>(system, options);
-  }
-  throw std::invalid_argument("unknown contact method");
-}
 } // namespace orthocone

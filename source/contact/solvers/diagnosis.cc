@@ -13,6 +13,12 @@ namespace orthocone
 {
 namespace
 {
+/// The method to work with.
+std::string best_method()
+{
+  return ContactSolverOptions().method;
+}
+
 /// How many iterations would have been enough for the part of the step that was tried last, or 0 if nobody
 /// knows.
 double enough_iterations(const ContactSolverOptions &options, const SolverReport &report)
@@ -67,13 +73,13 @@ std::string more_iterations(const ContactSolverOptions &options, const SolverRep
   if (const double enough = enough_iterations(options, report); enough > 0)
     text << " (at this rate, some " << std::setprecision(0) << std::fixed << enough
          << " for each part of the step)";
-  text << (options.method == ContactMethod::newton ? "." : ", or Method = newton.");
+  text << (options.method == best_method() ? "." : ", or Method = " + best_method() + ".");
   return text.str();
 }
 
 std::string remedy(const ContactSolverOptions &options, const SolverReport &report)
 {
-  const bool is_default = options.method == ContactMethod::newton && options.rho_factor == 1;
+  const bool is_default = options.method == best_method() && options.rho_factor == 1;
   if (report.verdict == Verdict::slow)
     return more_iterations(options, report);
   if (report.verdict == Verdict::unbalanced)
@@ -81,7 +87,7 @@ std::string remedy(const ContactSolverOptions &options, const SolverReport &repo
   if (report.verdict == Verdict::rounding)
     return "Take a larger Contact solver/Tolerance.";
   if (!is_default)
-    return "Try Contact solver/Method = newton with Rho factor = 1.";
+    return "Try Contact solver/Method = " + best_method() + " with Rho factor = 1.";
   if (!std::isfinite(report.residual))
     return "Are lengths in mm, forces in N, moduli in MPa?";
   return "Try smaller load steps or Contact solver/Method = gauss-seidel; near incompressibility, "

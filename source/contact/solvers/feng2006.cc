@@ -9,6 +9,25 @@ namespace orthocone
 using Eigen::Index;
 using Eigen::Vector3d;
 
+namespace
+{
+/// The paper's Box 3 node by node: one prediction-correction a node and sweep with the literal p and
+/// rho = 1 / min(w_nn, w_xx, w_yy). No convergence is guaranteed: see docs/theory.md.
+class Feng2006 : public ContactSolver
+{
+public:
+  Feng2006(const ContactSystem &system, const ContactSolverOptions &options);
+
+  SolverReport solve(const ContactStep &step, Eigen::VectorXd &unknowns) const override;
+
+private:
+  void sweep(const ContactStep &step, Eigen::VectorXd &unknowns) const;
+
+  const ContactSystem &system_;
+  ContactSolverOptions options_;
+  std::vector<double> rho_;
+};
+
 Feng2006::Feng2006(const ContactSystem &system, const ContactSolverOptions &options)
     : system_(system),
       options_(options)
@@ -42,5 +61,13 @@ SolverReport Feng2006::solve(const ContactStep &step, Eigen::VectorXd &unknowns)
   constexpr unsigned int iterations_between_checks = 5;
   return iterate_until_converged(step, options_, iterations_between_checks, unknowns,
                                  [&](Eigen::VectorXd &x) { sweep(step, x); });
+}
+} // namespace
+
+ContactMethod feng2006_method()
+{
+  ContactMethod method{"feng2006", "the paper's Box 3, node by node", make<Feng2006>};
+  method.rho = "1 / the smallest diagonal entry of a node's compliance";
+  return method;
 }
 } // namespace orthocone

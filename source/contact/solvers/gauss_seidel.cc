@@ -75,4 +75,11 @@ SolverReport GaussSeidel::solve(const ContactStep &step, Eigen::VectorXd &unknow
   return iterate_until_converged(step, options_, iterations_between_checks, unknowns,
                                  [&](Eigen::VectorXd &x) { sweep(step, x, options_.relaxation); });
 }
+
+ContactMethod gauss_seidel_method()
+{
+  ContactMethod method{"gauss-seidel", "sweeps of exact one-node solves", make<GaussSeidel>};
+  method.has_relaxation = true;
+  return method;
+}
 } // namespace orthocone

@@ -5,6 +5,22 @@
 
 namespace orthocone
 {
+namespace
+{
+/// Semismooth Newton on the natural map as textbooks have it, every step taken in full. Cycles where the
+/// pieces of the map send it to and fro: for study only.
+class PlainNewton : public ContactSolver
+{
+public:
+  PlainNewton(const ContactSystem &system, const ContactSolverOptions &options);
+
+  SolverReport solve(const ContactStep &step, Eigen::VectorXd &unknowns) const override;
+
+private:
+  ContactSolverOptions options_;
+  std::unique_ptr<ConditionSolver> conditions_;
+};
+
 PlainNewton::PlainNewton(const ContactSystem &system, const ContactSolverOptions &options)
     : options_(options),
       conditions_(condition_solver(system, "plain-newton"))
@@ -21,5 +37,14 @@ SolverReport PlainNewton::solve(const ContactStep &step, Eigen::VectorXd &unknow
                        inexactness);
   };
   return iterate_until_converged(step, options_, iterations_between_checks, unknowns, iterate);
+}
+} // namespace
+
+ContactMethod plain_newton_method()
+{
+  ContactMethod method{"plain-newton", "semismooth Newton without line search and sweeps", make<PlainNewton>};
+  method.rho = "1 / the largest diagonal entry of a node's compliance";
+  method.is_for_study = true;
+  return method;
 }
 } // namespace orthocone

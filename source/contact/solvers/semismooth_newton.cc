@@ -55,7 +55,28 @@ double relaxation_of_round(const unsigned int round)
     return 1;
   return round % 4 == 1 ? 0.3 : 0.05;
 }
-} // namespace
+
+/// Semismooth Newton on the natural map with a backtracking line search, started by exact sweeps and
+/// returning to them from the best iterate whenever it stalls, so that it inherits their robustness.
+class SemismoothNewton : public ContactSolver
+{
+public:
+  SemismoothNewton(const ContactSystem &system, const ContactSolverOptions &options);
+
+  SolverReport solve(const ContactStep &step, Eigen::VectorXd &unknowns) const override;
+
+private:
+  /// A step on the way to its solution.
+  struct Progress;
+
+  void iterate_while_it_pays(Progress &progress) const;
+  void iterate_in_full(Eigen::VectorXd trial, Progress &progress) const;
+  bool run_round(unsigned int round, unsigned int n_sweeps, Progress &progress) const;
+
+  ContactSolverOptions options_;
+  GaussSeidel sweeps_;
+  std::unique_ptr<ConditionSolver> conditions_;
+};
 
 struct SemismoothNewton::Progress
 {
@@ -177,5 +198,13 @@ SolverReport SemismoothNewton::solve(const ContactStep &step, VectorXd &unknowns
     n_sweeps = std::clamp(2 * n_sweeps, first_sweeps, most_sweeps);
   }
   return make_report(step, unknowns, progress.iterations, options_.tolerance, std::move(progress.trace));
+}
+} // namespace
+
+ContactMethod newton_method()
+{
+  ContactMethod method{"newton", "semismooth Newton between exact sweeps", make<SemismoothNewton>};
+  method.rho = "1 / the largest diagonal entry of a node's compliance";
+  return method;
 }
 } // namespace orthocone

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// The contact solvers, for the factory and for each other.
+// What the contact solvers share, and the list of them for contact_methods.cc.
 #pragma once
 
 #include "balancing_face.h"
 
 #include <orthocone/contact/law/one_node.h>
+#include <orthocone/contact/solvers/contact_method.h>
 #include <orthocone/contact/solvers/contact_solver.h>
 
 #include <cmath>
@@ -31,88 +32,6 @@ private:
   const ContactSystem &system_;
   ContactSolverOptions options_;
   std::vector<OneNodeProblem> nodes_;
-};
-
-/// The paper's Box 3 node by node: one prediction-correction a node and sweep with the literal p and
-/// rho = 1 / min(w_nn, w_xx, w_yy). No convergence is guaranteed: see docs/theory.md.
-class Feng2006 : public ContactSolver
-{
-public:
-  Feng2006(const ContactSystem &system, const ContactSolverOptions &options);
-
-  SolverReport solve(const ContactStep &step, Eigen::VectorXd &unknowns) const override;
-
-private:
-  void sweep(const ContactStep &step, Eigen::VectorXd &unknowns) const;
-
-  const ContactSystem &system_;
-  ContactSolverOptions options_;
-  std::vector<double> rho_;
-};
-
-/// The paper's Box 3 for all nodes at once, as its text reads: prediction and correction with the
-/// displacements that the forces of the last iteration cause. Diverges where rho times the largest eigenvalue
-/// of W exceeds 2, which is nearly everywhere: for study only.
-class Box3 : public ContactSolver
-{
-public:
-  Box3(const ContactSystem &system, const ContactSolverOptions &options);
-
-  SolverReport solve(const ContactStep &step, Eigen::VectorXd &unknowns) const override;
-
-private:
-  const ContactSystem &system_;
-  ContactSolverOptions options_;
-};
-
-/// Semismooth Newton on the natural map as textbooks have it, every step taken in full. Cycles where the
-/// pieces of the map send it to and fro: for study only.
-class PlainNewton : public ContactSolver
-{
-public:
-  PlainNewton(const ContactSystem &system, const ContactSolverOptions &options);
-
-  SolverReport solve(const ContactStep &step, Eigen::VectorXd &unknowns) const override;
-
-private:
-  ContactSolverOptions options_;
-  std::unique_ptr<ConditionSolver> conditions_;
-};
-
-/// Simultaneous projections with a self-adaptive step: the projection-contraction method of He and Liao (J.
-/// Optim. Theory Appl. 112 (2002) 111-128). Needs products with W only.
-class Uzawa : public ContactSolver
-{
-public:
-  Uzawa(const ContactSystem &system, const ContactSolverOptions &options);
-
-  SolverReport solve(const ContactStep &step, Eigen::VectorXd &unknowns) const override;
-
-private:
-  const ContactSystem &system_;
-  ContactSolverOptions options_;
-};
-
-/// Semismooth Newton on the natural map with a backtracking line search, started by exact sweeps and
-/// returning to them from the best iterate whenever it stalls, so that it inherits their robustness.
-class SemismoothNewton : public ContactSolver
-{
-public:
-  SemismoothNewton(const ContactSystem &system, const ContactSolverOptions &options);
-
-  SolverReport solve(const ContactStep &step, Eigen::VectorXd &unknowns) const override;
-
-private:
-  /// A step on the way to its solution.
-  struct Progress;
-
-  void iterate_while_it_pays(Progress &progress) const;
-  void iterate_in_full(Eigen::VectorXd trial, Progress &progress) const;
-  bool run_round(unsigned int round, unsigned int n_sweeps, Progress &progress) const;
-
-  ContactSolverOptions options_;
-  GaussSeidel sweeps_;
-  std::unique_ptr<ConditionSolver> conditions_;
 };
 
 /// make_report() of a step without equilibrium.
@@ -154,4 +73,19 @@ const Eigen::MatrixXd &dense_compliance(const ContactSystem &system, const char 
 
 /// The backend's solver of linearized laws, or std::invalid_argument naming the method that wants it.
 std::unique_ptr<ConditionSolver> condition_solver(const ContactSystem &system, const char *method);
+
+/// ContactMethod::make of a solver that is constructed from both.
+template<typename Solver>
+std::unique_ptr<ContactSolver> make(const ContactSystem &system, const ContactSolverOptions &options)
+{
+  return std::make_unique<Solver>(system, options);
+}
+
+// Each in the file of its solver.
+ContactMethod newton_method();
+ContactMethod gauss_seidel_method();
+ContactMethod uzawa_method();
+ContactMethod feng2006_method();
+ContactMethod box3_method();
+ContactMethod plain_newton_method();
 } // namespace orthocone

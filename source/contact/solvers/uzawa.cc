@@ -91,7 +91,20 @@ void Projections::iterate(VectorXd &unknowns, double &factor) const
   if (ratio <= careful_ratio)
     factor *= growth;
 }
-} // namespace
+
+/// Simultaneous projections with a self-adaptive step: the projection-contraction method of He and Liao (J.
+/// Optim. Theory Appl. 112 (2002) 111-128). Needs products with W only.
+class Uzawa : public ContactSolver
+{
+public:
+  Uzawa(const ContactSystem &system, const ContactSolverOptions &options);
+
+  SolverReport solve(const ContactStep &step, Eigen::VectorXd &unknowns) const override;
+
+private:
+  const ContactSystem &system_;
+  ContactSolverOptions options_;
+};
 
 Uzawa::Uzawa(const ContactSystem &system, const ContactSolverOptions &options)
     : system_(system),
@@ -107,5 +120,12 @@ SolverReport Uzawa::solve(const ContactStep &step, VectorXd &unknowns) const
   double factor = 1 / (system_.softness() * projections.rho().head(3 * step.n_nodes()).maxCoeff());
   return iterate_until_converged(step, options_, iterations_between_checks, unknowns,
                                  [&](VectorXd &x) { projections.iterate(x, factor); });
+}
+} // namespace
+
+ContactMethod uzawa_method()
+{
+  ContactMethod method{"uzawa", "simultaneous projections with adaptive step", make<Uzawa>};
+  return method;
 }
 } // namespace orthocone

@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
+#include "planes.h"
+
 #include <orthocone/body/backends/condensed_body.h>
 #include <orthocone/body/fe/stiffness.h>
 #include <orthocone/body/materials/lame.h>
@@ -28,6 +30,9 @@ inline MeshOptions small_mesh(const unsigned int degree)
   mesh.layer_grading = 0.8;
   return mesh;
 }
+
+inline const GeometryOptions default_geometry;
+inline const MaterialOptions default_material;
 
 /// Body with factorized stiffness, ready to be loaded.
 struct LoadableBody

@@ -68,7 +68,7 @@ inline SolverReport solve_step(const ContactStep &step, const ContactSolverOptio
   return make_contact_solver(step.system(), options)->solve(step, force);
 }
 
-inline ContactSolverOptions solver_options(const ContactMethod method, const double tolerance = 1e-11)
+inline ContactSolverOptions solver_options(const std::string &method, const double tolerance = 1e-11)
 {
   ContactSolverOptions options;
   options.method = method;

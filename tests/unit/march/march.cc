@@ -99,7 +99,7 @@ TEST(March, EndsAtAStepThatIsNotSolved)
   Recorder recorder;
   unsigned int last = 0;
   Parameters parameters = small();
-  parameters.contact_solver.method = ContactMethod::box3;
+  parameters.contact_solver.method = "box3";
   parameters.contact_solver.maximum_iterations = 1;
   EXPECT_EQ(marched(parameters, recorder, last), MarchEnd::unsolved);
   EXPECT_EQ(last, 0u);

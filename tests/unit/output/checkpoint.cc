@@ -245,7 +245,7 @@ TEST(Checkpoint, IsFoundByTheSameParametersOnly)
   }
   // Entries that change how a step is solved, watched or kept, not what is computed.
   other = parameters;
-  other.contact_solver.method = ContactMethod::gauss_seidel;
+  other.contact_solver.method = "gauss-seidel";
   other.contact_solver.maximum_iterations = 7;
   other.output.checkpoint_seconds = 100;
   other.checks.energy_defect = 0.5;

@@ -24,7 +24,7 @@ std::string printed(const Parameters &parameters, const std::string &entry)
   return std::map<std::string, std::string>(values.begin(), values.end()).at(entry);
 }
 
-std::string fault(const std::string &setting)
+std::string fault_of_setting(const std::string &setting)
 {
   const Folder folder;
   return rejection(folder.write("good.prm", "subsection Mesh\n  set Degree = 1\nend\n"), {setting});
@@ -96,16 +96,18 @@ TEST(FieldEntries, TellWhatIsWrongInAnExpression)
 {
   const std::string pair =
       ": allowed is two numbers > 0 (or both 0: no friction) separated by a comma, or expressions of x and y";
-  EXPECT_EQ(fault("Friction/Coefficients=0.1, foo(x)"),
+  EXPECT_EQ(fault_of_setting("Friction/Coefficients=0.1, foo(x)"),
             "--set: Friction/Coefficients = 0.1, foo(x)" + pair + "; in 'foo(x)' 'foo' is not known");
-  EXPECT_EQ(fault("Friction/Coefficients=atan2(x,y)"), "--set: Friction/Coefficients = atan2(x,y)" + pair);
-  EXPECT_EQ(fault("Friction/Coefficients=0, 1+x^2"), "--set: Friction/Coefficients = 0, 1+x^2" + pair);
-  EXPECT_EQ(fault("Obstacle/Gap=x^"),
+  EXPECT_EQ(fault_of_setting("Friction/Coefficients=atan2(x,y)"),
+            "--set: Friction/Coefficients = atan2(x,y)" + pair);
+  EXPECT_EQ(fault_of_setting("Friction/Coefficients=0, 1+x^2"),
+            "--set: Friction/Coefficients = 0, 1+x^2" + pair);
+  EXPECT_EQ(fault_of_setting("Obstacle/Gap=x^"),
             "--set: Obstacle/Gap = x^: allowed is a number, or an expression of x and y; it ends too early");
-  EXPECT_EQ(fault("Obstacle/Gap=1/0"),
+  EXPECT_EQ(fault_of_setting("Obstacle/Gap=1/0"),
             "--set: Obstacle/Gap = 1/0: allowed is a number, or an expression of x and y");
   EXPECT_EQ(
-      fault("Friction/Orthotropy angle=500-1"),
+      fault_of_setting("Friction/Orthotropy angle=500-1"),
       "--set: Friction/Orthotropy angle = 500-1: allowed is a number >= -360 and <= 360, or an expression "
       "of x and y");
 }
@@ -113,11 +115,12 @@ TEST(FieldEntries, TellWhatIsWrongInAnExpression)
 TEST(FieldEntries, TellTheLimitThatAPairIsBeyond)
 {
   EXPECT_EQ(
-      fault("Friction/Slip potential=1, 1e301"),
+      fault_of_setting("Friction/Slip potential=1, 1e301"),
       "--set: Friction/Slip potential = 1, 1e301: allowed is associated, or two numbers > 0 and < 1e+300 "
       "separated by a comma, or collinear, or expressions of x and y");
-  EXPECT_NE(fault("Friction/Coefficients=1e300, 1").find("two numbers > 0 and < 1e+300 (or both 0"),
-            std::string::npos);
+  EXPECT_NE(
+      fault_of_setting("Friction/Coefficients=1e300, 1").find("two numbers > 0 and < 1e+300 (or both 0"),
+      std::string::npos);
 }
 
 TEST(FieldEntries, FindTheGapFileFromTheFileThatNamesIt)

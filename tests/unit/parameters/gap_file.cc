@@ -10,7 +10,7 @@ namespace orthocone::test
 {
 namespace
 {
-std::string fault(const std::string &file)
+std::string fault_of_file(const std::string &file)
 {
   try
   {
@@ -43,7 +43,7 @@ TEST(GapFile, RefusesHolesWithTheirPlace)
 {
   const Folder folder;
   const auto fault_of = [&](const std::string &rows)
-  { return fault(folder.write("gap.txt", "0 1 3 0 1 2\n" + rows)); };
+  { return fault_of_file(folder.write("gap.txt", "0 1 3 0 1 2\n" + rows)); };
   const std::string file = folder.path("gap.txt");
   const std::string finite = ": allowed is a finite number (mm), a grid has no holes";
   EXPECT_EQ(fault_of("1 2 3\n1 nan 3\n"), file + ":3: number 2 is 'nan'" + finite);
@@ -63,14 +63,16 @@ TEST(GapFile, RefusesAnotherHeadAndWhatIsNoText)
                                  "nan 1 3 0 1 2", "0 1 3 0 -1 2"})
   {
     const std::string file = folder.write("gap.txt", head + "\n1 2 3\n1 2 3\n");
-    EXPECT_EQ(fault(file), file + ":1: '" + head + form);
+    EXPECT_EQ(fault_of_file(file), file + ":1: '" + head + form);
   }
   const std::string empty = folder.write("empty.txt", " \n");
-  EXPECT_EQ(fault(empty), empty + ": is empty; a grid of gaps is wanted");
-  EXPECT_EQ(fault(folder.write("comment.txt", "# gap\n")).find(folder.path("comment.txt") + ": has no line"),
+  EXPECT_EQ(fault_of_file(empty), empty + ": is empty; a grid of gaps is wanted");
+  EXPECT_EQ(fault_of_file(folder.write("comment.txt", "# gap\n"))
+                .find(folder.path("comment.txt") + ": has no line"),
             0u);
   const std::string binary = folder.write("binary.txt", "0 1\x01");
-  EXPECT_EQ(fault(binary), binary + ": is not a text file; a text file with a grid of gaps is wanted");
+  EXPECT_EQ(fault_of_file(binary),
+            binary + ": is not a text file; a text file with a grid of gaps is wanted");
   EXPECT_THROW(read_gap_file(folder.path("nowhere.txt")), FileError);
 }
 } // namespace orthocone::test

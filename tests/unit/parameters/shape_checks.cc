@@ -18,7 +18,7 @@ Parameters box()
   return parameters;
 }
 
-std::string rejection(const Parameters &parameters)
+std::string check_rejection(const Parameters &parameters)
 {
   return rejection_of([&] { check_parameters(parameters); });
 }
@@ -26,7 +26,7 @@ std::string rejection(const Parameters &parameters)
 
 TEST(BoxChecks, TakeADefaultBox)
 {
-  EXPECT_EQ(rejection(box()), "");
+  EXPECT_EQ(check_rejection(box()), "");
   EXPECT_TRUE(parameter_warnings(box()).empty());
 }
 
@@ -34,16 +34,19 @@ TEST(BoxChecks, LeaveTheMeshToItsCells)
 {
   Parameters parameters = box();
   parameters.mesh.accuracy = 2;
-  EXPECT_EQ(rejection(parameters), "Mesh/Accuracy = 2 % with Geometry/Shape = box: allowed is 0; Mesh/Cells "
-                                   "chooses the mesh of a box");
+  EXPECT_EQ(check_rejection(parameters),
+            "Mesh/Accuracy = 2 % with Geometry/Shape = box: allowed is 0; Mesh/Cells "
+            "chooses the mesh of a box");
   parameters = box();
   parameters.mesh.resolution = MeshResolution::fine;
-  EXPECT_EQ(rejection(parameters), "Mesh/Resolution = fine with Geometry/Shape = box: allowed is custom; "
-                                   "Mesh/Cells chooses the mesh of a box");
+  EXPECT_EQ(check_rejection(parameters),
+            "Mesh/Resolution = fine with Geometry/Shape = box: allowed is custom; "
+            "Mesh/Cells chooses the mesh of a box");
   parameters = box();
   parameters.mesh.edge_grading = 0.01;
-  EXPECT_EQ(rejection(parameters), "Mesh/Edge grading = 0.01 with 8 cells along x: allowed is what leaves "
-                                   "every cell 1e-6 of the side");
+  EXPECT_EQ(check_rejection(parameters),
+            "Mesh/Edge grading = 0.01 with 8 cells along x: allowed is what leaves "
+            "every cell 1e-6 of the side");
 }
 
 TEST(BoxChecks, WantProbesOnTheRectangle)
@@ -51,18 +54,20 @@ TEST(BoxChecks, WantProbesOnTheRectangle)
   Parameters parameters = box();
   parameters.geometry.sizes = {{30, 8, 10}};
   parameters.output.probes = {{"Corner", {{15, -4}}}};
-  EXPECT_EQ(rejection(parameters), "");
+  EXPECT_EQ(check_rejection(parameters), "");
   parameters.output.probes = {{"Far", {{0, 5}}}};
-  EXPECT_EQ(rejection(parameters), "Output/Probes: 'Far' at (0, 5) is off the contact surface: allowed are "
-                                   "|x| <= 15 and |y| <= 4, halves of Geometry/Sizes");
+  EXPECT_EQ(check_rejection(parameters),
+            "Output/Probes: 'Far' at (0, 5) is off the contact surface: allowed are "
+            "|x| <= 15 and |y| <= 4, halves of Geometry/Sizes");
 }
 
 TEST(BoxChecks, DoNotLetTheLoadPressItFlat)
 {
   Parameters parameters = box();
   parameters.geometry.sizes[2] = 0.1;
-  EXPECT_EQ(rejection(parameters), "Load program/Legs: u_z = -0.1 mm presses the body flat: allowed is more "
-                                   "than -l_z of Geometry/Sizes = -0.1 mm");
+  EXPECT_EQ(check_rejection(parameters),
+            "Load program/Legs: u_z = -0.1 mm presses the body flat: allowed is more "
+            "than -l_z of Geometry/Sizes = -0.1 mm");
 }
 
 TEST(BoxChecks, WarnOfCoarseRimsStrainsAndIgnoredEntries)

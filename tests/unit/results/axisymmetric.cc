@@ -19,7 +19,7 @@ Parameters axisymmetric_scene(const unsigned int degree)
   return parameters;
 }
 
-void expect_uniform_pressure(const TestScene &scene)
+void expect_uniform_pressure_and_force(const TestScene &scene)
 {
   const double pressure = scene.parameters.material.young_modulus * 0.1 / scene.parameters.geometry.height;
   for (const ContactFields &fields : scene.evaluator.all_fields(scene.state))
@@ -50,7 +50,7 @@ TEST(Axisymmetric, PressureIsUniformWithoutFrictionOrLateralStrain)
     TestScene guided(parameters);
     ASSERT_TRUE(guided.symmetry.is_axisymmetric());
     guided.march();
-    expect_uniform_pressure(guided);
+    expect_uniform_pressure_and_force(guided);
     const double lateral = parameters.material.poisson_ratio * 0.1 / parameters.geometry.height;
     for (unsigned int node = 0; node < guided.state.n_nodes(); ++node)
       EXPECT_NEAR(guided.evaluator.fields(guided.state, node).slip[0],
@@ -60,7 +60,7 @@ TEST(Axisymmetric, PressureIsUniformWithoutFrictionOrLateralStrain)
     parameters.friction.mu = {{0.2, 0.2}};
     TestScene clamped(parameters);
     clamped.march();
-    expect_uniform_pressure(clamped);
+    expect_uniform_pressure_and_force(clamped);
   }
 }
 

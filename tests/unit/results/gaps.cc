@@ -8,15 +8,9 @@ namespace orthocone::test
 {
 namespace
 {
-double largest_difference(const Eigen::VectorXd &a, const Eigen::VectorXd &b)
+Parameters pushed_scene()
 {
-  return (a - b).lpNorm<Eigen::Infinity>() / b.lpNorm<Eigen::Infinity>();
-}
-
-Parameters full_scene()
-{
-  Parameters parameters = small_scene();
-  parameters.mesh.model = ModelKind::full;
+  Parameters parameters = full_scene();
   parameters.load.legs = {move_to(0, 0, -0.05, 2), move_to(0.01, 0, -0.05, 2)};
   return parameters;
 }
@@ -24,9 +18,9 @@ Parameters full_scene()
 
 TEST(Gap, OfOneWidthOnlyDelaysContact)
 {
-  TestScene flat(full_scene());
+  TestScene flat(pushed_scene());
   flat.march();
-  Parameters parameters = full_scene();
+  Parameters parameters = pushed_scene();
   parameters.obstacle.gap = "0.02";
   parameters.load.preload = {move_to(0, 0, -0.02, 1)};
   parameters.load.legs = {move_to(0, 0, -0.07, 2), move_to(0.01, 0, -0.07, 2)};
@@ -42,9 +36,9 @@ TEST(Gap, OfOneWidthOnlyDelaysContact)
 TEST(Gap, ThatIsInclinedIsClosedByARotation)
 {
   constexpr double slope = 1e-3;
-  TestScene flat(full_scene());
+  TestScene flat(pushed_scene());
   flat.march();
-  Parameters parameters = full_scene();
+  Parameters parameters = pushed_scene();
   parameters.obstacle.gap = "1e-3*x";
   const double height = parameters.geometry.height;
   for (Leg &leg : parameters.load.legs)
@@ -62,9 +56,9 @@ TEST(Gap, ThatIsInclinedIsClosedByARotation)
 
 TEST(FrictionThatVaries, IsTheSameFrictionWhereItDoesNot)
 {
-  TestScene numbers(full_scene());
+  TestScene numbers(pushed_scene());
   numbers.march();
-  Parameters parameters = full_scene();
+  Parameters parameters = pushed_scene();
   parameters.friction.varying_mu = std::array<Expression, 2>{{Expression("0.3+0*x"), Expression("0.15+0*y")}};
   parameters.friction.varying_angle = Expression("0*x");
   TestScene expressions(parameters);
@@ -75,9 +69,9 @@ TEST(FrictionThatVaries, IsTheSameFrictionWhereItDoesNot)
 // Turning all axes by place and back by exchanging the semi-axes changes nothing.
 TEST(FrictionThatVaries, DoesNotDependOnTheNamesOfItsAxes)
 {
-  TestScene straight(full_scene());
+  TestScene straight(pushed_scene());
   straight.march();
-  Parameters parameters = full_scene();
+  Parameters parameters = pushed_scene();
   parameters.friction.varying_mu =
       std::array<Expression, 2>{{Expression("if(x>1,0.15,0.3)"), Expression("if(x>1,0.3,0.15)")}};
   parameters.friction.varying_angle = Expression("if(x>1,90,0)");

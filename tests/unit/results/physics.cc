@@ -11,8 +11,6 @@ using Eigen::Vector2d;
 
 namespace
 {
-constexpr double tolerance = 1e-8;
-
 Parameters loaded_in(const unsigned int n_steps, const std::array<double, 2> &p)
 {
   Parameters parameters = small_scene(1);
@@ -89,7 +87,7 @@ TEST(Physics, StickingEverywhereIsClampedAtTheBase)
   for (std::size_t i = 0; i < nodes.size(); ++i)
     for (unsigned int d = 0; d < 3; ++d)
       EXPECT_NEAR(scene.state.force[3 * static_cast<Index>(i) + (d + 1) % 3], reaction[nodes[i].dofs[d]],
-                  tolerance * scene.state.force.lpNorm<Eigen::Infinity>());
+                  closeness * scene.state.force.lpNorm<Eigen::Infinity>());
 }
 
 TEST(Physics, MonotoneLoadingIsProportional)
@@ -102,7 +100,7 @@ TEST(Physics, MonotoneLoadingIsProportional)
     {
       TestScene often(loaded_in(n_steps, p));
       often.march();
-      expect_same_fields(often, once, tolerance);
+      expect_same_fields(often, once, closeness);
     }
   }
 }
@@ -124,12 +122,12 @@ TEST(Physics, ScalesWithDisplacementAndModulus)
   TestScene stiff(stiffer);
   stiff.march();
   const double size = scene.state.force.norm();
-  EXPECT_LE((pushed.state.force - factor * scene.state.force).norm(), tolerance * size);
-  EXPECT_LE((stiff.state.force - factor * scene.state.force).norm(), tolerance * size);
+  EXPECT_LE((pushed.state.force - factor * scene.state.force).norm(), closeness * size);
+  EXPECT_LE((stiff.state.force - factor * scene.state.force).norm(), closeness * size);
   EXPECT_LE((pushed.state.displacement - factor * scene.state.displacement).norm(),
-            tolerance * scene.state.displacement.norm());
+            closeness * scene.state.displacement.norm());
   EXPECT_LE((stiff.state.displacement - scene.state.displacement).norm(),
-            tolerance * scene.state.displacement.norm());
+            closeness * scene.state.displacement.norm());
 }
 
 // The whole body in steady gross sliding: every node follows the top, and the resultant is the slip rule's.

@@ -32,6 +32,23 @@ inline Parameters small_scene(const unsigned int degree = 1)
   return parameters;
 }
 
+/// The same without symmetry.
+inline Parameters full_scene(const unsigned int degree = 1)
+{
+  Parameters parameters = small_scene(degree);
+  parameters.mesh.model = ModelKind::full;
+  return parameters;
+}
+
+/// How far answers of the same scene in other words may be apart, relative: what the solver leaves,
+/// amplified.
+constexpr double closeness = 1e-8;
+
+inline double largest_difference(const Eigen::VectorXd &a, const Eigen::VectorXd &b)
+{
+  return (a - b).lpNorm<Eigen::Infinity>() / b.lpNorm<Eigen::Infinity>();
+}
+
 /// A scene that can be marched step by step; `on_step` sees the state before, the state after and the step.
 class TestScene
 {

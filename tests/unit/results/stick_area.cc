@@ -46,9 +46,9 @@ double area_of_ellipse(const ContactSurface &surface, const double a, const doub
   std::vector<StickSample> samples;
   for (const ContactNode &node : surface.nodes)
   {
-    const double x = node.position[0], y = node.position[1];
-    const double level = std::hypot(x / a, y / b);
-    const double slope = level > 0 ? std::hypot(x / (a * a), y / (b * b)) / level : 1;
+    const auto &place = node.position;
+    const double level = std::hypot(place[0] / a, place[1] / b);
+    const double slope = level > 0 ? std::hypot(place[0] / (a * a), place[1] / (b * b)) / level : 1;
     const double distance = (level - 1) / slope; // to first order
     samples.push_back(sample_at(distance));
   }

@@ -55,7 +55,7 @@ TEST(Tables, HistoryTellsRotationsInDegreesAndThePlaceInTheProgram)
   Totals totals;
   totals.total_dissipation = 5;
   totals.moment = {1, 2, 3};
-  const SolvedStep step{state, before, totals, {}, {}, 0, {{}, 7, 1, 2, 3}, ContactMethod::uzawa, "ux uy uz"};
+  const SolvedStep step{state, before, totals, {}, {}, 0, {{}, 7, 1, 2, 3}, "uzawa", "ux uy uz"};
   const auto cells = cells_of(history_columns(), step);
   EXPECT_EQ(cells.at("step"), "7");
   EXPECT_EQ(cells.at("ux"), "0.5");

@@ -32,7 +32,7 @@ std::string model(const Parameters &parameters)
   return choose_model(parameters).symmetry.name();
 }
 
-std::string rejection(const Parameters &parameters)
+std::string symmetry_rejection(const Parameters &parameters)
 {
   return rejection_of([&] { choose_model(parameters); });
 }
@@ -71,17 +71,20 @@ TEST(Asymmetry, IsThatOfFriction)
   EXPECT_EQ(model(stripes), "quarter");
   Parameters shaft = with_angle("x");
   shaft.mesh.model = ModelKind::quarter;
-  EXPECT_NE(rejection(shaft).find("Mesh/Model = quarter is not possible: friction at ("), std::string::npos);
-  EXPECT_NE(rejection(shaft).find("possible models are full, half"), std::string::npos);
+  EXPECT_NE(symmetry_rejection(shaft).find("Mesh/Model = quarter is not possible: friction at ("),
+            std::string::npos);
+  EXPECT_NE(symmetry_rejection(shaft).find("possible models are full, half"), std::string::npos);
 }
 
 TEST(Asymmetry, NeedsGapAndFrictionEverywhere)
 {
-  EXPECT_NE(rejection(with_gap("sqrt(81-x^2)")).find("Obstacle/Gap = sqrt(81-x^2) is not a number at ("),
-            std::string::npos);
+  EXPECT_NE(
+      symmetry_rejection(with_gap("sqrt(81-x^2)")).find("Obstacle/Gap = sqrt(81-x^2) is not a number at ("),
+      std::string::npos);
   Parameters parameters = with_gap("0");
   parameters.friction.varying_mu = std::array<Expression, 2>{{Expression("0.3-x/20"), Expression("0.3")}};
-  EXPECT_NE(rejection(parameters).find("Friction/Coefficients = 0.3-x/20, 0.3 is -"), std::string::npos);
+  EXPECT_NE(symmetry_rejection(parameters).find("Friction/Coefficients = 0.3-x/20, 0.3 is -"),
+            std::string::npos);
 }
 
 // Without contact a force has nothing to press on.
@@ -91,24 +94,24 @@ TEST(FirstContact, IsMadeByAMotion)
   Leg press;
   press.targets[2] = force(-100);
   parameters.load.legs = {press};
-  EXPECT_EQ(rejection(parameters),
+  EXPECT_EQ(symmetry_rejection(parameters),
             "Load program/Legs: Fz presses from leg 1 on, where a gap of 0.01 mm is open: "
             "allowed is a leg before it that closes the gap by a motion of uz");
   parameters.load.preload = {move_to(0, 0, -0.005, 1)};
-  EXPECT_NE(rejection(parameters).find("a gap of 0.005 mm is open"), std::string::npos);
+  EXPECT_NE(symmetry_rejection(parameters).find("a gap of 0.005 mm is open"), std::string::npos);
   parameters.load.preload = {move_to(0, 0, -0.01, 1)};
-  EXPECT_EQ(rejection(parameters), "");
+  EXPECT_EQ(symmetry_rejection(parameters), "");
   parameters.load.preload.clear();
   Leg tilt = move_to(0, 0, 0, 1);
   tilt.targets[4] = Drive{false, 0.1}; // degrees about y: the rim comes down
   parameters.obstacle.gap = "0.01";
   parameters.load.legs = {tilt, press};
-  EXPECT_EQ(rejection(parameters), "");
+  EXPECT_EQ(symmetry_rejection(parameters), "");
   parameters.load.legs = {press, move_to(0, 0, 0.1, 1)};
   parameters.obstacle.gap = "(x^2+y^2)/200";
-  EXPECT_EQ(rejection(parameters), "") << "one cycle";
+  EXPECT_EQ(symmetry_rejection(parameters), "") << "one cycle";
   parameters.load.cycles = 2;
-  EXPECT_NE(rejection(parameters).find("a gap of 0.1 mm is open"), std::string::npos)
+  EXPECT_NE(symmetry_rejection(parameters).find("a gap of 0.1 mm is open"), std::string::npos)
       << "lifted in the first";
 }
 } // namespace orthocone::test

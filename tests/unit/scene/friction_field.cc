@@ -26,7 +26,7 @@ FrictionOptions polar()
   return friction;
 }
 
-std::string rejection(const FrictionOptions &friction)
+std::string friction_rejection(const FrictionOptions &friction)
 {
   return rejection_of([&] { FrictionField(friction).check({{1, 2}, {3, 4}}); });
 }
@@ -44,24 +44,25 @@ TEST(FrictionField, HasALawAtEveryPlace)
 {
   FrictionOptions friction;
   friction.varying_mu = pair("0.1*x", "0.05*x");
-  EXPECT_EQ(rejection(friction), "");
+  EXPECT_EQ(friction_rejection(friction), "");
   const auto laws = FrictionField(friction).laws(surface_of({{1, 0}, {3, 0}}), {});
   EXPECT_DOUBLE_EQ(laws[1].mu_x, 0.3);
   EXPECT_DOUBLE_EQ(laws[1].p_y, 0.15) << "associated: p = mu";
   friction.varying_mu = pair("1-x/2", "0.1");
-  EXPECT_EQ(rejection(friction),
+  EXPECT_EQ(friction_rejection(friction),
             "Friction/Coefficients = 1-x/2, 0.1 is -0.5, 0.1 at (3, 4) mm of the contact surface: "
             "allowed are two finite numbers > 0, or both 0 (no friction)");
   friction.varying_mu = pair("if(x<2,0,0.1)", "if(x<2,0,0.2)");
-  EXPECT_EQ(rejection(friction), "") << "no friction at one place";
+  EXPECT_EQ(friction_rejection(friction), "") << "no friction at one place";
   friction.varying_slip_potential = pair("1", "sqrt(x-2)");
   friction.slip_potential = std::array<double, 2>{{1, 1}};
-  EXPECT_EQ(rejection(friction), "") << "p means nothing where there is no friction";
+  EXPECT_EQ(friction_rejection(friction), "") << "p means nothing where there is no friction";
   friction.varying_mu = pair("0.1+0*x", "0.1");
-  EXPECT_NE(rejection(friction).find("Friction/Slip potential = 1, sqrt(x-2) is 1, "), std::string::npos);
+  EXPECT_NE(friction_rejection(friction).find("Friction/Slip potential = 1, sqrt(x-2) is 1, "),
+            std::string::npos);
   friction.varying_slip_potential = std::nullopt;
   friction.varying_angle = Expression("1/(x-3)");
-  EXPECT_EQ(rejection(friction),
+  EXPECT_EQ(friction_rejection(friction),
             "Friction/Orthotropy angle = 1/(x-3) is infinite at (3, 4) mm of the contact surface: "
             "allowed is a finite number (degrees)");
 }

@@ -19,7 +19,7 @@ Parameters box(const unsigned int nx, const unsigned int ny)
   return parameters;
 }
 
-std::string rejection(const Parameters &parameters)
+std::string model_rejection(const Parameters &parameters)
 {
   return rejection_of([&] { choose_model(parameters); });
 }
@@ -37,7 +37,7 @@ TEST(BoxModel, IsNeverRevolved)
 {
   Parameters parameters = box(4, 4);
   parameters.mesh.model = ModelKind::axisymmetric;
-  EXPECT_EQ(rejection(parameters),
+  EXPECT_EQ(model_rejection(parameters),
             "Mesh/Model = axisymmetric is not possible: Geometry/Shape = box is no body "
             "of revolution; possible models are full, half, quarter");
 }

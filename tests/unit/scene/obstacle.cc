@@ -14,7 +14,7 @@ namespace orthocone::test
 {
 namespace
 {
-std::string rejection(const Obstacle &obstacle, const std::vector<Eigen::Vector2d> &places)
+std::string gap_rejection(const Obstacle &obstacle, const std::vector<Eigen::Vector2d> &places)
 {
   return rejection_of([&] { obstacle.check(places); });
 }
@@ -42,9 +42,9 @@ TEST(Obstacle, AddsFileAndExpression)
   std::ofstream(path) << "0 10 2 0 10 2\n0 1\n2 3\n";
   const auto obstacle = make_obstacle({"x", path.string()});
   EXPECT_DOUBLE_EQ(obstacle->gap({5, 5}), 5 + 1.5);
-  EXPECT_EQ(rejection(*obstacle, {{10, 0}}), "");
+  EXPECT_EQ(gap_rejection(*obstacle, {{10, 0}}), "");
   EXPECT_EQ(
-      rejection(*obstacle, {{10.5, 0}}),
+      gap_rejection(*obstacle, {{10.5, 0}}),
       "Obstacle/Gap file = " + path.string() +
           ": allowed is a grid that holds the whole contact surface, also (10.5, 0) mm; this one reaches "
           "from (0, 0) mm to (10, 10) mm");
@@ -53,13 +53,13 @@ TEST(Obstacle, AddsFileAndExpression)
 
 TEST(Obstacle, IsDefinedEverywhere)
 {
-  EXPECT_EQ(rejection(*make_obstacle({"sqrt(25-x^2)", ""}), {{3, 0}, {5, 0}}), "");
+  EXPECT_EQ(gap_rejection(*make_obstacle({"sqrt(25-x^2)", ""}), {{3, 0}, {5, 0}}), "");
   EXPECT_EQ(
-      rejection(*make_obstacle({"sqrt(25-x^2)", ""}), {{3, 0}, {6, 1}}),
+      gap_rejection(*make_obstacle({"sqrt(25-x^2)", ""}), {{3, 0}, {6, 1}}),
       "Obstacle/Gap = sqrt(25-x^2) is not a number at (6, 1) mm of the contact surface: allowed is a finite "
       "number (mm)");
   EXPECT_EQ(
-      rejection(*make_obstacle({"1/x", ""}), {{0, 1}}),
+      gap_rejection(*make_obstacle({"1/x", ""}), {{0, 1}}),
       "Obstacle/Gap = 1/x is infinite at (0, 1) mm of the contact surface: allowed is a finite number (mm)");
 }
 } // namespace orthocone::test

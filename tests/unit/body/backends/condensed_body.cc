@@ -15,11 +15,6 @@ using Eigen::VectorXd;
 
 namespace
 {
-constexpr SymmetryPlanes full{};
-constexpr SymmetryPlanes quarter{true, true};
-const GeometryOptions geometry;
-const MaterialOptions material;
-
 /// Internal forces of a displacement, by quadrature of its own.
 VectorXd forces_of(const LoadableBody &body, const VectorXd &displacement)
 {
@@ -39,7 +34,7 @@ TEST(Condensation, SatisfiesTheFullSystem)
   for (const SymmetryPlanes &planes : {full, quarter})
     for (const unsigned int degree : {1, 2, 3})
     {
-      const LoadableBody body(geometry, small_mesh(degree), material, planes);
+      const LoadableBody body(default_geometry, small_mesh(degree), default_material, planes);
       const auto &surface = body.discretization.contact_surface();
       NodeVector force = uneven_forces(static_cast<Index>(surface.nodes.size()));
       for (std::size_t i = 0; i < surface.nodes.size(); ++i)
@@ -72,7 +67,7 @@ TEST(Condensation, SatisfiesTheFullSystem)
 // Force on the base + force on the top = 0, and so for the moments.
 TEST(Condensation, KeepsTheBodyInEquilibrium)
 {
-  const LoadableBody body(geometry, small_mesh(2), material, full);
+  const LoadableBody body(default_geometry, small_mesh(2), default_material, full);
   const NodeVector force = uneven_forces(body.condensed.compliance().n_nodes());
   const VectorXd u = body.condensed.volume_displacement(moved_by(0.01, -0.02, -0.1), force);
   const VectorXd internal = forces_of(body, u);
@@ -104,12 +99,12 @@ TEST(Condensation, KeepsTheBodyInEquilibrium)
     base_moment += Vector3d(nodes[i].position[0], nodes[i].position[1], 0).cross(r);
   }
   EXPECT_LE((top_force + base_force).norm(), 1e-9 * force.norm());
-  EXPECT_LE((top_moment + base_moment).norm(), 1e-9 * geometry.radius * force.norm());
+  EXPECT_LE((top_moment + base_moment).norm(), 1e-9 * default_geometry.radius * force.norm());
 }
 
 TEST(Condensation, GivesASymmetricPositiveCompliance)
 {
-  const LoadableBody body(geometry, small_mesh(2), material, quarter);
+  const LoadableBody body(default_geometry, small_mesh(2), default_material, quarter);
   const Eigen::MatrixXd &w = *body.condensed.compliance().dense();
   EXPECT_LE((w - w.transpose()).norm(), 1e-14 * w.norm());
   EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(w).eigenvalues().minCoeff(), 0);
@@ -119,7 +114,7 @@ TEST(Condensation, WorksForASingleLayerOfTrilinearBricks)
 {
   MeshOptions mesh = small_mesh(1);
   mesh.layers = 1; // no interior unknowns at all
-  const LoadableBody body(geometry, mesh, material, full);
+  const LoadableBody body(default_geometry, mesh, default_material, full);
   EXPECT_EQ(body.discretization.n_interior(), 0u);
   const NodeVector force = uneven_forces(body.condensed.compliance().n_nodes());
   const VectorXd internal = forces_of(body, body.condensed.volume_displacement({}, force));
@@ -151,8 +146,8 @@ namespace
 /// Compliance and motion are the same in turned axes as in straight ones.
 void expect_same_body_in(const LocalAxes &axes)
 {
-  const LoadableBody straight(geometry, small_mesh(1), material, full);
-  const LoadableBody turned(geometry, small_mesh(1), material, full, axes);
+  const LoadableBody straight(default_geometry, small_mesh(1), default_material, full);
+  const LoadableBody turned(default_geometry, small_mesh(1), default_material, full, axes);
   const NodeVector local = uneven_forces(turned.condensed.compliance().n_nodes());
   NodeVector global = local;
   for (Index i = 0; i < turned.condensed.compliance().n_nodes(); ++i)
@@ -177,8 +172,8 @@ std::vector<double> uneven_angles(const Index n_nodes)
 
 LocalAxes uneven_axes()
 {
-  const BodyMesh mesh(geometry, small_mesh(1), full);
-  const Discretization discretization(mesh.triangulation(), small_mesh(1), geometry.top_face);
+  const BodyMesh mesh(default_geometry, small_mesh(1), full);
+  const Discretization discretization(mesh.triangulation(), small_mesh(1), default_geometry.top_face);
   return LocalAxes(uneven_angles(static_cast<Index>(discretization.contact_surface().nodes.size())));
 }
 } // namespace
@@ -193,13 +188,13 @@ TEST(RigidRotation, TurnsAboutTheCentreOfTheWholeHeldFace)
 {
   for (const SymmetryPlanes &planes : {full, SymmetryPlanes{false, true}, quarter})
   {
-    const BodyMesh mesh(geometry, small_mesh(2), planes);
-    const Discretization discretization(mesh.triangulation(), small_mesh(2), geometry.top_face);
-    EXPECT_LE((discretization.held_centre() - Vector3d(0, 0, geometry.height)).norm(), 1e-12);
+    const BodyMesh mesh(default_geometry, small_mesh(2), planes);
+    const Discretization discretization(mesh.triangulation(), small_mesh(2), default_geometry.top_face);
+    EXPECT_LE((discretization.held_centre() - Vector3d(0, 0, default_geometry.height)).norm(), 1e-12);
   }
-  const SectionMesh section(geometry, small_mesh(2));
-  const SectionDiscretization revolved(section.triangulation(), small_mesh(2), geometry.top_face);
-  EXPECT_LE((revolved.held_centre() - Vector3d(0, 0, geometry.height)).norm(), 1e-12);
+  const SectionMesh section(default_geometry, small_mesh(2));
+  const SectionDiscretization revolved(section.triangulation(), small_mesh(2), default_geometry.top_face);
+  EXPECT_LE((revolved.held_centre() - Vector3d(0, 0, default_geometry.height)).norm(), 1e-12);
 }
 
 // Small rotations leave no force anywhere, not even at the held nodes: curved elements follow them exactly.
@@ -209,7 +204,7 @@ TEST(RigidRotation, StrainsNothing)
   motion.components << 0.01, -0.02, -0.1, 0.3, -0.2, 0.5;
   for (const unsigned int degree : {1, 2, 3})
   {
-    const LoadableBody body(geometry, small_mesh(degree), material, full);
+    const LoadableBody body(default_geometry, small_mesh(degree), default_material, full);
     const VectorXd free = VectorXd::Zero(body.discretization.n_free());
     const VectorXd u = body.condensed.with_motion(motion, free);
     const double size = body.stiffness.rounding(u.head(free.size())) / std::numeric_limits<double>::epsilon();
@@ -221,7 +216,7 @@ TEST(RigidRotation, StrainsNothing)
 TEST(RigidRotation, MovesContactNodesAsItMovesTheBody)
 {
   const LocalAxes axes = uneven_axes();
-  const LoadableBody body(geometry, small_mesh(1), material, full, axes);
+  const LoadableBody body(default_geometry, small_mesh(1), default_material, full, axes);
   const VectorXd free = VectorXd::Zero(body.discretization.n_free());
   for (unsigned int i = 0; i < n_rigid_components; ++i)
   {
@@ -241,7 +236,7 @@ TEST(RigidRotation, MovesContactNodesAsItMovesTheBody)
 
 TEST(RigidRotation, WrenchDoesTheWorkOfTheContactForces)
 {
-  const LoadableBody body(geometry, small_mesh(1), material, full, uneven_axes());
+  const LoadableBody body(default_geometry, small_mesh(1), default_material, full, uneven_axes());
   const NodeVector force = uneven_forces(body.condensed.compliance().n_nodes());
   const Wrench wrench = body.condensed.wrench(force);
   for (unsigned int seed = 1; seed <= 5; ++seed)

@@ -12,8 +12,6 @@ namespace orthocone::test
 {
 namespace
 {
-const MaterialOptions material;
-
 MeshOptions mesh_with(const unsigned int degree, const VolumetricQuadrature quadrature)
 {
   MeshOptions mesh = small_mesh(degree);
@@ -32,9 +30,9 @@ void expect_uniform(const DisplacementSpace<dim> &space, const Eigen::Matrix3d &
   for (unsigned int i = 0; i < 3; ++i)
     for (unsigned int j = i; j < 3; ++j)
       strain[i][j] = (gradient(i, j) + gradient(j, i)) / 2;
-  const Stress expected = stress_of(strain, LameParameters(material));
-  CellFields<dim> fields(space, Material(material), dealii::QIterated<dim>(dealii::QTrapezoid<1>(), 2),
-                         displacement);
+  const Stress expected = stress_of(strain, LameParameters(default_material));
+  CellFields<dim> fields(space, Material(default_material),
+                         dealii::QIterated<dim>(dealii::QTrapezoid<1>(), 2), displacement);
   for (const auto &cell : space.dof_handler().active_cell_iterators())
     for (const PointFields &point : fields.in(cell))
     {

@@ -71,7 +71,7 @@ struct Manufactured
 };
 
 /// Stress (rr, zz, hoop, rz).
-Eigen::Vector4d stress_of(const Eigen::Vector4d &strain, const LameParameters &lame)
+Eigen::Vector4d revolved_stress(const Eigen::Vector4d &strain, const LameParameters &lame)
 {
   const double pressure = lame.lambda * (strain[0] + strain[1] + strain[2]);
   return {pressure + 2 * lame.mu * strain[0], pressure + 2 * lame.mu * strain[1],
@@ -111,7 +111,7 @@ void add_to_free(const SectionDiscretization &discretization,
 
 /// Error in the energy norm, relative, of the Galerkin solution for the loads of the manufactured one: the
 /// energies differ by its square.
-double energy_error(const unsigned int degree, const unsigned int n_refinements)
+double revolved_energy_error(const unsigned int degree, const unsigned int n_refinements)
 {
   const MaterialOptions material;
   const SectionBody body(section_options(degree, n_refinements));
@@ -132,7 +132,7 @@ double energy_error(const unsigned int degree, const unsigned int n_refinements)
     {
       const auto place = values.quadrature_point(q);
       const Eigen::Vector4d strain = exact.strain(place[0], place[1]);
-      const Eigen::Vector4d stress = 2 * pi * place[0] * values.JxW(q) * stress_of(strain, lame);
+      const Eigen::Vector4d stress = 2 * pi * place[0] * values.JxW(q) * revolved_stress(strain, lame);
       energy += stress.dot(strain);
       loads += loads_at(values, q, stress);
     }
@@ -197,8 +197,8 @@ TEST(Section, ConvergesWithItsDegree)
 {
   for (const unsigned int degree : {1, 2, 3, 4})
   {
-    const double coarse = energy_error(degree, 0);
-    const double fine = energy_error(degree, 1);
+    const double coarse = revolved_energy_error(degree, 0);
+    const double fine = revolved_energy_error(degree, 1);
     EXPECT_NEAR(std::log2(coarse / fine), degree, 0.15) << coarse << " " << fine;
   }
 }

@@ -117,10 +117,10 @@ TEST(VolumetricQuadrature, LeavesRigidMotionsAlone)
 // nothing is left that can move: Q1 locks, and Q2 has nothing to spare.
 TEST(VolumetricQuadrature, LeavesOneConstraintForThreeDegreesOfFreedom)
 {
-  const std::array<unsigned int, 3> full{{7, 26, 63}};
+  const std::array<unsigned int, 3> n_full{{7, 26, 63}};
   for (const unsigned int degree : {1, 2, 3})
   {
-    EXPECT_EQ(n_volume_constraints(degree, VolumetricQuadrature::full), full[degree - 1]);
+    EXPECT_EQ(n_volume_constraints(degree, VolumetricQuadrature::full), n_full[degree - 1]);
     EXPECT_EQ(n_volume_constraints(degree, VolumetricQuadrature::reduced), degree * degree * degree);
   }
 }

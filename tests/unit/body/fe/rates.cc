@@ -10,8 +10,6 @@ using Eigen::VectorXd;
 
 namespace
 {
-const MaterialOptions material;
-
 /// A smooth displacement that vanishes on the clamped top z = 10, and its strain.
 struct Exact
 {
@@ -50,7 +48,7 @@ double energy_error(const unsigned int degree, const unsigned int n_cells,
   options.core_cells = n_cells;
   options.layers = n_cells;
   options.volumetric_quadrature = quadrature;
-  const LoadableBody body(GeometryOptions(), options, material, SymmetryPlanes());
+  const LoadableBody body(GeometryOptions(), options, default_material, SymmetryPlanes());
   const auto &discretization = body.discretization;
   const unsigned int n_points = degree + 3;
   const VectorXd load = internal_forces(

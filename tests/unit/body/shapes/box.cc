@@ -12,11 +12,6 @@ namespace orthocone::test
 {
 namespace
 {
-constexpr SymmetryPlanes full{};
-constexpr SymmetryPlanes half_x{true, false};
-constexpr SymmetryPlanes half_y{false, true};
-constexpr SymmetryPlanes quarter{true, true};
-
 GeometryOptions small_box()
 {
   GeometryOptions geometry;

@@ -17,11 +17,6 @@ namespace orthocone::test
 {
 namespace
 {
-constexpr SymmetryPlanes full{};
-constexpr SymmetryPlanes half_x{true, false};
-constexpr SymmetryPlanes half_y{false, true};
-constexpr SymmetryPlanes quarter{true, true};
-
 double contact_area(const Discretization &discretization)
 {
   double area = 0;

@@ -17,13 +17,12 @@ namespace
 {
 const OrthotropicFriction none{0, 0, 1, 1};
 
-NodeVector solution(const OrthotropicFriction &law, const ContactMethod method)
+NodeVector solution(const OrthotropicFriction &law, const std::string &method)
 {
   const GridProblem grid(law);
   NodeVector force = grid.zero();
   const SolverReport report = solve_step(grid.problem, solver_options(method), force);
-  EXPECT_TRUE(report.converged) << "method " << static_cast<int>(method) << " " << law.mu_x << " residual "
-                                << report.residual;
+  EXPECT_TRUE(report.converged) << "method " << method << " " << law.mu_x << " residual " << report.residual;
   return force;
 }
 } // namespace
@@ -59,8 +58,7 @@ TEST(Frictionless, ANodeIsPressedBackByItsNormalForceAlone)
 // without.
 TEST(Frictionless, IsTheLimitOfSmallFriction)
 {
-  for (const ContactMethod method : {ContactMethod::newton, ContactMethod::gauss_seidel, ContactMethod::uzawa,
-                                     ContactMethod::plain_newton, ContactMethod::feng2006})
+  for (const char *const method : {"newton", "gauss-seidel", "uzawa", "plain-newton", "feng2006"})
   {
     const NodeVector without = solution(none, method);
     EXPECT_GT(without.norm(), 0);

@@ -12,7 +12,7 @@ namespace orthocone::test
 {
 namespace
 {
-constexpr double tolerance = 1e-10;
+constexpr double stop = 1e-10;
 constexpr double rounding = 1e-14;
 const double infinity = std::numeric_limits<double>::infinity();
 
@@ -36,16 +36,15 @@ TEST(Convergence, JudgesByTheTrend)
   const auto falling = [](const unsigned int i) { return std::pow(0.99, i); };
   const auto standing = [](const unsigned int i) { return 0.1 + 0.05 * std::sin(i); };
   EXPECT_EQ(judge(trace_of(falling), 1e-3, rounding), Verdict::converged);
-  EXPECT_EQ(judge(trace_of(falling), tolerance, rounding), Verdict::slow);
+  EXPECT_EQ(judge(trace_of(falling), stop, rounding), Verdict::slow);
   const auto creeping = [](const unsigned int i) { return 0.1 - 1e-6 * i; };
-  EXPECT_EQ(judge(trace_of(standing), tolerance, rounding), Verdict::cycling);
-  EXPECT_EQ(judge(trace_of([](unsigned int) { return 0.1; }), tolerance, rounding), Verdict::cycling);
-  EXPECT_EQ(judge(trace_of(creeping), tolerance, rounding), Verdict::slow);
-  EXPECT_EQ(
-      judge(trace_of(standing, [](const unsigned int i) { return std::pow(1.01, i); }), tolerance, rounding),
-      Verdict::diverged);
+  EXPECT_EQ(judge(trace_of(standing), stop, rounding), Verdict::cycling);
+  EXPECT_EQ(judge(trace_of([](unsigned int) { return 0.1; }), stop, rounding), Verdict::cycling);
+  EXPECT_EQ(judge(trace_of(creeping), stop, rounding), Verdict::slow);
+  EXPECT_EQ(judge(trace_of(standing, [](const unsigned int i) { return std::pow(1.01, i); }), stop, rounding),
+            Verdict::diverged);
   const auto lost = [](const unsigned int i) { return i < 1000 ? 0.1 : infinity; };
-  EXPECT_EQ(judge(trace_of(lost), tolerance, rounding), Verdict::diverged);
+  EXPECT_EQ(judge(trace_of(lost), stop, rounding), Verdict::diverged);
 }
 
 TEST(Convergence, TellsRoundingFromCycling)
@@ -58,15 +57,15 @@ TEST(Convergence, TellsRoundingFromCycling)
 TEST(Convergence, CountsTheIterationsThatAreMissing)
 {
   const auto falling = [](const unsigned int i) { return std::pow(0.99, i); };
-  const double all = std::log(tolerance) / std::log(0.99);
-  EXPECT_NEAR(iterations_to_go(trace_of(falling), tolerance), all - 1000, 2);
-  EXPECT_EQ(iterations_to_go(trace_of([](unsigned int) { return 0.1; }), tolerance), 0);
+  const double all = std::log(stop) / std::log(0.99);
+  EXPECT_NEAR(iterations_to_go(trace_of(falling), stop), all - 1000, 2);
+  EXPECT_EQ(iterations_to_go(trace_of([](unsigned int) { return 0.1; }), stop), 0);
 }
 
 TEST(Convergence, SaysNothingOfWhatItDidNotSee)
 {
-  EXPECT_EQ(judge({}, tolerance, rounding), Verdict::slow);
-  EXPECT_EQ(judge({{0, 1, 1, 0}}, tolerance, rounding), Verdict::slow);
-  EXPECT_EQ(iterations_to_go({}, tolerance), 0);
+  EXPECT_EQ(judge({}, stop, rounding), Verdict::slow);
+  EXPECT_EQ(judge({{0, 1, 1, 0}}, stop, rounding), Verdict::slow);
+  EXPECT_EQ(iterations_to_go({}, stop), 0);
 }
 } // namespace orthocone::test

@@ -15,16 +15,16 @@ namespace
 using Eigen::Index;
 using Eigen::Vector2d;
 
-constexpr OrthotropicFriction law{0.3, 0.15, 0.05, 0.2};
+constexpr OrthotropicFriction case_c_law{0.3, 0.15, 0.05, 0.2};
 
 /// A solved problem, whose forces and displacements can be spoiled one at a time.
 struct SolvedGrid : GridProblem
 {
   SolvedGrid()
-      : GridProblem(law),
+      : GridProblem(case_c_law),
         force(zero())
   {
-    EXPECT_TRUE(solve_step(problem, solver_options(ContactMethod::newton, 1e-13), force).converged);
+    EXPECT_TRUE(solve_step(problem, solver_options("newton", 1e-13), force).converged);
     displacement = problem.displacement(force);
     NodeVector elastic;
     compliance.vmult(elastic, force);
@@ -100,7 +100,7 @@ TEST(LawErrors, MeasureASlipThatTheRuleForbids)
 {
   const SolvedGrid solved;
   const Index slipping = solved.first(NodeStatus::slip);
-  const double weight = law.mu_y * solved.force[slipping] / solved.strength;
+  const double weight = case_c_law.mu_y * solved.force[slipping] / solved.strength;
   const Vector2d slip = solved.displacement.segment<2>(slipping + 1);
   for (const double angle : {1e-4, -1e-3, 0.1})
   {

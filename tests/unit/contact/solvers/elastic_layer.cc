@@ -31,7 +31,7 @@ Vector2d march(const OrthotropicFriction &law, const Vector2d &start, const Vect
 {
   const DenseCompliance compliance(Eigen::Matrix3d::Identity());
   const ContactSystem system(compliance, {law});
-  const auto solver = make_contact_solver(system, solver_options(ContactMethod::gauss_seidel, 1e-13));
+  const auto solver = make_contact_solver(system, solver_options("gauss-seidel", 1e-13));
   NodeVector force = Vector3d(1, -start[0], -start[1]); // of the plane on the body
   Vector2d slip = Vector2d::Zero();
   Vector2d last_change = Vector2d::Zero();

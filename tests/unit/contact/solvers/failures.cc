@@ -31,7 +31,7 @@ struct SmallProblem
     return solve_step(problem, options, force);
   }
 
-  Verdict verdict(const ContactMethod method, const unsigned int maximum_iterations = 5000) const
+  Verdict verdict(const std::string &method, const unsigned int maximum_iterations = 5000) const
   {
     ContactSolverOptions options = solver_options(method, 1e-10);
     options.maximum_iterations = maximum_iterations;
@@ -90,12 +90,12 @@ TEST(Failures, Box3DivergesJustWhereRhoTimesLambdaExceedsTwo)
     const double limit = 2 / (1 + 0.9 * static_cast<double>(n - 1));
     for (const double share : {0.5, 0.95, 1.05, 2.})
     {
-      ContactSolverOptions options = solver_options(ContactMethod::box3, 1e-10);
+      ContactSolverOptions options = solver_options("box3", 1e-10);
       options.maximum_iterations = 5000;
       options.rho_factor = share * limit;
       EXPECT_EQ(nodes.report(options).converged, share < 1) << n << " nodes, " << share << " of the limit";
     }
-    EXPECT_EQ(nodes.verdict(ContactMethod::newton), Verdict::converged);
+    EXPECT_EQ(nodes.verdict("newton"), Verdict::converged);
   }
 }
 
@@ -103,34 +103,34 @@ TEST(Failures, Box3DivergesJustWhereRhoTimesLambdaExceedsTwo)
 TEST(Failures, Feng2006SurvivesTheCouplingThatBreaksBox3)
 {
   const SmallProblem nodes(coupled(6, 0.9), {10, 10, 10, 10}, Vector3d(-1, 0.1, 0.2).replicate(6, 1));
-  EXPECT_NE(nodes.verdict(ContactMethod::box3), Verdict::converged);
-  EXPECT_EQ(nodes.verdict(ContactMethod::feng2006), Verdict::converged);
+  EXPECT_NE(nodes.verdict("box3"), Verdict::converged);
+  EXPECT_EQ(nodes.verdict("feng2006"), Verdict::converged);
 }
 
 TEST(Failures, Feng2006CyclesOnANodeThatIsSofterAlongThanAcross)
 {
   const SmallProblem node(Vector3d(1, 1, 2.5).asDiagonal().toDenseMatrix(), case_a, Vector3d(-1, 0, 0.1));
-  EXPECT_EQ(node.verdict(ContactMethod::feng2006), Verdict::cycling);
-  EXPECT_EQ(node.verdict(ContactMethod::newton), Verdict::converged);
+  EXPECT_EQ(node.verdict("feng2006"), Verdict::cycling);
+  EXPECT_EQ(node.verdict("newton"), Verdict::converged);
 }
 
 TEST(Failures, PlainNewtonCyclesOnOneNode)
 {
-  EXPECT_EQ(cycling_newton().verdict(ContactMethod::plain_newton), Verdict::cycling);
-  EXPECT_EQ(cycling_newton().verdict(ContactMethod::newton), Verdict::converged);
+  EXPECT_EQ(cycling_newton().verdict("plain-newton"), Verdict::cycling);
+  EXPECT_EQ(cycling_newton().verdict("newton"), Verdict::converged);
 }
 
 // What one node takes from the others is almost what they lack: each sweep moves the forces by a little.
 TEST(Failures, SweepsAreSlowWhereAllNodesMoveTogether)
 {
   const SmallProblem nodes(coupled(5, 0.98), case_b, Vector3d(-1, 0.3, 0.2).replicate(5, 1));
-  EXPECT_EQ(nodes.verdict(ContactMethod::gauss_seidel, 300), Verdict::slow);
-  EXPECT_EQ(nodes.verdict(ContactMethod::newton, 300), Verdict::converged);
+  EXPECT_EQ(nodes.verdict("gauss-seidel", 300), Verdict::slow);
+  EXPECT_EQ(nodes.verdict("newton", 300), Verdict::converged);
 }
 
 TEST(Failures, SweepsCycleWhereSingleNodesHaveSeveralSolutions)
 {
-  EXPECT_EQ(cycling_sweeps().verdict(ContactMethod::gauss_seidel), Verdict::cycling);
-  EXPECT_EQ(cycling_sweeps().verdict(ContactMethod::newton), Verdict::converged);
+  EXPECT_EQ(cycling_sweeps().verdict("gauss-seidel"), Verdict::cycling);
+  EXPECT_EQ(cycling_sweeps().verdict("newton"), Verdict::converged);
 }
 } // namespace orthocone::test

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// Entries that the contact solvers themselves describe.
+#pragma once
+
+#include "entries.h"
+
+namespace orthocone
+{
+struct ContactMethod;
+}
+
+namespace orthocone::entries
+{
+using ContactMethodTest = std::function<bool(const ContactMethod &)>;
+
+/// Words of the contact solvers; with a test, of those that pass it.
+std::string contact_method_words(const std::string &separator, const ContactMethodTest &is_chosen = {});
+
+/// A contact solver by its word.
+void add_contact_method(EntryTable &table, const std::string &name, std::string &method);
+
+/// A factor > 0 of the rho of those solvers that have one.
+void add_rho_factor(EntryTable &table, const std::string &name, double &factor);
+} // namespace orthocone::entries
