@@ -91,6 +91,22 @@ class QuickTest(unittest.TestCase):
         self.assertNotIn(str(ROOT), (self.folder / "benchmark.json").read_text())
 
 
+class AgainstTest(unittest.TestCase):
+    def test_a_program_that_sleeps_first_takes_longer(self):
+        with tempfile.TemporaryDirectory() as folder:
+            slow = pathlib.Path(folder) / "slow"
+            slow.write_text(f'#!/bin/sh\nsleep 1\nexec "{PROGRAM}" "$@"\n')
+            slow.chmod(0o755)
+            process = benchmark("--quick", "--against", slow)
+        self.assertEqual((process.returncode, process.stderr), (0, ""))
+        rows = [line.strip("| ").split(" | ") for line in process.stdout.splitlines() if line.startswith("| ")][1:]
+        self.assertEqual([row[0] for row in rows if row[1] == "whole process"], ["2", "4"])
+        for row in rows:
+            if row[1] == "whole process":
+                self.assertLess(float(row[4]), 1)
+                self.assertAlmostEqual(float(row[4]), float(row[2]) / float(row[3]), 2)
+
+
 class ExponentTest(unittest.TestCase):
     def test_power_law_of_the_finer_meshes(self):
         sizes = benchmark_ratios.np.array([3., 10., 20., 50.])
@@ -101,7 +117,7 @@ class ExponentTest(unittest.TestCase):
 
 class RefusalTest(unittest.TestCase):
     def test_bad_options(self):
-        for arguments in (["--runs", "0"], ["--runs", "few"], ["--finest", "7"], ["--quick", "--docs"], ["--fast"]):
+        for arguments in (["--runs", "0"], ["--runs", "few"], ["--finest", "7"], ["--quick", "--docs"], ["--against", "x", "--docs"], ["--fast"]):
             with self.subTest(arguments):
                 process = benchmark(*arguments)
                 self.assertEqual((process.returncode, process.stdout), (2, ""))

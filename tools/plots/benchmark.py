@@ -15,6 +15,7 @@ import matplotlib.pyplot as plt  # noqa: E402
 
 import benchmark_charts  # noqa: E402
 import docs_page  # noqa: E402
+from benchmark_compare import compare  # noqa: E402
 from benchmark_measure import ROOT, BenchmarkError, measure  # noqa: E402
 from benchmark_ratios import TABLES, ratios  # noqa: E402
 
@@ -41,9 +42,11 @@ def parsed_options():
     parser.add_argument("--output", type=pathlib.Path, default=ROOT / "output/benchmark", help="folder of the results")
     parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/orthocone")
     parser.add_argument("--kernels", type=pathlib.Path, default=ROOT / "build/tests/benchmarks/kernels")
+    parser.add_argument("--against", type=pathlib.Path, metavar="PROGRAM",
+                        help="only compare whole runs with those of another build of the program, in turns")
     options = parser.parse_args()
-    if options.quick and options.docs:
-        parser.error("--quick measures nothing that belongs in --docs")
+    if (options.quick or options.against) and options.docs:
+        parser.error("--quick and --against measure nothing that belongs in --docs")
     options.sizes = QUICK_SIZES if options.quick else [cells for cells in SIZES if cells <= options.finest]
     options.least_seconds = 0.001 if options.quick else 0.1
     if options.quick:
@@ -70,6 +73,9 @@ def draw(result, folder, images):
 def main():
     options = parsed_options()
     try:
+        if options.against:
+            compare(options.program, options.against, options.sizes, options.runs)
+            return
         result = measure(options)
     except BenchmarkError as error:
         sys.exit(f"benchmark: {error}")
