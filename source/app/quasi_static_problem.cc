@@ -33,6 +33,7 @@ QuasiStaticProblem::QuasiStaticProblem(const Parameters &parameters, const Model
       cycles_(parameters_.load, scene_.symmetry().force_shares(scene_.surface()),
               reach_of(scene_.body().unknowns())),
       output_(folder_, parameters_.output, scene_, evaluator_),
+      gap_file_(gap_file_checksum(parameters.obstacle)),
       checkpoint_pause_(parameters.output.checkpoint_seconds)
 {
   solver_.restore(chosen_.starts);
@@ -158,8 +159,8 @@ void QuasiStaticProblem::save_checkpoint()
   Parameters given = parameters_;
   given.mesh = chosen_.requested;
   write_checkpoint(folder_,
-                   {entry_values(given), entry_values(parameters_), program_version(), folder_.tables(),
-                    output_.fields(), state_, solver_.memory(), cycles_.memory(), record_});
+                   {entry_values(given), entry_values(parameters_), gap_file_, program_version(),
+                    folder_.tables(), output_.fields(), state_, solver_.memory(), cycles_.memory(), record_});
   since_checkpoint_ = Stopwatch();
   record_.seconds.output += watch.seconds();
   // Writing takes a twentieth of the time at most, unless every step was asked for.

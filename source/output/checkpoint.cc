@@ -4,7 +4,10 @@
 
 #include <orthocone/base/errors.h>
 #include <orthocone/base/text.h>
+#include <orthocone/parameters/gap_file.h>
 #include <orthocone/parameters/parameters.h>
+
+#include <boost/crc.hpp>
 
 #include <algorithm>
 #include <set>
@@ -62,6 +65,11 @@ void require_same_past(const Checkpoint &checkpoint, const Parameters &parameter
     }
     else if (!may_change(entry) && earlier[entry] != value)
       refuse(entry, value, "the same value");
+  if (gap_file_checksum(parameters.obstacle) != checkpoint.gap_file)
+    throw InputError(
+        file + ": Obstacle/Gap file = " + shown_path(parameters.obstacle.gap_file) +
+        ": has other gaps than when the run in " + folder.path() +
+        " was started; allowed for --resume are the same (or start anew, with another --output DIR)");
   if (load_steps(parameters.load).size() < checkpoint.state.step)
     refuse("Load program/Cycles", std::to_string(parameters.load.cycles),
            "what has the " + std::to_string(checkpoint.state.step) + " load steps that are done");
@@ -78,6 +86,18 @@ void require_nothing_to_lose(const RunFolder &folder, const Parameters &paramete
         folder.path(file_name) +
         ": is missing, and the folder holds results of other parameters; without --resume the run "
         "starts anew");
+}
+
+std::uint32_t gap_file_checksum(const ObstacleOptions &options)
+{
+  if (options.gap_file.empty())
+    return 0;
+  const GapGrid grid = read_gap_file(options.gap_file);
+  boost::crc_32_type crc;
+  for (const double number : {grid.first_x, grid.spacing_x, grid.first_y, grid.spacing_y})
+    crc.process_bytes(&number, sizeof number);
+  crc.process_bytes(grid.gap.data(), grid.gap.size() * sizeof(double));
+  return crc.checksum();
 }
 
 MeshOptions mesh_of(const Checkpoint &checkpoint, const Parameters &given)

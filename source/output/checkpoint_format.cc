@@ -209,6 +209,7 @@ Checkpoint from_json(const Json &json)
   Checkpoint checkpoint;
   json.at("parameters").get_to(checkpoint.parameters);
   json.at("mesh").get_to(checkpoint.mesh);
+  checkpoint.gap_file = count_from(json.at("gap_file"));
   json.at("program").get_to(checkpoint.program);
   checkpoint.tables = tables_from(json.at("tables"));
   checkpoint.fields = {steps_from(json.at("fields").at(0)), steps_from(json.at("fields").at(1))};
@@ -224,6 +225,7 @@ std::string encode(const Checkpoint &checkpoint)
 {
   const Json json{{"parameters", checkpoint.parameters},
                   {"mesh", checkpoint.mesh},
+                  {"gap_file", checkpoint.gap_file},
                   {"program", checkpoint.program},
                   {"tables", tables_json(checkpoint.tables)},
                   {"fields", {steps_json(checkpoint.fields.contact), steps_json(checkpoint.fields.volume)}},

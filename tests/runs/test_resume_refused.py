@@ -38,6 +38,19 @@ class RefusalTest(ResumeTest):
         self.assert_refused(WRONG_INPUT, r".*: Output/Probes = , but .* with P: 6\.72 6\.72; allowed .* these probes and",
                             ["Output/Probes="])
 
+    def test_other_gaps_in_the_same_file(self):
+        gaps = self.folder / "gap.txt"
+        gaps.write_text("-20 40 2 -20 40 2\n0 0\n0 0\n")
+        settings = [*self.SETTINGS, f"Obstacle/Gap file={gaps}"]
+        self.assertEqual(self.run_program("gap", settings=settings).returncode, DONE)
+        gaps.write_text("# the same again\n-20 40 2 -20 40 2\n0 0\n0 0.0\n")
+        self.assertEqual(self.run_program("gap", "--resume", settings=settings).returncode, DONE)
+        gaps.write_text("-20 40 2 -20 40 2\n0 0\n0 0.001\n")
+        result = self.run_program("gap", "--resume", settings=settings)
+        self.assertEqual(result.returncode, WRONG_INPUT)
+        self.assertRegex(result.stderr, r"^orthocone: .*: Obstacle/Gap file = .*gap\.txt: has other gaps than when the run in "
+                                        r".*gap was started; allowed for --resume are the same \(or start anew.*\)\n$")
+
     def test_damaged_checkpoint(self):
         state = self.folder / "run/checkpoint/state"
         good = state.read_bytes()

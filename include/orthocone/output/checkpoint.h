@@ -9,6 +9,7 @@
 #include <orthocone/output/summary.h>
 #include <orthocone/results/cycles.h>
 
+#include <cstdint>
 #include <optional>
 #include <stdexcept>
 
@@ -19,6 +20,7 @@ struct Checkpoint
 {
   std::vector<std::pair<std::string, std::string>> parameters; ///< entry_values() as given
   std::vector<std::pair<std::string, std::string>> mesh;       ///< entry_values() of the mesh that was chosen
+  std::uint32_t gap_file = 0;                                  ///< gap_file_checksum()
   std::string program;                                         ///< version and revision that wrote it
   TableMarks tables;                                           ///< the CSV files
   FieldSteps fields;                                           ///< that have a field file
@@ -35,7 +37,10 @@ struct CheckpointError : std::runtime_error
 };
 
 /// Version of the bytes; another one is refused.
-constexpr unsigned int checkpoint_format = 5;
+constexpr unsigned int checkpoint_format = 6;
+
+/// Checksum of the gaps in the file that the options name; 0 if they name none. Throws as read_gap_file().
+std::uint32_t gap_file_checksum(const ObstacleOptions &options);
 
 /// The bytes of a checkpoint: a line with format version, length and checksum, then CBOR.
 std::string encode(const Checkpoint &checkpoint);

@@ -37,6 +37,7 @@ Checkpoint checkpoint_after(const unsigned int number, const Parameters &paramet
   checkpoint.parameters = entry_values(parameters);
   checkpoint.mesh = entry_values(parameters);
   checkpoint.record.accuracy = AccuracyEstimate{1, {{1, 2, 3, 4}}, {{0.1, 0.2, 0.3, 0.4}}};
+  checkpoint.gap_file = 0xfedcba97;
   checkpoint.program = "1.2.3 (abc)";
   checkpoint.tables = {{"history.csv", {1234, 0xfedcba98}}, {"probe-P.csv", {5, 7}}};
   checkpoint.fields = {{1, 2, 3, 5, 10, 15, 16}, {}};
@@ -102,6 +103,7 @@ TEST(Checkpoint, KeepsEverythingToTheLastBit)
   const Checkpoint after = decode(encode(before));
   EXPECT_EQ(after.parameters, before.parameters);
   EXPECT_EQ(after.program, before.program);
+  EXPECT_EQ(after.gap_file, before.gap_file);
   EXPECT_EQ(after.tables, before.tables);
   EXPECT_EQ(after.fields.contact, before.fields.contact);
   EXPECT_EQ(after.fields.volume, before.fields.volume);
