@@ -56,7 +56,7 @@ TEST(Mesh, FillsTheCylinder)
     {
       MeshOptions options;
       options.degree = degree;
-      options.layers = 2;
+      options.layers = 1;
       const BodyMesh mesh(geometry, options, planes);
       const Discretization discretization(mesh.triangulation(), options, geometry.top_face);
       const double expected = (degree == 1 ? polygon : disc) / planes.n_copies();
