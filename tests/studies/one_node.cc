@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include "experiments.h"
 
+#include <orthocone/base/numbers.h>
 #include <orthocone/contact/solvers/contact_solver.h>
 
 #include <iostream>
@@ -70,7 +71,6 @@ char found_by(const std::string &method, const ContactStep &problem,
 
 void one_node(const Words &words)
 {
-  constexpr double pi = 3.14159265358979323846;
   auto values = numbers(words);
   const double coupling = values["--coupling"];
   const double mu = values["--friction"] / std::abs(coupling);

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include "results/scenes.h"
 
+#include <orthocone/base/numbers.h>
 #include <orthocone/results/stick_area.h>
 
 #include <numeric>
@@ -10,7 +11,6 @@ namespace orthocone::test
 {
 namespace
 {
-constexpr double pi = 3.14159265358979323846;
 constexpr double intensity = 300; // K: MPa/sqrt(mm)
 
 double edge_compliance(const MaterialOptions &material)
@@ -93,12 +93,13 @@ TEST(StickArea, OfCirclesAndEllipsesIsOfSecondOrder)
       {{4, 4}}, {{3.1, 3.1}}, {{7.5, 3}}, {{8, 5.2}}, {{6.3, 7.7}}};
   for (unsigned int degree = 1; degree <= 3; ++degree)
   {
+    const ContactSurface coarse_surface = surface_of(8, degree), fine_surface = surface_of(32, degree);
     double coarse = 0, fine = 0; // largest errors, so that none is right by chance
     for (const auto &[a, b] : ellipses)
     {
       const double exact = pi * a * b;
-      coarse = std::max(coarse, std::abs(area_of_ellipse(surface_of(8, degree), a, b) / exact - 1));
-      fine = std::max(fine, std::abs(area_of_ellipse(surface_of(32, degree), a, b) / exact - 1));
+      coarse = std::max(coarse, std::abs(area_of_ellipse(coarse_surface, a, b) / exact - 1));
+      fine = std::max(fine, std::abs(area_of_ellipse(fine_surface, a, b) / exact - 1));
     }
     EXPECT_LT(coarse, 0.05 / (degree * degree));
     EXPECT_LT(fine, coarse / 9) << "degree " << degree << ": " << coarse << " and " << fine;
