@@ -21,7 +21,7 @@ constexpr double gigabyte = 1e9;
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
 /// Address space beyond the libraries' that every run needs: buffers of OpenBLAS and stacks of threads.
-constexpr double least_address_space = 0.25e9;
+constexpr double least_address_space = 0.4e9;
 
 /// What estimates count for the program, which is mapped already.
 constexpr double program = 0.15e9;

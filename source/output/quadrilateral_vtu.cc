@@ -6,6 +6,7 @@
 
 #include <zlib.h>
 
+#include <new>
 #include <stdexcept>
 
 namespace orthocone
@@ -23,8 +24,11 @@ std::string encoded(const void *const data, const std::size_t n_bytes)
 {
   uLongf n_compressed = compressBound(n_bytes);
   Bytes compressed(n_compressed);
-  if (compress2(compressed.data(), &n_compressed, static_cast<const Bytef *>(data), n_bytes, Z_BEST_SPEED) !=
-      Z_OK)
+  const int outcome =
+      compress2(compressed.data(), &n_compressed, static_cast<const Bytef *>(data), n_bytes, Z_BEST_SPEED);
+  if (outcome == Z_MEM_ERROR)
+    throw std::bad_alloc();
+  if (outcome != Z_OK)
     throw std::runtime_error("zlib cannot compress a field of " + std::to_string(n_bytes) + " bytes");
   compressed.resize(n_compressed);
   const auto size = static_cast<std::uint32_t>(n_bytes);

@@ -17,6 +17,8 @@ from program import PROGRAM, ROOT, RunTest, SMALL, main  # noqa: E402
 
 DONE, WRONG_INPUT, UNSOLVED, INTERRUPTED = 0, 2, 3, 130
 LARGE = ["Mesh/Core cells=64", "Mesh/Layers=48", "Mesh/Degree=2", "Mesh/Model=full"]
+MIDDLING = ["Mesh/Core cells=16", "Mesh/Rings=8", "Mesh/Layers=4", "Mesh/Degree=2", "Mesh/Model=full",
+            "Load program/Cycles=1"]
 
 
 class MemoryTest(RunTest):
@@ -65,13 +67,11 @@ class MemoryTest(RunTest):
             self.assertRegex(result.stdout, re.compile(line, re.MULTILINE))
 
     def test_a_limit_that_the_model_exceeds(self):
-        """700 MB beside the libraries are enough for a small model, and not for one of 300 MB of compliance."""
-        settings = ["Mesh/Core cells=24", "Mesh/Rings=12", "Mesh/Layers=4", "Mesh/Degree=2", "Mesh/Model=full",
-                    "Load program/Cycles=1"]
-        result = self.limited(1500000, settings=settings)
+        """700 MB beside the libraries are enough for a small model, and not for one of 700 MB of compliance."""
+        result = self.limited(1500000, settings=MIDDLING)
         self.assertEqual(result.returncode, WRONG_INPUT, result.stderr)
         self.assertRegex(result.stderr, r"memory: the model needs about \S+ GB, and 'ulimit -v' leaves \S+ GB")
-        result = self.limited(1500000, "--insist", settings=settings)
+        result = self.limited(1500000, "--insist", settings=MIDDLING)
         self.assertEqual(result.returncode, UNSOLVED, result.stderr)
         self.assertRegex(result.stderr, r"^orthocone: memory runs out")
         summary = json.loads((self.folder / "run/summary.json").read_text())
@@ -79,12 +79,10 @@ class MemoryTest(RunTest):
         self.assertEqual(summary["steps"]["solved"], 0)
 
     def test_a_resumed_run_that_memory_ends_says_so(self):
-        settings = ["Mesh/Core cells=24", "Mesh/Rings=12", "Mesh/Layers=4", "Mesh/Degree=2", "Mesh/Model=full",
-                    "Load program/Cycles=1"]
-        self.run_program("run", settings=[*settings, "Contact solver/Method=box3", "Contact solver/Maximum iterations=1"])
+        self.run_program("run", settings=[*MIDDLING, "Contact solver/Method=box3", "Contact solver/Maximum iterations=1"])
         first = json.loads((self.folder / "run/summary.json").read_text())
         self.assertRegex(first["status"], "^load step 1 of 15 ")
-        result = self.limited(1500000, "--insist", "--resume", settings=settings)
+        result = self.limited(1500000, "--insist", "--resume", settings=MIDDLING)
         self.assertEqual(result.returncode, UNSOLVED, result.stderr)
         second = json.loads((self.folder / "run/summary.json").read_text())
         self.assertRegex(second["status"], "^memory runs out")
