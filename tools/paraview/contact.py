@@ -189,9 +189,8 @@ def draw_slip(run, view, surface, radius):
                            Isosurfaces=[upper * k / 10 for k in range(1, 10)])
     show_plain(lines, view, WHITE, [0, 0, 0.01 * radius], LineWidth=2)
     # Arrows stand on a grid of their own, symmetric whatever the mesh; at its places off the disc the slip is zero.
-    side = 0.93 * radius
-    places = simple.Plane(Origin=[-side, -side, 0], Point1=[side, -side, 0], Point2=[-side, side, 0], XResolution=14,
-                          YResolution=14)
+    s = 0.93 * radius
+    places = simple.Plane(Origin=[-s, -s, 0], Point1=[s, -s, 0], Point2=[-s, s, 0], XResolution=14, YResolution=14)
     slip = simple.ResampleWithDataset(SourceDataArrays=surface, DestinationMesh=places)
     arrows = simple.Glyph(Input=slip, GlyphType="Arrow", GlyphMode="All Points", OrientationArray=["POINTS", "slip"],
                           ScaleArray=["POINTS", "slip"], ScaleFactor=0.16 * radius / upper)
@@ -232,11 +231,10 @@ def magnification(moved, height):
 
 
 def body_view(run, reader):
-    """Displacements enlarged, of the whole cylinder whatever part of it is modelled; of an axisymmetric one the section
+    """Displacements enlarged, of the whole body whatever part of it is modelled; of an axisymmetric one the section
     through its axis."""
     if not run.volume:
-        text = "Deformed body: no volume.pvd (Output/Volume fields = 0)"
-        print(text)
+        print(text := "Deformed body: no volume.pvd (Output/Volume fields = 0)")
         return new_view(reader, run.titles(text), [0, 0, 0], 1)
     grid = Grid(run.volume[run.peak(run.volume, "elastic_energy")])
     upper = scale("body", "MPa", grid.bound("von_mises_stress", STRESS_WITHIN), grid["von_mises_stress"].max())
@@ -245,17 +243,20 @@ def body_view(run, reader):
     titles = run.titles(f"Von Mises stress, displacement x {factor:g}", files=run.volume)
     view = new_view(reader, titles, [0.3 * radius, 0.15 * radius, 0.45 * height], 1.15 * height + 1.3 * radius,
                     [0.45, -0.8, 0.35], [0, 0, 1])
-    surface = surface_of(simple.PVDReader(FileName=str(run.folder / "volume.pvd")), grid)
-    body = simple.WarpByVector(Input=surface, Vectors=["POINTS", "displacement"], ScaleFactor=factor)
+    surface = simple.PVDReader(FileName=str(run.folder / "volume.pvd"))
+    body = simple.WarpByVector(Input=surface_of(surface, grid), Vectors=["POINTS", "displacement"], ScaleFactor=factor)
     for axis, name in enumerate("XY"):
         if axis != grid.flat_axis and grid.points[:, axis].min() > -NOTHING:  # what is beyond the symmetry plane is not modelled
             body = simple.Reflect(Input=body, Plane=name, Center=0, FlipAllInputArrays=1)
-    show_field(body, view, "von_mises_stress", "MPa", "Plasma (matplotlib)", upper, Ambient=0.55, Diffuse=0.5,
-               InterpolateScalarsBeforeMapping=1)
+    show_field(body, view, "von_mises_stress", "MPa", "Plasma (matplotlib)", upper, **{**UNLIT, "Ambient": 0.55, "Diffuse": 0.5})
     plane = simple.Disk(InnerRadius=0, OuterRadius=1.15 * radius, CircumferentialResolution=128)
     show_plain(plane, view, PLANE, [0, 0, -0.005 * height])
-    undeformed = simple.FeatureEdges(Input=simple.Cylinder(Resolution=128, Radius=radius, Height=height))
-    show_plain(undeformed, view, DARK, [0, 0, 0.5 * height], LineWidth=1.5, Orientation=[90, 0, 0])
+    half = np.abs(grid.points[:, :2]).max(axis=0)
+    is_box = radius > 1.001 * half.max()  # its corners lie farther out than what is on the axes
+    undeformed = (simple.Box(XLength=2 * half[0], YLength=2 * half[1], ZLength=height) if is_box
+                  else simple.Cylinder(Resolution=128, Radius=radius, Height=height))
+    show_plain(simple.FeatureEdges(Input=undeformed), view, DARK, [0, 0, 0.5 * height], LineWidth=1.5,
+               Orientation=[0 if is_box else 90, 0, 0])
     return view
 
 
@@ -291,8 +292,7 @@ def guarded(script, action, *arguments):
         action(*arguments)
         return 0
     except (RunError, OSError) as error:
-        text = error if isinstance(error, RunError) else f"{error.filename}: {error.strerror}"
-        print(f"{script}: {text}", file=sys.stderr)
+        print(f"{script}:", error if isinstance(error, RunError) else f"{error.filename}: {error.strerror}", file=sys.stderr)
         return getattr(error, "code", 4)
 
 
