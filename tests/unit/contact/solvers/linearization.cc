@@ -2,8 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 //
 // The parts of the Newton solver, which are no public headers.
-#include "contact/contact_problems.h"
 #include "contact/solvers/linearization.h"
+#include "contact/contact_problems.h"
 #include "surface/inner_compliance.h"
 #include "surface/krylov.h"
 
