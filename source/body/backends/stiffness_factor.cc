@@ -17,7 +17,8 @@
 
 namespace orthocone
 {
-/// CHOLMOD's objects and their owners.
+/// CHOLMOD's objects and their owners. Not anonymous: they are members of StiffnessFactor::Cholmod, which
+/// other files of a group see.
 namespace cholmod
 {
 TooLargeError too_large()

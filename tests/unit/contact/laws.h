@@ -6,6 +6,7 @@
 
 #include <orthocone/contact/law/friction_law.h>
 
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -15,6 +16,9 @@ namespace orthocone::test
 const OrthotropicFriction case_a{0.2, 0.2, 0.2, 0.2};
 const OrthotropicFriction case_b{0.3, 0.15, 0.3, 0.15};
 const OrthotropicFriction case_c{0.3, 0.15, 0.05, 0.2};
+
+/// They, and strong friction whose slip rule is isotropic.
+const std::array<OrthotropicFriction, 4> case_laws{{case_a, case_b, case_c, {1, 0.4, 1, 1}}};
 
 /// Friction ellipses from extremely flat to extremely long, circular ones among them.
 inline std::vector<OrthotropicFriction> wide_laws()

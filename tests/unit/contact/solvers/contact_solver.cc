@@ -2,10 +2,13 @@
 // Copyright (C) 2026 the orthocone authors
 #include "contact/contact_problems.h"
 
+#include <orthocone/contact/solvers/contact_method.h>
+
 #include <gtest/gtest.h>
 
 #include <array>
 #include <limits>
+#include <set>
 #include <stdexcept>
 
 namespace orthocone::test
@@ -15,8 +18,6 @@ using Eigen::Vector3d;
 
 namespace
 {
-const std::array<OrthotropicFriction, 4> laws{{case_a, case_b, case_c, {1, 0.4, 1, 1}}};
-
 NodeVector solve(const ContactStep &problem, const ContactSolverOptions &options)
 {
   NodeVector force = NodeVector::Zero(3 * problem.n_nodes());
@@ -64,7 +65,7 @@ INSTANTIATE_TEST_SUITE_P(Methods, EverySolver, testing::Values("newton", "gauss-
 
 TEST_P(EverySolver, ObeysTheLaw)
 {
-  for (const OrthotropicFriction &law : laws)
+  for (const OrthotropicFriction &law : case_laws)
     for (const double push : {0.05, 1., 20.})
     {
       const GridProblem grid(law, 5, push);
@@ -74,7 +75,7 @@ TEST_P(EverySolver, ObeysTheLaw)
 
 TEST_P(EverySolver, GivesTheForcesOfTheSweeps)
 {
-  for (const OrthotropicFriction &law : laws)
+  for (const OrthotropicFriction &law : case_laws)
   {
     const GridProblem grid(law);
     const NodeVector expected = solve(grid.problem, solver_options("gauss-seidel", 1e-13));
@@ -229,5 +230,34 @@ TEST(Uzawa, RunsOnProductsAlone)
   const NodeVector expected = solve(grid.problem, solver_options("uzawa"));
   EXPECT_LE((solve(problem, solver_options("uzawa")) - expected).norm(), 1e-12);
   EXPECT_THROW(make_contact_solver(system, solver_options("newton")), std::invalid_argument);
+}
+
+TEST(ContactMethods, HaveWordsOfTheirOwnAndSayWhatTheyDo)
+{
+  std::set<std::string_view> words, helps;
+  for (const ContactMethod &method : contact_methods())
+  {
+    words.insert(method.word);
+    helps.insert(method.help);
+    EXPECT_EQ(find_contact_method(method.word), &method);
+    EXPECT_FALSE(method.help.empty());
+  }
+  EXPECT_EQ(words.size(), contact_methods().size());
+  EXPECT_EQ(helps.size(), contact_methods().size());
+}
+
+TEST(ContactMethods, BeginWithTheOneToWorkWith)
+{
+  EXPECT_EQ(contact_methods().front().word, ContactSolverOptions().method);
+  EXPECT_FALSE(contact_methods().front().is_for_study);
+}
+
+TEST(ContactMethods, AreNotFoundByOtherWords)
+{
+  EXPECT_EQ(find_contact_method(""), nullptr);
+  EXPECT_EQ(find_contact_method("Newton"), nullptr);
+  EXPECT_THROW(make_contact_solver(GridProblem(OrthotropicFriction{0.3, 0.15, 0.3, 0.15}).system,
+                                   solver_options("simplex")),
+               std::invalid_argument);
 }
 } // namespace orthocone::test

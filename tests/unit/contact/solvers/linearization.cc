@@ -19,8 +19,6 @@ using Eigen::VectorXf;
 
 namespace
 {
-const std::array<OrthotropicFriction, 4> laws{{case_a, case_b, case_c, {1, 0.4, 1, 1}}};
-
 VectorXf itself(const VectorXf &x)
 {
   return x;
@@ -79,7 +77,7 @@ TEST(InnerCompliance, StiffnessOfAFewNodesIsTheInverse)
 /// Along Newton's direction the natural map falls at the rate at which it would vanish after one step.
 TEST(Linearization, PointsToTheZeroOfTheLinearizedMap)
 {
-  for (const OrthotropicFriction &law : laws)
+  for (const OrthotropicFriction &law : case_laws)
   {
     const GridProblem grid(law);
     const ContactStep &problem = grid.problem;
