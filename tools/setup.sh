@@ -38,9 +38,9 @@ install_packages() {
     as_root=sudo
   fi
   say "installing $missing"
-  $as_root apt-get update -q >&2
+  $as_root apt-get update -q -o DPkg::Lock::Timeout=600 >&2
   # shellcheck disable=SC2086
-  $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y --no-install-recommends $missing >&2
+  $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y -o DPkg::Lock::Timeout=600 --no-install-recommends $missing >&2
 }
 
 preset=$1
