@@ -70,9 +70,21 @@ double drawn_nodes(const ContactSurface &surface, const ModelSymmetry &symmetry)
 }
 } // namespace
 
+/// The cells that refinements make, as if they were given.
+static MeshOptions refined(MeshOptions mesh)
+{
+  const unsigned int halves = 1U << mesh.refinements;
+  mesh.rings = halves * mesh.n_rings();
+  mesh.core_cells *= halves;
+  mesh.layers *= halves;
+  for (unsigned int &n : mesh.cells)
+    n *= halves;
+  return mesh;
+}
+
 ModelSize model_size(const Parameters &parameters, const ModelSymmetry &symmetry)
 {
-  return make_shape(parameters.geometry, parameters.mesh)->size(symmetry);
+  return make_shape(parameters.geometry, refined(parameters.mesh))->size(symmetry);
 }
 
 void require_countable(const ModelSize &size)
@@ -125,6 +137,21 @@ Estimate estimate(const Parameters &parameters, const Body &body, const ModelSym
   return result;
 }
 
+Estimate multigrid_estimate(const Parameters &parameters, const ModelSize &size)
+{
+  // docs/performance.md, "Multigrid".
+  constexpr double program = 0.17, bytes_per_unknown = 1100;
+  constexpr double set_up = 1.5e-5, v_cycle = 1e-6; // s per unknown
+  constexpr double cycles_per_step = 30;
+  Estimate result{};
+  result.gigabytes = program + (bytes_per_unknown * size.dofs) / gigabyte +
+                     step_memory(parameters.load, 3 * size.contact_nodes) / gigabyte;
+  result.set_up_seconds = 0.3 + set_up * size.dofs;
+  result.step_seconds = cycles_per_step * v_cycle * size.dofs +
+                        1.5e-6 * size.dofs * fields_written_per_step(parameters.output.volume_interval);
+  return result;
+}
+
 Estimate least_estimate(const ModelSize &size)
 {
   const double n_contact = 3 * size.contact_nodes;
@@ -143,6 +170,8 @@ static std::optional<double> needed_gigabytes(const Parameters &parameters, cons
 {
   constexpr double most_per_unknown = 1e-4, program = 0.2; // far more than any model needs
   const ModelSize size = model_size(parameters, symmetry);
+  if (parameters.mesh.backend == BodyBackend::multigrid)
+    return multigrid_estimate(parameters, size).gigabytes;
   const double steps = step_memory(parameters.load, 3 * size.contact_nodes) / gigabyte;
   if (const double least = least_estimate(size).gigabytes; least > gigabytes)
     return least;

@@ -55,12 +55,14 @@ void print_large_model(const Parameters &parameters, const ModelChoice &model, c
 {
   const auto n_steps = static_cast<unsigned int>(load_steps(parameters.load).size());
   const MemoryLimit limit = memory_limit();
-  const Estimate least = least_estimate(size);
+  const bool is_condensed = parameters.mesh.backend != BodyBackend::multigrid;
+  const Estimate cost = is_condensed ? least_estimate(size) : multigrid_estimate(parameters, size);
   std::cout << describe_model(model) << describe(size) << "\n"
             << describe_friction(parameters) << describe_obstacle(parameters.obstacle) << "load steps     "
             << n_steps << "\n"
-            << describe(least, n_steps, limit, true) << "\n";
-  print_warnings(parameters, why_too_large(size, lack_of_memory(least.gigabytes, limit)));
+            << describe(cost, n_steps, limit, is_condensed) << "\n";
+  const std::string lack = lack_of_memory(cost.gigabytes, limit);
+  print_warnings(parameters, is_condensed ? why_too_large(size, lack) : lack);
 }
 
 void print_model(const Parameters &parameters, const ModelChoice &model)
@@ -71,7 +73,9 @@ void print_model(const Parameters &parameters, const ModelChoice &model)
   std::cout << describe_model(parameters, model, body.unknowns(), n_steps) << "\n";
   try
   {
-    const Estimate cost = estimate(parameters, body, model.symmetry);
+    const Estimate cost = parameters.mesh.backend == BodyBackend::multigrid
+                              ? multigrid_estimate(parameters, model_size(parameters, model.symmetry))
+                              : estimate(parameters, body, model.symmetry);
     std::cout << describe(cost, n_steps, limit, false) << "\n";
     print_warnings(parameters, lack_of_memory(cost.gigabytes, limit));
   }

@@ -60,28 +60,6 @@ double slip_since_stick(const ContactState &state, const Index node)
   return (state.displacement.segment<2>(3 * node + 1) - state.slip_at_stick.segment<2>(2 * node)).norm();
 }
 
-// A mirrored node's w_nn is that of all its images, so it would not do here.
-VectorXd opening_compliance(const ContactSurface &surface, const ModelSymmetry &symmetry,
-                            const MaterialOptions &material)
-{
-  constexpr double square = 0.7;
-  const double nu = material.poisson_ratio;
-  const VectorXd shares = symmetry.force_shares(surface);
-  VectorXd compliance(shares.size());
-  for (Index i = 0; i < shares.size(); ++i)
-  {
-    const ContactNode &node = surface.nodes[static_cast<std::size_t>(i)];
-    const double radius = node.position[0];
-    const bool is_ring = symmetry.is_axisymmetric() && radius > 0;
-    const double width = is_ring ? node.area / (2 * pi * radius) : 0;
-    const double side = is_ring ? width : std::sqrt(node.area / shares[i]);
-    // Of a force that a ring carries, its square of side h has h^2 / area.
-    const double share = is_ring ? node.area / (width * width) : shares[i];
-    compliance[i] = (1 - nu * nu) / (square * material.young_modulus * side) / share;
-  }
-  return compliance;
-}
-
 void advance(ContactState &state, const ContactStep &step, const VectorXd &opening, const VectorXd &unknowns,
              const RigidMotion &motion)
 {

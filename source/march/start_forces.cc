@@ -54,7 +54,7 @@ VectorXd StartForces::best(const ContactStep &problem, const std::vector<unsigne
   for (std::size_t i = 0; i < candidates.size() && least > tolerance; ++i)
   {
     VectorXd unknowns = unknowns_of(candidates[i], problem, components);
-    if (const double residual = problem.residual(unknowns); residual < least || best.size() == 0)
+    if (const double residual = problem.near_residual(unknowns); residual < least || best.size() == 0)
     {
       least = residual;
       best = std::move(unknowns);

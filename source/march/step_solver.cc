@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/march/step_solver.h>
 
+#include <orthocone/body/node_compliance.h>
+
 #include <algorithm>
 
 namespace orthocone
@@ -37,7 +39,7 @@ StepSolver::StepSolver(const Scene &scene)
 
 StepSolver::StepSolver(const Scene &scene, const ContactSolverOptions &options)
     : scene_(scene),
-      opening_(opening_compliance(scene.surface(), scene.symmetry(), scene.parameters().material)),
+      opening_(node_compliance(scene.surface(), scene.symmetry(), scene.parameters().material)),
       tolerance_(options.tolerance),
       solver_(make_contact_solver(scene.system(), options))
 {
@@ -97,6 +99,13 @@ double StepSolver::carried_share(const ContactState &before, const LoadStep &ste
 void StepSolver::accept(const ContactState &before, const ContactState &after, const LoadStep &step)
 {
   starts_.remember(before, after, step);
+  starts_.keep_bodies(scene_.system().compliance().settle(after.force));
+}
+
+void StepSolver::restore(const StartMemory &memory)
+{
+  starts_.restore(memory);
+  scene_.system().compliance().restore(memory.bodies);
 }
 
 VectorXd StepSolver::present_unknowns(const ContactState &state, const Attempt &attempt) const

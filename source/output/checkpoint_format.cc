@@ -84,11 +84,29 @@ std::map<unsigned int, NodeVector> phases_from(const Json &json, const Index n)
   return forces;
 }
 
+Json bodies_json(const std::vector<Eigen::VectorXd> &bodies)
+{
+  Json json = Json::array();
+  for (const Eigen::VectorXd &body : bodies)
+    json.push_back(array_json(body));
+  return json;
+}
+
+/// All of one size.
+std::vector<Eigen::VectorXd> bodies_from(const Json &json)
+{
+  std::vector<Eigen::VectorXd> bodies;
+  for (const Json &body : json)
+    bodies.push_back(array_from(body, static_cast<Index>(json.at(0).get_binary().size() / sizeof(double))));
+  return bodies;
+}
+
 Json starts_json(const StartMemory &starts)
 {
   return {{"change", array_json(starts.change)},
           {"of_phase", phases_json(starts.of_phase)},
-          {"drift", phases_json(starts.drift)}};
+          {"drift", phases_json(starts.drift)},
+          {"bodies", bodies_json(starts.bodies)}};
 }
 
 StartMemory starts_from(const Json &json, const ContactState &state)
@@ -97,7 +115,7 @@ StartMemory starts_from(const Json &json, const ContactState &state)
   // Before the first step there is no change, unless a search for a mesh has marched through it.
   const bool has_change = state.step > 0 || !json.at("change").get_binary().empty();
   return {array_from(json.at("change"), has_change ? n : 0), phases_from(json.at("of_phase"), n),
-          phases_from(json.at("drift"), n)};
+          phases_from(json.at("drift"), n), bodies_from(json.at("bodies"))};
 }
 
 Json row_json(const CycleRow &row)

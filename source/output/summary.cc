@@ -50,7 +50,9 @@ std::string describe(const CriticalFrictionRecord &critical)
 {
   std::ostringstream text;
   text << std::setprecision(3) << "critical friction ";
-  if (!std::isfinite(critical.factor))
+  if (std::isnan(critical.factor))
+    text << "not known: multigrid has no compliance of single nodes";
+  else if (!std::isfinite(critical.factor))
     text << "none: there is no friction, or normal and tangential directions are not coupled";
   else
     text << critical.factor << " times the given one, at (" << critical.position[0] << ", "
@@ -60,7 +62,7 @@ std::string describe(const CriticalFrictionRecord &critical)
 
 std::vector<std::string> model_warnings(const RunRecord &record)
 {
-  if (record.critical_friction.factor > 1)
+  if (!(record.critical_friction.factor <= 1))
     return {};
   return {
       describe(record.critical_friction) +
@@ -173,6 +175,7 @@ std::string describe_model(const Parameters &parameters, const ModelChoice &mode
        << unknowns.contact_surface().nodes.size() << (model.symmetry.is_axisymmetric() ? " (rings)" : "")
        << "\n"
        << describe_friction(parameters) << "load steps     " << n_steps << "\n"
+       << (parameters.mesh.backend == BodyBackend::multigrid ? "elastic body   multigrid\n" : "")
        << "contact solver " << solver.method << ", tolerance " << to_text(solver.tolerance);
   return text.str();
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 #include "shape_checks.h"
+#include "solver_entries.h"
 
 #include <orthocone/base/errors.h>
 #include <orthocone/base/text.h>
@@ -55,6 +56,23 @@ void check_mesh_choice(const MeshOptions &mesh)
                      (is_custom ? "Accuracy = 0" : "Resolution = custom"));
 }
 
+/// What a body without a dense compliance can do.
+void check_backend(const Parameters &parameters)
+{
+  if (parameters.mesh.backend != BodyBackend::multigrid)
+    return;
+  const std::string method = parameters.contact_solver.method;
+  if (entries::is_method_for_dense(method))
+    throw InputError(
+        "Contact solver/Method = " + method +
+        " needs a dense compliance, and Mesh/Backend = multigrid has none: allowed is newton, or "
+        "Backend = condensed");
+  if (parameters.mesh.volumetric_quadrature == VolumetricQuadrature::reduced)
+    throw InputError("Mesh/Volumetric quadrature = reduced with Mesh/Backend = multigrid: its products see "
+                     "all of the strain "
+                     "at the same points; allowed is full, or Backend = condensed");
+}
+
 void check_load(const LoadOptions &load)
 {
   constexpr double most_steps = 1e6;
@@ -102,6 +120,7 @@ void check_parameters(const Parameters &parameters)
   check_mesh_choice_of_shape(parameters);
   check_mesh_choice(parameters.mesh);
   check_mesh(parameters.mesh);
+  check_backend(parameters);
   check_load(parameters.load);
   check_compression(parameters.load, parameters.geometry);
   check_shape(parameters);

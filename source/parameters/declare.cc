@@ -63,6 +63,17 @@ void declare_mesh(MeshOptions &mesh, EntryTable &table)
              "Each layer is this many times as thick as its neighbour towards mid-height; 1 = uniform.");
 }
 
+void declare_backend(MeshOptions &mesh, EntryTable &table)
+{
+  add_count(table, "Refinements", mesh.refinements, 0, 7,
+            "How often all these cells are halved in every direction.");
+  add_choice(
+      table, "Backend", mesh.backend,
+      "How the elastic body is solved: factorized and condensed to its contact nodes (condensed), or by "
+      "multigrid over the Refinements, without any matrix of the whole (multigrid: solids of degree 1 to 3 "
+      "with Contact solver/Method = newton). auto = condensed.");
+}
+
 void declare_material(MaterialOptions &material, EntryTable &table)
 {
   add_number(table, "Young modulus", material.young_modulus, positive, "Young's modulus in MPa.");
@@ -182,6 +193,7 @@ void declare_parameters(Parameters &parameters, EntryTable &table)
   };
   section("Geometry", declare_geometry, parameters.geometry);
   section("Mesh", declare_mesh, parameters.mesh);
+  section("Mesh", declare_backend, parameters.mesh);
   section("Material", declare_material, parameters.material);
   section("Friction", declare_friction, parameters.friction);
   section("Obstacle", declare_obstacle, parameters.obstacle);

@@ -95,7 +95,7 @@ void warn_of_coarse_rim(const GeometryOptions &geometry, const MeshOptions &mesh
 {
   constexpr double most = 0.1; // divided by degree^2: that decides how well the singular slip is resolved
   constexpr double percent = 100;
-  const double size = rim_size(geometry, mesh);
+  const double size = std::ldexp(rim_size(geometry, mesh), -static_cast<int>(mesh.refinements));
   if (mesh.accuracy != 0 || size <= most * mesh.degree * mesh.degree)
     return; // with an accuracy the mesh is yet to be chosen
   warnings.push_back("Mesh: elements of degree " + std::to_string(mesh.degree) + " and " +

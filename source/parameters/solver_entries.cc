@@ -45,6 +45,11 @@ std::string contact_method_words(const std::string &separator, const ContactMeth
   return list;
 }
 
+bool is_method_for_dense(const std::string &method)
+{
+  return find_contact_method(method)->needs_dense;
+}
+
 void add_contact_method(EntryTable &table, const std::string &name, std::string &method)
 {
   table.add(name, method,

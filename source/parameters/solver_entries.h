@@ -19,6 +19,9 @@ using ContactMethodTest = std::function<bool(const ContactMethod &)>;
 std::string contact_method_words(const std::string &separator, const ContactMethodTest &is_chosen = {});
 
 /// A contact solver by its word.
+/// Whether a contact solver works with a dense compliance only.
+bool is_method_for_dense(const std::string &method);
+
 void add_contact_method(EntryTable &table, const std::string &name, std::string &method);
 
 /// A factor > 0 of the rho of those solvers that have one.

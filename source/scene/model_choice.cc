@@ -53,6 +53,14 @@ void check_degree(const Parameters &parameters, const Asymmetry &asymmetry, cons
                      (asymmetry.can_be_revolved() ? ", or Mesh/Model = axisymmetric" : ""));
 }
 
+/// Sections are small: a factorization serves them better.
+void check_backend(const Parameters &parameters, const ModelSymmetry &symmetry)
+{
+  if (parameters.mesh.backend == BodyBackend::multigrid && symmetry.is_axisymmetric())
+    throw InputError("Mesh/Backend = multigrid with the axisymmetric model: allowed is auto or condensed, or "
+                     "Mesh/Model = quarter");
+}
+
 ModelChoice smallest_choice(const Parameters &parameters, const Asymmetry &asymmetry)
 {
   const bool varies = varies_over_surface(parameters);
@@ -101,6 +109,7 @@ ModelChoice choose_model(const Parameters &parameters)
           : ModelChoice{requested_symmetry(parameters, asymmetry), "as Mesh/Model says"};
   check_guided_top(parameters, asymmetry, choice.symmetry);
   check_degree(parameters, asymmetry, choice.symmetry);
+  check_backend(parameters, choice.symmetry);
   return choice;
 }
 } // namespace orthocone

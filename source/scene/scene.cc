@@ -3,6 +3,7 @@
 #include <orthocone/scene/scene.h>
 
 #include <orthocone/body/backends/factorized_body.h>
+#include <orthocone/body/backends/multigrid_body.h>
 #include <orthocone/scene/change_length.h>
 
 namespace orthocone
@@ -15,6 +16,16 @@ void check_fields(const Obstacle &obstacle, const FrictionField &friction, const
   const std::vector<Eigen::Vector2d> places = places_of(surface);
   obstacle.check(places);
   friction.check(places);
+}
+
+std::unique_ptr<const ElasticBody> make_body(const Parameters &parameters, const ModelSymmetry &symmetry,
+                                             const std::function<LocalAxes(const ContactSurface &)> &axes_of,
+                                             const std::function<void(const Body &)> &on_meshed,
+                                             PhaseSeconds &seconds)
+{
+  if (parameters.mesh.backend == BodyBackend::multigrid)
+    return std::make_unique<MultigridBody>(parameters, symmetry, axes_of, on_meshed, seconds);
+  return std::make_unique<FactorizedBody>(parameters, symmetry, axes_of, on_meshed, seconds);
 }
 } // namespace
 
@@ -29,7 +40,7 @@ Scene::Scene(const Parameters &parameters, const ModelChoice &choice, const Obst
     : parameters_(parameters),
       choice_(choice),
       friction_(parameters.friction),
-      body_(std::make_unique<FactorizedBody>(
+      body_(make_body(
           parameters, choice.symmetry,
           [&](const ContactSurface &on) { return friction_.axes(on, choice.symmetry); },
           [&](const Body &meshed)

@@ -14,23 +14,48 @@ std::unique_ptr<ConditionSolver> Compliance::condition_solver(double) const
   return nullptr;
 }
 
+ContactChange Compliance::near(const NodeVector &force) const
+{
+  ContactChange answer;
+  answer.force = force;
+  vmult(answer.displacement, force);
+  return answer;
+}
+
+void Compliance::learn(const NodeVector &, const BodyPart &) const {}
+
+std::vector<Eigen::VectorXd> Compliance::settle(const NodeVector &) const
+{
+  return {};
+}
+
+void Compliance::restore(const std::vector<Eigen::VectorXd> &) const {}
+
 double Compliance::softness() const
 {
+  return largest_eigenvalue(n_nodes(), 1e-5,
+                            [this](const NodeVector &force)
+                            {
+                              NodeVector displacement;
+                              vmult(displacement, force);
+                              return displacement;
+                            });
+}
+
+double largest_eigenvalue(const Eigen::Index n_nodes, const double settled,
+                          const std::function<NodeVector(const NodeVector &)> &product)
+{
   constexpr unsigned int least_iterations = 15, most_iterations = 200;
-  constexpr double settled = 1e-5; // from one iteration to the next
   // A push on the whole surface is close to the softest mode; the tilt keeps other modes in reach.
-  NodeVector vector = NodeVector::LinSpaced(3 * n_nodes(), 1, 1.1);
-  NodeVector image;
+  NodeVector vector = NodeVector::LinSpaced(3 * n_nodes, 1, 1.1);
   double eigenvalue = 0;
   for (unsigned int iteration = 0; iteration < most_iterations; ++iteration)
   {
-    vector.normalize();
-    vmult(image, vector);
+    vector = product(vector.normalized());
     const double last = eigenvalue;
-    eigenvalue = image.norm();
+    eigenvalue = vector.norm();
     if (iteration >= least_iterations && std::abs(eigenvalue - last) <= settled * eigenvalue)
       break;
-    vector.swap(image);
   }
   return eigenvalue;
 }

@@ -43,7 +43,7 @@ Scene::Scene(const unsigned int core_cells)
       condensed(discretization, factor, LocalAxes(parameters.friction.angle)),
       system(condensed.compliance(), std::vector<OrthotropicFriction>(condensed.compliance().n_nodes(),
                                                                       friction(parameters.friction))),
-      problem(system, condensed.moved_with(moved_by(0, 0, peak))),
+      problem(system, condensed.frame().moved_with(moved_by(0, 0, peak))),
       force(NodeVector::Zero(3 * problem.n_nodes()))
 {
   press_and_release();
@@ -55,7 +55,8 @@ void Scene::press_and_release()
   if (!make_contact_solver(system, parameters.contact_solver)->solve(problem, force).converged)
     throw std::runtime_error("the scene of the benchmark could not be loaded");
   const NodeVector at_peak = problem.displacement(force);
-  problem = ContactStep(system, step_displacement(condensed.moved_with(moved_by(0, 0, released)), at_peak));
+  problem =
+      ContactStep(system, step_displacement(condensed.frame().moved_with(moved_by(0, 0, released)), at_peak));
 }
 
 const Scene &scene(const unsigned int core_cells)

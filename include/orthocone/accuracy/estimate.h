@@ -28,6 +28,9 @@ struct Estimate
 /// From a symbolic factorization and the speed of a small matrix product on this machine.
 Estimate estimate(const Parameters &parameters, const Body &body, const ModelSymmetry &symmetry);
 
+/// The same for Mesh/Backend = multigrid, from the size alone.
+Estimate multigrid_estimate(const Parameters &parameters, const ModelSize &size);
+
 /// Estimate for a model of which nothing but its size is known: what its stiffness and its dense compliance
 /// alone take.
 Estimate least_estimate(const ModelSize &size);

@@ -23,6 +23,9 @@ public:
   void make_pattern(dealii::SparsityPattern &pattern) const;
   Stiffness stiffness(const MaterialOptions &material) const;
 
+  /// The displacement space of a solid. Throws std::bad_variant_access for a section.
+  const Discretization &solid() const { return std::get<Solid>(shape_).discretization; }
+
   /// What `use` makes of the displacement space, a Discretization or a SectionDiscretization.
   template<typename Use>
   auto visit(const Use &use) const

@@ -44,16 +44,9 @@ double slip_since_stick(const ContactState &state, Eigen::Index node);
 double dissipation(const Eigen::Vector2d &before, const Eigen::Vector2d &after,
                    const Eigen::Vector2d &change);
 
-/// Compliance (mm/N) of each node of the model by which a gap at the end of a step tells when the node has
-/// lifted off: (1 - nu^2) / (0.7 E h), that of a half-space under a square of side h, divided by the share of
-/// the force that the model's node carries. h^2 is the area of a node of the whole body, h the width of a
-/// ring: the same for every model.
-Eigen::VectorXd opening_compliance(const ContactSurface &surface, const ModelSymmetry &symmetry,
-                                   const MaterialOptions &material);
-
 /// Enters the solution of a step into the state: displacement, status, accumulated slip and dissipation,
 /// which is the work of the mean friction force, or of the final one where the slip reverses or the node
-/// lifts off. `opening`: opening_compliance().
+/// lifts off. `opening`: node_compliance() of all nodes.
 void advance(ContactState &state, const ContactStep &step, const Eigen::VectorXd &opening,
              const Eigen::VectorXd &unknowns, const RigidMotion &motion);
 } // namespace orthocone

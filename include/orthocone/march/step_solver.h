@@ -8,6 +8,8 @@
 #include <orthocone/scene/scene.h>
 
 #include <map>
+#include <utility>
+#include <vector>
 
 namespace orthocone
 {
@@ -18,6 +20,7 @@ struct StartMemory
   NodeVector change;                           ///< of the forces in the last step
   std::map<unsigned int, NodeVector> of_phase; ///< forces at each phase of the last cycle
   std::map<unsigned int, NodeVector> drift;    ///< their change from the cycle before that
+  std::vector<Eigen::VectorXd> bodies{};       ///< Compliance::settle()
 
   /// Most that both maps may hold. A cycle of so many steps that they would hold more starts its later phases
   /// from the step before.
@@ -40,6 +43,7 @@ public:
 
   const StartMemory &memory() const { return memory_; }
   void restore(const StartMemory &memory) { memory_ = memory; }
+  void keep_bodies(std::vector<Eigen::VectorXd> bodies) { memory_.bodies = std::move(bodies); }
 
 private:
   StartMemory memory_;
@@ -69,7 +73,7 @@ public:
 
   /// What a solver of the same problem needs to go on as this one would.
   const StartMemory &memory() const { return starts_.memory(); }
-  void restore(const StartMemory &memory) { starts_.restore(memory); }
+  void restore(const StartMemory &memory);
 
 private:
   /// What a step is solved from.
@@ -90,7 +94,7 @@ private:
   Eigen::VectorXd present_unknowns(const ContactState &state, const Attempt &attempt) const;
 
   const Scene &scene_;
-  Eigen::VectorXd opening_; ///< opening_compliance()
+  Eigen::VectorXd opening_; ///< node_compliance()
   double tolerance_;
   std::unique_ptr<ContactSolver> solver_;
   StartForces starts_;

@@ -59,6 +59,14 @@ enum class VolumetricQuadrature
   reduced,
 };
 
+/// How the elastic body is solved: factorized and condensed to its contact nodes, or by multigrid.
+enum class BodyBackend
+{
+  automatic,
+  condensed,
+  multigrid,
+};
+
 /// Section Geometry (mm).
 struct GeometryOptions
 {
@@ -88,7 +96,9 @@ struct MeshOptions
   MeshResolution resolution = MeshResolution::custom;
   double accuracy = 0; ///< wanted of the four quantities that users look at, percent; 0: the mesh is given
   std::array<unsigned int, 3> cells{{8, 8, 4}}; ///< of a box, along x, y, z
-  double edge_grading = 1; ///< of a box: thickness of a cell / that of its neighbour towards the middle
+  double edge_grading = 1;      ///< of a box: thickness of a cell / that of its neighbour towards the middle
+  unsigned int refinements = 0; ///< how often every cell is divided into eight, a section's into four
+  BodyBackend backend = BodyBackend::automatic;
 
   unsigned int n_rings() const { return rings == 0 ? core_cells : rings; }
   unsigned int n_quadrature_points() const { return quadrature_points == 0 ? degree + 1 : quadrature_points; }

@@ -63,6 +63,15 @@ struct Words<VolumetricQuadrature>
       {{VolumetricQuadrature::full, "full"}, {VolumetricQuadrature::reduced, "reduced"}}};
 };
 
+template<>
+struct Words<BodyBackend>
+{
+  static constexpr std::array<std::pair<BodyBackend, std::string_view>, 3> table{
+      {{BodyBackend::automatic, "auto"},
+       {BodyBackend::condensed, "condensed"},
+       {BodyBackend::multigrid, "multigrid"}}};
+};
+
 /// The word of an enumerator.
 template<typename Enum>
 std::string to_word(const Enum value)

@@ -6,7 +6,9 @@
 
 #include <Eigen/Dense>
 
+#include <functional>
 #include <memory>
+#include <vector>
 
 namespace orthocone
 {
@@ -24,6 +26,19 @@ public:
   /// displacement = W force; both of size 3 n_nodes().
   virtual void vmult(NodeVector &displacement, const NodeVector &force) const = 0;
 
+  /// What is known of W force without long work: all of it, or a displacement and what the body lacks then.
+  /// No motion of a face.
+  virtual ContactChange near(const NodeVector &force) const;
+
+  /// Takes note of a body under these forces that somebody has found: later answers may start from it.
+  virtual void learn(const NodeVector &force, const BodyPart &body) const;
+
+  /// To be called with the forces of a state that is accepted. Keeps of all that was learned what the last
+  /// accepted states tell, and returns it: a new compliance of the same body that is given it answers from
+  /// then on as this one, to the last bit. Nothing where answers do not depend on earlier ones.
+  virtual std::vector<Eigen::VectorXd> settle(const NodeVector &force) const;
+  virtual void restore(const std::vector<Eigen::VectorXd> &settled) const;
+
   /// The 3 x 3 block of W of one node.
   virtual Eigen::Matrix3d diagonal_block(Eigen::Index node) const = 0;
 
@@ -34,9 +49,14 @@ public:
   /// must not outlive the compliance.
   virtual std::unique_ptr<ConditionSolver> condition_solver(double softness) const;
 
-  /// Largest eigenvalue of W (mm/N), from below, by power iterations until they settle to about 0.1 %.
-  double softness() const;
+  /// Largest eigenvalue of W (mm/N), from below, to about 0.1 %.
+  virtual double softness() const;
 };
+
+/// Largest eigenvalue of a symmetric, positive definite matrix over the contact nodes that is known by its
+/// products, from below, by power iterations until one changes it by no more than the share `settled`.
+double largest_eigenvalue(Eigen::Index n_nodes, double settled,
+                          const std::function<NodeVector(const NodeVector &)> &product);
 
 /// Compliance stored as a dense matrix.
 class DenseCompliance : public Compliance

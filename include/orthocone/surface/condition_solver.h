@@ -32,13 +32,39 @@ struct ContactConditions
   std::vector<NodeCondition> nodes;
   Eigen::MatrixXd face;            ///< 3 n x m, orthonormal columns; no columns: the face does not move
   Eigen::VectorXd face_right_side; ///< m, N
+  Eigen::VectorXd rest{};          ///< BodyPart::rest of the present state
 };
 
-/// Changes of the forces and of the motion y of the face.
+/// What stands behind contact nodes where no dense compliance does: the displacement of all free degrees of
+/// freedom of the body (mm), and the forces (N) that it lacks of its equilibrium. Else both are empty.
+struct BodyPart
+{
+  Eigen::VectorXd displacement{};
+  Eigen::VectorXd rest{};
+
+  /// This and a share of a change.
+  BodyPart moved(const double share, const BodyPart &change) const
+  {
+    if (change.rest.size() == 0)
+      return *this;
+    BodyPart result{share * change.displacement, share * change.rest};
+    if (rest.size() > 0)
+    {
+      result.displacement += displacement;
+      result.rest += rest;
+    }
+    return result;
+  }
+};
+
+/// Changes of the forces, of the motion y of the face, of the displacement and of the body behind it.
 struct ContactChange
 {
-  NodeVector force;
-  Eigen::VectorXd face;
+  NodeVector force{};     ///< N
+  Eigen::VectorXd face{}; ///< mm
+  NodeVector
+      displacement{}; ///< with the motion of the face, mm; nothing: what the compliance says of the force
+  BodyPart body{};
 };
 
 /// Solves for what a linearized contact law wants, by whatever means a body has: the cut between the law and

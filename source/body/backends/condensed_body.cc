@@ -3,7 +3,6 @@
 #include <orthocone/body/backends/condensed_body.h>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace orthocone
@@ -11,13 +10,12 @@ namespace orthocone
 using Eigen::Index;
 using Eigen::Matrix3d;
 using Eigen::MatrixXd;
-using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 CondensedBody::CondensedBody(const BodyUnknowns &unknowns, const StiffnessFactor &factor, LocalAxes axes)
     : unknowns_(unknowns),
       factor_(factor),
-      axes_(std::move(axes)),
+      frame_(unknowns, std::move(axes)),
       compliance_(local_compliance(factor.trailing_inverse()))
 {
 }
@@ -28,7 +26,7 @@ MatrixXd CondensedBody::local_compliance(const MatrixXd &inverse) const
   const Index n_interior = unknowns_.n_interior();
   std::vector<Matrix3d> turns;
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    turns.push_back(axes_.global_in_local(i));
+    turns.push_back(frame_.global_in_local(i));
   MatrixXd local(3 * nodes.size(), 3 * nodes.size());
   for (std::size_t j = 0; j < nodes.size(); ++j)
     for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -48,66 +46,15 @@ MatrixXd CondensedBody::local_compliance(const MatrixXd &inverse) const
   return local;
 }
 
-NodeVector CondensedBody::moved_with(const RigidMotion &held) const
-{
-  const auto &nodes = unknowns_.contact_surface().nodes;
-  NodeVector moved(3 * nodes.size());
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-  {
-    const Vector3d global = held.at(unknowns_.arm(nodes[i]));
-    moved.segment<3>(3 * static_cast<Index>(i)) << global[2], axes_.to_local(i, global.head<2>());
-  }
-  return moved;
-}
-
-Wrench CondensedBody::wrench(const NodeVector &force) const
-{
-  const auto &nodes = unknowns_.contact_surface().nodes;
-  Wrench wrench;
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    wrench.add(axes_.global_in_local(i) * force.segment<3>(3 * static_cast<Index>(i)),
-               unknowns_.arm(nodes[i]));
-  return wrench;
-}
-
-/// Contact forces (local axes) as forces on the free unknowns of the body.
-VectorXd CondensedBody::on_free_unknowns(const NodeVector &force) const
-{
-  const auto &nodes = unknowns_.contact_surface().nodes;
-  VectorXd forces = VectorXd::Zero(unknowns_.n_free());
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-  {
-    const Vector3d global = axes_.global_in_local(i) * force.segment<3>(3 * static_cast<Index>(i));
-    for (Index d = 0; d < 3; ++d)
-      if (nodes[i].is_free[d])
-        forces[nodes[i].dofs[d]] = global[d];
-  }
-  return forces;
-}
-
-VectorXd CondensedBody::volume_displacement(const RigidMotion &held, const NodeVector &force) const
-{
-  return with_motion(held, elastic_displacement(force));
-}
-
 VectorXd CondensedBody::elastic_displacement(const NodeVector &force) const
 {
-  return factor_.solve(on_free_unknowns(force));
-}
-
-VectorXd CondensedBody::with_motion(const RigidMotion &held, const VectorXd &elastic) const
-{
-  VectorXd displacement = VectorXd::Zero(unknowns_.n_dofs());
-  displacement.head(unknowns_.n_free()) = elastic;
-  for (unsigned int dof = 0; dof < unknowns_.n_dofs(); ++dof)
-    displacement[dof] += held.at(unknowns_.position(dof) - unknowns_.held_centre())[unknowns_.direction(dof)];
-  return displacement;
+  return factor_.solve(frame_.on_free_unknowns(force));
 }
 
 BodyMismatch CondensedBody::mismatch(const Stiffness &stiffness, const NodeVector &force,
                                      const NodeVector &elastic, const double bound) const
 {
-  const VectorXd forces = on_free_unknowns(force);
+  const VectorXd forces = frame_.on_free_unknowns(force);
   VectorXd u = factor_.solve(forces);
   VectorXd rest = forces - stiffness.vmult(u);
   // Rounding grows with the condition of K (near-incompressibility, strong grading); one refinement removes
@@ -125,14 +72,7 @@ BodyMismatch CondensedBody::mismatch(const Stiffness &stiffness, const NodeVecto
     mismatch.unbalanced = std::max(0., mismatch.unbalanced - stiffness.rounding(u));
   if (mismatch.unbalanced != 0)
     mismatch.unbalanced /= forces.norm();
-  const auto &nodes = unknowns_.contact_surface().nodes;
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-  {
-    const Vector3d global = axes_.global_in_local(i) * elastic.segment<3>(3 * static_cast<Index>(i));
-    for (Index d = 0; d < 3; ++d)
-      mismatch.displacement = std::max(mismatch.displacement,
-                                       std::abs(global[d] - (nodes[i].is_free[d] ? u[nodes[i].dofs[d]] : 0)));
-  }
+  mismatch.displacement = frame_.difference(elastic, u);
   mismatch.volume = std::move(u);
   return mismatch;
 }

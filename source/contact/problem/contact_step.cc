@@ -79,6 +79,15 @@ NodeVector ContactStep::displacement(const VectorXd &unknowns) const
   return d;
 }
 
+ContactChange ContactStep::near(const VectorXd &unknowns) const
+{
+  ContactChange near = system_->compliance().near(unknowns.head(q_.size()));
+  near.displacement += q_;
+  if (face_.n() > 0)
+    near.displacement.noalias() += face_.columns() * unknowns.tail(face_.n());
+  return near;
+}
+
 VectorXd ContactStep::admissible(VectorXd unknowns) const
 {
   for (Index node = 0; node < n_nodes(); ++node)
@@ -121,6 +130,18 @@ double ContactStep::residual(const VectorXd &unknowns) const
 double ContactStep::residual(const VectorXd &unknowns, const NodeVector &displacement) const
 {
   return residual_of(natural_map(unknowns, displacement), unknowns);
+}
+
+double ContactStep::near_residual(const VectorXd &unknowns) const
+{
+  const ContactChange near = this->near(unknowns);
+  VectorXd map = natural_map(unknowns, near.displacement);
+  if (near.body.rest.size() > 0)
+  {
+    map.conservativeResize(map.size() + 1);
+    map.tail<1>()[0] = near.body.rest.norm();
+  }
+  return residual_of(map, unknowns);
 }
 
 double ContactStep::residual_of(const VectorXd &map, const VectorXd &unknowns) const

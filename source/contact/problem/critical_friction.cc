@@ -82,6 +82,8 @@ double critical_friction_factor(const OrthotropicFriction &law, const Matrix3d &
 CriticalFriction critical_friction(const ContactSystem &system)
 {
   CriticalFriction critical;
+  if (system.compliance().dense() == nullptr)
+    critical.factor = std::numeric_limits<double>::quiet_NaN();
   for (Index node = 0; node < system.n_nodes(); ++node)
   {
     const double factor =

@@ -199,11 +199,18 @@ SolverReport SemismoothNewton::solve(const ContactStep &step, VectorXd &unknowns
   }
   return make_report(step, unknowns, progress.iterations, options_.tolerance, std::move(progress.trace));
 }
+
+std::unique_ptr<ContactSolver> make_newton(const ContactSystem &system, const ContactSolverOptions &options)
+{
+  return system.compliance().dense() != nullptr ? make<SemismoothNewton>(system, options)
+                                                : make_inexact_newton(system, options);
+}
 } // namespace
 
 ContactMethod newton_method()
 {
-  ContactMethod method{"newton", "semismooth Newton between exact sweeps", make<SemismoothNewton>};
+  ContactMethod method{"newton", "semismooth Newton between exact sweeps", make_newton};
+  method.needs_dense = false;
   method.rho = "1 / the largest diagonal entry of a node's compliance";
   return method;
 }

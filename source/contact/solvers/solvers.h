@@ -81,6 +81,10 @@ std::unique_ptr<ContactSolver> make(const ContactSystem &system, const ContactSo
   return std::make_unique<Solver>(system, options);
 }
 
+/// The method `newton` where the backend has no dense compliance.
+std::unique_ptr<ContactSolver> make_inexact_newton(const ContactSystem &system,
+                                                   const ContactSolverOptions &options);
+
 // Each in the file of its solver.
 ContactMethod newton_method();
 ContactMethod gauss_seidel_method();

@@ -57,6 +57,13 @@ struct LoadableBody
   CondensedBody condensed;
 };
 
+/// Displacement of all degrees of freedom under a motion of the held face and contact forces.
+inline Eigen::VectorXd volume_displacement(const CondensedBody &body, const RigidMotion &held,
+                                           const NodeVector &force)
+{
+  return body.frame().with_motion(held, body.elastic_displacement(force));
+}
+
 using Stress = dealii::SymmetricTensor<2, 3>;
 
 inline Stress stress_of(const Stress &strain, const LameParameters &lame)

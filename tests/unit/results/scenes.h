@@ -4,6 +4,7 @@
 // Small scenes, marched without a run folder.
 #pragma once
 
+#include <orthocone/body/node_compliance.h>
 #include <orthocone/march/march.h>
 #include <orthocone/results/totals.h>
 #include <orthocone/scene/scene.h>
@@ -61,7 +62,7 @@ public:
         condensed(scene.body()),
         evaluator(scene),
         shares(symmetry.force_shares(discretization.contact_surface())),
-        opening(opening_compliance(discretization.contact_surface(), symmetry, parameters.material)),
+        opening(node_compliance(discretization.contact_surface(), symmetry, parameters.material)),
         state(scene.gaps())
   {
   }

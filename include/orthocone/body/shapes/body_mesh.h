@@ -14,6 +14,7 @@ public:
   BodyMesh(const GeometryOptions &geometry, const MeshOptions &options, const SymmetryPlanes &planes)
   {
     make_shape(geometry, options)->make_solid(planes, triangulation_);
+    triangulation_.refine_global(options.refinements);
   }
 
   const dealii::Triangulation<3> &triangulation() const { return triangulation_; }
@@ -29,6 +30,7 @@ public:
   SectionMesh(const GeometryOptions &geometry, const MeshOptions &options)
   {
     make_shape(geometry, options)->make_section(triangulation_);
+    triangulation_.refine_global(options.refinements);
   }
 
   const dealii::Triangulation<2> &triangulation() const { return triangulation_; }

@@ -41,6 +41,10 @@ public:
   /// d, mm.
   NodeVector displacement(const Eigen::VectorXd &unknowns) const;
 
+  /// d as far as it is known without long work, and what the rest of the body lacks of its equilibrium then
+  /// (Compliance::near()).
+  ContactChange near(const Eigen::VectorXd &unknowns) const;
+
   /// W and the face times a change of the unknowns, mm.
   NodeVector change_of_displacement(const Eigen::VectorXd &change) const;
 
@@ -63,6 +67,9 @@ public:
   /// no more than rounding of q is left. NaN-safe: unknowns that are not finite give infinity.
   double residual(const Eigen::VectorXd &unknowns) const;
   double residual(const Eigen::VectorXd &unknowns, const NodeVector &displacement) const;
+
+  /// The same without long work: with d and the rest of near(), which counts as the natural map does.
+  double near_residual(const Eigen::VectorXd &unknowns) const;
 
   /// The same from the natural map at `unknowns`.
   double residual_of(const Eigen::VectorXd &map, const Eigen::VectorXd &unknowns) const;

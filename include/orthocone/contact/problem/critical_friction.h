@@ -13,7 +13,7 @@ struct CriticalFriction
 {
   /// All coefficients may be multiplied by less than this before a node can wedge; infinite where no normal
   /// force couples with tangential displacements, 0 where the slip rule alone is enough, whatever the
-  /// coefficients.
+  /// coefficients; not a number where the compliance of single nodes is not known.
   double factor = std::numeric_limits<double>::infinity();
   Eigen::Index node = 0; ///< where it is least
 };

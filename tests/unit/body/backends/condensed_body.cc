@@ -41,7 +41,7 @@ TEST(Condensation, SatisfiesTheFullSystem)
         for (Index d = 0; d < 2; ++d)
           if (!surface.nodes[i].is_free[d])
             force[3 * static_cast<Index>(i) + 1 + d] = 0;
-      const VectorXd u = body.condensed.volume_displacement({}, force);
+      const VectorXd u = volume_displacement(body.condensed, {}, force);
       const VectorXd internal = forces_of(body, u);
       EXPECT_LE(internal.head(body.discretization.n_interior()).norm(), 1e-10 * force.norm());
       EXPECT_EQ(u.tail(u.size() - body.discretization.n_free()).norm(), 0);
@@ -69,7 +69,7 @@ TEST(Condensation, KeepsTheBodyInEquilibrium)
 {
   const LoadableBody body(default_geometry, small_mesh(2), default_material, full);
   const NodeVector force = uneven_forces(body.condensed.compliance().n_nodes());
-  const VectorXd u = body.condensed.volume_displacement(moved_by(0.01, -0.02, -0.1), force);
+  const VectorXd u = volume_displacement(body.condensed, moved_by(0.01, -0.02, -0.1), force);
   const VectorXd internal = forces_of(body, u);
   const auto positions = dof_positions(body.discretization);
   Vector3d top_force = Vector3d::Zero();
@@ -117,7 +117,7 @@ TEST(Condensation, WorksForASingleLayerOfTrilinearBricks)
   const LoadableBody body(default_geometry, mesh, default_material, full);
   EXPECT_EQ(body.discretization.n_interior(), 0u);
   const NodeVector force = uneven_forces(body.condensed.compliance().n_nodes());
-  const VectorXd internal = forces_of(body, body.condensed.volume_displacement({}, force));
+  const VectorXd internal = forces_of(body, volume_displacement(body.condensed, {}, force));
   const auto &nodes = body.discretization.contact_surface().nodes;
   for (std::size_t i = 0; i < nodes.size(); ++i)
     EXPECT_NEAR(internal[nodes[i].dofs[2]], force[3 * static_cast<Index>(i)], 1e-10 * force.norm());
@@ -157,8 +157,8 @@ void expect_same_body_in(const LocalAxes &axes)
   turned.condensed.compliance().vmult(moved_local, local);
   straight.condensed.compliance().vmult(moved_global, global);
   EXPECT_NEAR(local.dot(moved_local), global.dot(moved_global), 1e-10 * std::abs(local.dot(moved_local)));
-  const VectorXd u_turned = turned.condensed.volume_displacement(moved_by(0.1, 0.2, -0.1), local);
-  const VectorXd u_straight = straight.condensed.volume_displacement(moved_by(0.1, 0.2, -0.1), global);
+  const VectorXd u_turned = volume_displacement(turned.condensed, moved_by(0.1, 0.2, -0.1), local);
+  const VectorXd u_straight = volume_displacement(straight.condensed, moved_by(0.1, 0.2, -0.1), global);
   EXPECT_LE((u_turned - u_straight).norm(), 1e-12 * u_straight.norm());
 }
 
@@ -206,7 +206,7 @@ TEST(RigidRotation, StrainsNothing)
   {
     const LoadableBody body(default_geometry, small_mesh(degree), default_material, full);
     const VectorXd free = VectorXd::Zero(body.discretization.n_free());
-    const VectorXd u = body.condensed.with_motion(motion, free);
+    const VectorXd u = body.condensed.frame().with_motion(motion, free);
     const double size = body.stiffness.rounding(u.head(free.size())) / std::numeric_limits<double>::epsilon();
     EXPECT_LE(forces_of(body, u).norm(), 1e-14 * size);
     EXPECT_GT(u.norm(), 1);
@@ -222,8 +222,8 @@ TEST(RigidRotation, MovesContactNodesAsItMovesTheBody)
   {
     RigidMotion motion;
     motion[i] = 0.7;
-    const VectorXd u = body.condensed.with_motion(motion, free);
-    const NodeVector moved = body.condensed.moved_with(motion);
+    const VectorXd u = body.condensed.frame().with_motion(motion, free);
+    const NodeVector moved = body.condensed.frame().moved_with(motion);
     const auto &nodes = body.discretization.contact_surface().nodes;
     for (std::size_t node = 0; node < nodes.size(); ++node)
     {
@@ -238,14 +238,15 @@ TEST(RigidRotation, WrenchDoesTheWorkOfTheContactForces)
 {
   const LoadableBody body(default_geometry, small_mesh(1), default_material, full, uneven_axes());
   const NodeVector force = uneven_forces(body.condensed.compliance().n_nodes());
-  const Wrench wrench = body.condensed.wrench(force);
+  const Wrench wrench = body.condensed.frame().wrench(force);
   for (unsigned int seed = 1; seed <= 5; ++seed)
   {
     RigidMotion motion;
     for (unsigned int i = 0; i < n_rigid_components; ++i)
       motion[i] = std::sin(seed + 0.7 * i * i);
-    const double work = force.dot(body.condensed.moved_with(motion));
-    EXPECT_NEAR(wrench.work(motion), work, 1e-12 * force.norm() * body.condensed.moved_with(motion).norm());
+    const double work = force.dot(body.condensed.frame().moved_with(motion));
+    EXPECT_NEAR(wrench.work(motion), work,
+                1e-12 * force.norm() * body.condensed.frame().moved_with(motion).norm());
   }
 }
 } // namespace orthocone::test

@@ -85,7 +85,7 @@ unsigned int n_volume_constraints(const unsigned int degree, const VolumetricQua
 double stuck_force(const MeshOptions &options, const double poisson)
 {
   const LoadableBody body(GeometryOptions(), options, material_of(poisson), {true, true});
-  const NodeVector free = body.condensed.moved_with(moved_by(0, 0, -0.1));
+  const NodeVector free = body.condensed.frame().moved_with(moved_by(0, 0, -0.1));
   const NodeVector force = body.condensed.compliance().dense()->llt().solve(-free);
   double total = 0;
   for (Index i = 0; i < force.size(); i += 3)

@@ -88,7 +88,7 @@ void expect_uniform_compression(const MeshOptions &mesh, const double poisson)
   NodeVector force(3 * nodes.size());
   for (std::size_t i = 0; i < nodes.size(); ++i)
     force.segment<3>(3 * static_cast<Eigen::Index>(i)) << pressure * nodes[i].area, 0, 0;
-  const VectorXd u = body.condensed.volume_displacement({}, force);
+  const VectorXd u = volume_displacement(body.condensed, {}, force);
   const double strain = -pressure / foam.young_modulus;
   for (const ContactNode &node : nodes)
   {

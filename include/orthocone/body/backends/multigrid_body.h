@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/base/phases.h>
+#include <orthocone/body/elastic_body.h>
+#include <orthocone/surface/local_axes.h>
+
+#include <functional>
+#include <memory>
+
+namespace orthocone
+{
+/// A body that is too large to be factorized: products with its stiffness cell by cell, solutions by
+/// conjugate gradients and geometric multigrid over the refinements of its mesh, contact laws on the whole
+/// body.
+class MultigridBody : public ElasticBody
+{
+public:
+  /// As FactorizedBody. The model must be a solid. Throws std::runtime_error if the coarsest mesh cannot be
+  /// factorized.
+  MultigridBody(const Parameters &parameters, const ModelSymmetry &symmetry,
+                const std::function<LocalAxes(const ContactSurface &)> &axes_of,
+                const std::function<void(const Body &)> &on_meshed, PhaseSeconds &seconds);
+  ~MultigridBody() override;
+  MultigridBody(const MultigridBody &) = delete; // its modules refer to each other
+  MultigridBody &operator=(const MultigridBody &) = delete;
+
+  const Body &mesh() const override { return mesh_; }
+  const Compliance &compliance() const override;
+  NodeVector moved_with(const RigidMotion &held) const override;
+  Wrench wrench(const NodeVector &force) const override;
+  Eigen::VectorXd elastic_displacement(const NodeVector &force) const override;
+  Eigen::VectorXd with_motion(const RigidMotion &held, const Eigen::VectorXd &elastic) const override;
+  BodyMismatch mismatch(const NodeVector &force, const NodeVector &elastic, double bound) const override;
+
+  /// V-cycles on the finest mesh so far: the measure of all work.
+  unsigned long n_cycles() const;
+
+private:
+  struct Modules;
+
+  Body mesh_;
+  std::unique_ptr<const Modules> modules_;
+};
+} // namespace orthocone

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/parameters/options.h>
+#include <orthocone/surface/contact_surface.h>
+#include <orthocone/surface/model_symmetry.h>
+
+#include <Eigen/Dense>
+
+namespace orthocone
+{
+/// Compliance (mm/N) of each node of the model under a force on it alone, estimated: (1 - nu^2) / (0.7 E h),
+/// that of a half-space under a square of side h, divided by the share of the force that the model's node
+/// carries. h^2 is the area of a node of the whole body, h the width of a ring: the same for every model.
+Eigen::VectorXd node_compliance(const ContactSurface &surface, const ModelSymmetry &symmetry,
+                                const MaterialOptions &material);
+} // namespace orthocone

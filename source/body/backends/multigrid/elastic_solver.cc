@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "elastic_solver.h"
+
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/solver_control.h>
+
+#include <algorithm>
+#include <stdexcept>
+#include <string>
+#include <utility>
+
+namespace orthocone
+{
+ElasticSolver::ElasticSolver(const MatrixFreeStiffness<double> &stiffness, VCycle &cycle)
+    : stiffness_(stiffness),
+      cycle_(cycle)
+{
+}
+
+/// The multiple of one of the known whose forces are nearest to these in energy, then the combination of all
+/// that is nearest to the rest: among almost equal ones it would not find the one.
+ElasticSolver::Vector ElasticSolver::best_start(const Vector &forces) const
+{
+  Vector start = stiffness_.make_vector();
+  if (known_.empty())
+    return start;
+  Eigen::VectorXd works = works_with(forces);
+  const Eigen::VectorXd energies = energies_.diagonal();
+  Eigen::Index one = 0;
+  works.cwiseAbs2().cwiseQuotient(energies).maxCoeff(&one);
+  Eigen::VectorXd shares = Eigen::VectorXd::Zero(works.size());
+  shares[one] = works[one] / energies[one];
+  shares += combination(works - shares[one] * energies_.col(one));
+  for (std::size_t i = 0; i < known_.size(); ++i)
+    start.add(shares[static_cast<Eigen::Index>(i)], known_[i].displacement);
+  return start;
+}
+
+/// Of forces and each of the known displacements.
+Eigen::VectorXd ElasticSolver::works_with(const Vector &forces) const
+{
+  Eigen::VectorXd works(known_.size());
+  for (std::size_t i = 0; i < known_.size(); ++i)
+    works[static_cast<Eigen::Index>(i)] = known_[i].displacement * forces;
+  return works;
+}
+
+/// Shares of the known that do these works on each of them; directions that only rounding tells apart are
+/// left out.
+Eigen::VectorXd ElasticSolver::combination(const Eigen::VectorXd &works) const
+{
+  constexpr double independent = 1e-12; // of the energies, scaled to 1
+  const Eigen::VectorXd scale = energies_.diagonal().cwiseSqrt().cwiseInverse();
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(scale.asDiagonal() * energies_ *
+                                                             scale.asDiagonal());
+  Eigen::VectorXd of_modes = modes.eigenvectors().transpose() * scale.cwiseProduct(works);
+  for (Eigen::Index i = 0; i < of_modes.size(); ++i)
+    of_modes[i] = modes.eigenvalues()[i] > independent ? of_modes[i] / modes.eigenvalues()[i] : 0;
+  return scale.cwiseProduct(modes.eigenvectors() * of_modes);
+}
+
+NearSolution ElasticSolver::near(const Vector &forces) const
+{
+  NearSolution near{best_start(forces), stiffness_.make_vector()};
+  stiffness_.vmult(near.rest, near.displacement);
+  near.rest.sadd(-1, 1, forces);
+  return near;
+}
+
+ElasticSolver::Vector ElasticSolver::solve(const Vector &forces, const double accuracy) const
+{
+  constexpr unsigned int most_iterations = 200;
+  constexpr double margin = 0.3; // so that the same forces find their displacement accurate the next time
+  const double bound = accuracy * forces.l2_norm();
+  // The same forces get the same displacement, to the last bit.
+  Vector difference = forces;
+  for (auto known = known_.rbegin(); known != known_.rend(); ++known)
+  {
+    difference.equ(1, forces);
+    difference.add(-1, known->forces);
+    if (difference.l2_norm() <= bound)
+      return known->displacement;
+  }
+  NearSolution near = this->near(forces);
+  if (near.rest.l2_norm() <= bound)
+  {
+    learn(near.displacement, forces);
+    return std::move(near.displacement);
+  }
+  cycle_.release();
+  Vector correction = stiffness_.make_vector();
+  dealii::SolverControl control(most_iterations, margin * bound, false, false);
+  dealii::SolverCG<Vector> cg(control);
+  try
+  {
+    cg.solve(stiffness_, correction, near.rest, cycle_);
+  }
+  catch (const dealii::SolverControl::NoConvergence &)
+  {
+    throw std::runtime_error("multigrid: after " + std::to_string(most_iterations) +
+                             " iterations the elastic body is not in equilibrium; cells that are far from "
+                             "cubes make it so, or a Poisson ratio next to 0.5");
+  }
+  near.displacement += correction;
+  learn(near.displacement, forces);
+  return std::move(near.displacement);
+}
+
+const std::vector<Eigen::VectorXd> &ElasticSolver::settle(const Vector &forces, const double accuracy) const
+{
+  constexpr std::size_t most_settled = 2; // what the next one is extrapolated from
+  if (forces.l2_norm() > 0)
+  {
+    const Vector displacement = solve(forces, accuracy);
+    if (settled_.size() == most_settled)
+      settled_.erase(settled_.begin());
+    settled_.emplace_back(Eigen::Map<const Eigen::VectorXd>(
+        displacement.begin(), static_cast<Eigen::Index>(displacement.locally_owned_size())));
+  }
+  restore(std::vector<Eigen::VectorXd>(settled_));
+  return settled_;
+}
+
+void ElasticSolver::restore(const std::vector<Eigen::VectorXd> &settled) const
+{
+  settled_ = settled;
+  known_.clear();
+  energies_.resize(0, 0);
+  Vector displacement = stiffness_.make_vector(), forces = stiffness_.make_vector();
+  for (const Eigen::VectorXd &state : settled_)
+  {
+    std::copy(state.begin(), state.end(), displacement.begin());
+    stiffness_.vmult(forces, displacement);
+    learn(displacement, forces);
+  }
+}
+
+void ElasticSolver::learn(const Vector &displacement, const Vector &forces) const
+{
+  constexpr double same = 1e-10;
+  const double energy = displacement * forces;
+  if (!(energy > 0))
+    return;
+  Eigen::VectorXd with_known = works_with(forces);
+  std::size_t goes = known_.size() < most_known ? known_.size() : 0;
+  for (Eigen::Index i = 0; i < with_known.size(); ++i)
+    if (with_known[i] * with_known[i] > (1 - same) * energy * energies_(i, i))
+      goes = static_cast<std::size_t>(i); // a multiple
+  forget(goes, with_known);
+  const auto n = static_cast<Eigen::Index>(known_.size());
+  energies_.conservativeResize(n + 1, n + 1);
+  energies_.col(n).head(n) = with_known;
+  energies_.row(n).head(n) = with_known;
+  energies_(n, n) = energy;
+  known_.push_back({displacement, forces});
+}
+
+/// Drops one of the known, if it is one.
+void ElasticSolver::forget(const std::size_t which, Eigen::VectorXd &with_known) const
+{
+  if (which >= known_.size())
+    return;
+  known_.erase(known_.begin() + static_cast<std::ptrdiff_t>(which));
+  std::vector<Eigen::Index> left;
+  for (Eigen::Index i = 0; i < with_known.size(); ++i)
+    if (i != static_cast<Eigen::Index>(which))
+      left.push_back(i);
+  energies_ = energies_(left, left).eval();
+  with_known = with_known(left).eval();
+}
+} // namespace orthocone

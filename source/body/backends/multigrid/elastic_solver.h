@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include "v_cycle.h"
+
+#include <vector>
+
+namespace orthocone
+{
+/// A displacement, and what the forces are more than its own.
+struct NearSolution
+{
+  BodyVector<double> displacement, rest;
+};
+
+/// Displacements of a body by forces: conjugate gradients with one V-cycle an iteration, from the best that
+/// earlier solutions can tell (P. F. Fischer, Projection techniques for iterative solution of Ax = b with
+/// successive right-hand sides, 1998).
+class ElasticSolver
+{
+public:
+  using Vector = BodyVector<double>;
+
+  /// What is referred to must outlive this.
+  ElasticSolver(const MatrixFreeStiffness<double> &stiffness, VCycle &cycle);
+
+  /// Until ||K u - forces|| <= accuracy ||forces||. Throws std::runtime_error if that is out of reach.
+  Vector solve(const Vector &forces, double accuracy) const;
+
+  /// The best that earlier solutions can tell, for one product with K.
+  NearSolution near(const Vector &forces) const;
+
+  /// Compliance::settle() and restore().
+  const std::vector<Eigen::VectorXd> &settle(const Vector &forces, double accuracy) const;
+  void restore(const std::vector<Eigen::VectorXd> &settled) const;
+
+  /// Remembers a displacement and the forces K u that go with it.
+  void learn(const Vector &displacement, const Vector &forces) const;
+
+private:
+  struct Known
+  {
+    Vector displacement, forces;
+  };
+
+  Vector best_start(const Vector &forces) const;
+  Eigen::VectorXd works_with(const Vector &forces) const;
+  Eigen::VectorXd combination(const Eigen::VectorXd &works) const;
+  void forget(std::size_t which, Eigen::VectorXd &with_known) const;
+
+  static constexpr std::size_t most_known = 5; // the last states, and what they might have become
+
+  const MatrixFreeStiffness<double> &stiffness_;
+  VCycle &cycle_;
+  mutable std::vector<Eigen::VectorXd> settled_; ///< displacements of the last accepted states, mm
+  mutable std::vector<Known> known_;             ///< the oldest first
+  mutable Eigen::MatrixXd energies_;             ///< displacement times forces of each two of them, N mm
+};
+} // namespace orthocone

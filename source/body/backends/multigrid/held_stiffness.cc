@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "held_stiffness.h"
+
+namespace orthocone
+{
+namespace
+{
+using Eigen::Vector2d;
+
+Vector2d tangential(const HeldStiffness::Vector &vector, const ContactNode &node)
+{
+  return {node.is_free[0] ? vector.local_element(node.dofs[0]) : 0,
+          node.is_free[1] ? vector.local_element(node.dofs[1]) : 0};
+}
+
+void add_tangential(HeldStiffness::Vector &vector, const ContactNode &node, const Vector2d &value)
+{
+  for (unsigned int d = 0; d < 2; ++d)
+    if (node.is_free[d])
+      vector.local_element(node.dofs[d]) += value[d];
+}
+} // namespace
+
+void HeldStiffness::add_displacement(Vector &displacement, const Vector &free) const
+{
+  displacement += free;
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    if (relations_[i].hold == Hold::normal)
+      displacement.local_element(nodes_[i].dofs[2]) -= relations_[i].follows.dot(tangential(free, nodes_[i]));
+}
+
+void HeldStiffness::vmult(Vector &result, const Vector &free) const
+{
+  Vector displacement = stiffness_.make_vector();
+  add_displacement(displacement, free);
+  stiffness_.vmult(result, displacement);
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    if (relations_[i].hold == Hold::normal)
+      add_tangential(result, nodes_[i], relations_[i].robin * tangential(free, nodes_[i]));
+  test(result);
+}
+
+/// Forces as the equations of the relations see them.
+void HeldStiffness::test(Vector &forces) const
+{
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    if (relations_[i].hold == Hold::normal)
+      add_tangential(forces, nodes_[i], relations_[i].coupling * forces.local_element(nodes_[i].dofs[2]));
+  clear_held(forces);
+}
+
+void HeldStiffness::clear_held(Vector &vector) const
+{
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    if (relations_[i].hold != Hold::nothing)
+    {
+      vector.local_element(nodes_[i].dofs[2]) = 0;
+      if (relations_[i].hold == Hold::all)
+        add_tangential(vector, nodes_[i], -tangential(vector, nodes_[i]));
+    }
+}
+
+HeldStiffness::Vector HeldStiffness::given() const
+{
+  Vector displacement = stiffness_.make_vector();
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+    if (relations_[i].hold != Hold::nothing)
+    {
+      displacement.local_element(nodes_[i].dofs[2]) = relations_[i].displacement[2];
+      add_tangential(displacement, nodes_[i], relations_[i].displacement.head<2>());
+    }
+  return displacement;
+}
+
+HeldStiffness::Vector HeldStiffness::right_side(const Vector &forces, const Eigen::VectorXd &rest) const
+{
+  Vector right_side = forces;
+  right_side *= -1;
+  for (Eigen::Index i = 0; i < rest.size(); ++i)
+    right_side.local_element(i) += rest[i];
+  for (std::size_t i = 0; i < nodes_.size(); ++i)
+  {
+    add_tangential(right_side, nodes_[i], relations_[i].force.head<2>());
+    if (relations_[i].hold == Hold::nothing)
+      right_side.local_element(nodes_[i].dofs[2]) += relations_[i].force[2];
+  }
+  test(right_side);
+  return right_side;
+}
+} // namespace orthocone

@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include "matrix_free_stiffness.h"
+#include "node_relation.h"
+
+#include <vector>
+
+namespace orthocone
+{
+/// The stiffness of a body with the relations of its contact nodes, in full precision: forces by free
+/// displacements y, where u = y but for u_z = -follows . y_t at nodes that are held along their normal.
+class HeldStiffness
+{
+public:
+  using Vector = BodyVector<double>;
+
+  /// What is referred to must outlive this.
+  HeldStiffness(const MatrixFreeStiffness<double> &stiffness, const std::vector<ContactNode> &nodes,
+                const std::vector<NodeRelation> &relations)
+      : stiffness_(stiffness),
+        nodes_(nodes),
+        relations_(relations)
+  {
+  }
+
+  void vmult(Vector &result, const Vector &free) const;
+
+  /// The displacement that contact gives where y = 0.
+  Vector given() const;
+
+  /// What y must be balanced with when the displacement is given() and the body lacks `rest` (free degrees
+  /// of freedom, or nothing) of its equilibrium. `forces`: of given().
+  Vector right_side(const Vector &forces, const Eigen::VectorXd &rest) const;
+
+  /// Adds u of y.
+  void add_displacement(Vector &displacement, const Vector &free) const;
+
+private:
+  void test(Vector &forces) const;
+  void clear_held(Vector &vector) const;
+
+  const MatrixFreeStiffness<double> &stiffness_;
+  const std::vector<ContactNode> &nodes_;
+  const std::vector<NodeRelation> &relations_;
+};
+} // namespace orthocone

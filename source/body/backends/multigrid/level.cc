@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "level.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace orthocone
+{
+namespace
+{
+using Eigen::Vector2f;
+
+/// Entries of a vector at the tangential degrees of freedom of a node; 0 where symmetry holds them.
+Vector2f tangential(const Level::Vector &vector, const ContactNode &node)
+{
+  return {node.is_free[0] ? vector.local_element(node.dofs[0]) : 0,
+          node.is_free[1] ? vector.local_element(node.dofs[1]) : 0};
+}
+
+void set_tangential(const Vector2f &value, const ContactNode &node, Level::Vector &vector)
+{
+  for (unsigned int d = 0; d < 2; ++d)
+    if (node.is_free[d])
+      vector.local_element(node.dofs[d]) = value[d];
+}
+} // namespace
+
+Level::Level(const Discretization &space, const MaterialOptions &material)
+    : space_(space),
+      stiffness_(space, material),
+      inverse_diagonal_(stiffness_.diagonal())
+{
+  for (unsigned int i = 0; i < space.n_free(); ++i)
+    inverse_diagonal_.local_element(i) = 1 / inverse_diagonal_.local_element(i);
+  decltype(smoother_)::AdditionalData options;
+  options.degree = 3;
+  options.smoothing_range = 15;
+  options.eig_cg_n_iterations = 15;
+  options.preconditioner = std::make_shared<Jacobi>(*this);
+  smoother_.initialize(*this, options);
+  smoother_.estimate_eigenvalues(make_vector()); // those of the body that nothing touches
+}
+
+void Level::hold(std::vector<NodeRelation> relations)
+{
+  relations_ = std::move(relations);
+  invert_blocks();
+}
+
+void Level::invert_blocks()
+{
+  constexpr double most_robin = 100; // times the stiffness of the body: more is as good as held
+  blocks_.assign(relations_.size(), Eigen::Matrix2f::Zero());
+  robin_.assign(relations_.size(), Eigen::Matrix2f::Zero());
+  for (std::size_t i = 0; i < relations_.size(); ++i)
+    if (relations_[i].hold == Hold::normal)
+    {
+      const double most = most_robin / inverse_diagonal_.local_element(nodes()[i].dofs[2]);
+      const double size = relations_[i].robin.cwiseAbs().maxCoeff();
+      Eigen::Matrix2d block = std::min(1., most / size) * relations_[i].robin;
+      robin_[i] = block.cast<float>();
+      for (unsigned int d = 0; d < 2; ++d)
+        block(d, d) += nodes()[i].is_free[d] ? 1 / inverse_diagonal_.local_element(nodes()[i].dofs[d]) : 1;
+      blocks_[i] = block.inverse().cast<float>();
+    }
+}
+
+void Level::clear_held(Vector &vector) const
+{
+  for (unsigned int i = space_.n_free(); i < space_.n_dofs(); ++i)
+    vector.local_element(i) = 0;
+  for (std::size_t i = 0; i < relations_.size(); ++i)
+  {
+    if (relations_[i].hold == Hold::nothing)
+      continue;
+    vector.local_element(nodes()[i].dofs[2]) = 0;
+    if (relations_[i].hold == Hold::all)
+      set_tangential(Vector2f::Zero(), nodes()[i], vector);
+  }
+}
+
+void Level::vmult(Vector &result, const Vector &vector) const
+{
+  stiffness_.vmult(result, vector);
+  for (std::size_t i = 0; i < relations_.size(); ++i)
+    if (relations_[i].hold == Hold::normal)
+      set_tangential(tangential(result, nodes()[i]) + robin_[i] * tangential(vector, nodes()[i]) +
+                         relations_[i].coupling.cast<float>() * result.local_element(nodes()[i].dofs[2]),
+                     nodes()[i], result);
+  clear_held(result);
+}
+
+void Level::Jacobi::vmult(Vector &result, const Vector &vector) const
+{
+  result = vector;
+  result.scale(level_.inverse_diagonal_);
+  for (std::size_t i = 0; i < level_.relations_.size(); ++i)
+    if (level_.relations_[i].hold == Hold::normal)
+      set_tangential(level_.blocks_[i] * tangential(vector, level_.nodes()[i]), level_.nodes()[i], result);
+  level_.clear_held(result);
+}
+
+void Level::smooth_from_zero(Vector &solution, const Vector &right_side) const
+{
+  smoother_.vmult(solution, right_side);
+}
+
+void Level::smooth(Vector &solution, const Vector &right_side) const
+{
+  smoother_.step(solution, right_side);
+}
+} // namespace orthocone

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "multigrid_compliance.h"
+
+#include <utility>
+
+namespace orthocone
+{
+using Eigen::Index;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+MultigridCompliance::MultigridCompliance(const ContactFrame &frame,
+                                         const MatrixFreeStiffness<double> &stiffness, VCycle &cycle,
+                                         VectorXd of_nodes, const double accuracy)
+    : frame_(frame),
+      stiffness_(stiffness),
+      cycle_(cycle),
+      elastic_(stiffness, cycle),
+      of_nodes_(std::move(of_nodes)),
+      accuracy_(accuracy)
+{
+}
+
+namespace
+{
+void copy(const VectorXd &free, BodyVector<double> &all)
+{
+  for (Index i = 0; i < free.size(); ++i)
+    all.local_element(i) = free[i];
+}
+} // namespace
+
+BodyVector<double> MultigridCompliance::on_body(const NodeVector &force) const
+{
+  BodyVector<double> forces = stiffness_.make_vector();
+  copy(frame_.on_free_unknowns(force), forces);
+  return forces;
+}
+
+VectorXd MultigridCompliance::free_part(const BodyVector<double> &all) const
+{
+  VectorXd free(frame_.n_free());
+  for (Index i = 0; i < free.size(); ++i)
+    free[i] = all.local_element(i);
+  return free;
+}
+
+VectorXd MultigridCompliance::body_displacement(const NodeVector &force) const
+{
+  return free_part(solution(force));
+}
+
+ContactChange MultigridCompliance::near(const NodeVector &force) const
+{
+  const NearSolution near = elastic_.near(on_body(force));
+  ContactChange answer;
+  answer.force = force;
+  answer.displacement = of_nodes(near.displacement, force);
+  answer.body = {free_part(near.displacement), free_part(near.rest)};
+  return answer;
+}
+
+void MultigridCompliance::learn(const NodeVector &force, const BodyPart &body) const
+{
+  BodyVector<double> displacement = stiffness_.make_vector(), forces = stiffness_.make_vector();
+  copy(body.displacement, displacement);
+  copy(frame_.on_free_unknowns(force) - body.rest, forces);
+  elastic_.learn(displacement, forces);
+}
+
+/// A direction that symmetry holds has a compliance of its own.
+NodeVector MultigridCompliance::of_nodes(const BodyVector<double> &body, const NodeVector &force) const
+{
+  NodeVector displacement(force.size());
+  for (std::size_t i = 0; i < frame_.nodes().size(); ++i)
+  {
+    const auto place = 3 * static_cast<Index>(i);
+    const Vector3d pushed = frame_.global_in_local(i) * force.segment<3>(place);
+    Vector3d moved;
+    for (unsigned int d = 0; d < 3; ++d)
+      moved[d] = frame_.nodes()[i].is_free[d] ? body.local_element(frame_.nodes()[i].dofs[d])
+                                              : of_nodes_[static_cast<Index>(i)] * pushed[d];
+    displacement.segment<3>(place) = frame_.global_in_local(i).transpose() * moved;
+  }
+  return displacement;
+}
+
+void MultigridCompliance::vmult(NodeVector &displacement, const NodeVector &force) const
+{
+  displacement = of_nodes(solution(force), force);
+}
+
+std::vector<VectorXd> MultigridCompliance::settle(const NodeVector &force) const
+{
+  return elastic_.settle(on_body(force), accuracy_);
+}
+
+Eigen::Matrix3d MultigridCompliance::diagonal_block(const Index node) const
+{
+  return of_nodes_[node] * Eigen::Matrix3d::Identity();
+}
+
+std::unique_ptr<ConditionSolver> MultigridCompliance::condition_solver(double) const
+{
+  return std::make_unique<WholeBodyConditions>(frame_, stiffness_, cycle_);
+}
+
+/// A scale: it need not be accurate, and solutions are dear. One V-cycle is close to one.
+double MultigridCompliance::softness() const
+{
+  constexpr double settled = 1e-2;
+  cycle_.release();
+  BodyVector<double> forces = stiffness_.make_vector(), displacement = stiffness_.make_vector();
+  return largest_eigenvalue(n_nodes(), settled,
+                            [&](const NodeVector &force)
+                            {
+                              copy(frame_.on_free_unknowns(force), forces);
+                              cycle_.vmult(displacement, forces);
+                              return of_nodes(displacement, force);
+                            });
+}
+} // namespace orthocone

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include "elastic_solver.h"
+#include "whole_body_conditions.h"
+
+#include <orthocone/surface/compliance.h>
+
+namespace orthocone
+{
+/// The compliance of a body that has no matrix: every product is a solution of the body.
+class MultigridCompliance : public Compliance
+{
+public:
+  /// `of_nodes`: node_compliance(). `accuracy`: relative, of the equilibrium behind a product. What is
+  /// referred to must outlive this.
+  MultigridCompliance(const ContactFrame &frame, const MatrixFreeStiffness<double> &stiffness, VCycle &cycle,
+                      Eigen::VectorXd of_nodes, double accuracy);
+
+  Eigen::Index n_nodes() const override { return of_nodes_.size(); }
+  void vmult(NodeVector &displacement, const NodeVector &force) const override;
+  ContactChange near(const NodeVector &force) const override;
+  void learn(const NodeVector &force, const BodyPart &body) const override;
+  std::vector<Eigen::VectorXd> settle(const NodeVector &force) const override;
+  void restore(const std::vector<Eigen::VectorXd> &settled) const override { elastic_.restore(settled); }
+  Eigen::Matrix3d diagonal_block(Eigen::Index node) const override;
+  std::unique_ptr<ConditionSolver> condition_solver(double softness) const override;
+  double softness() const override;
+
+  /// Of the free degrees of freedom, mm.
+  Eigen::VectorXd body_displacement(const NodeVector &force) const;
+
+private:
+  BodyVector<double> on_body(const NodeVector &force) const;
+  BodyVector<double> solution(const NodeVector &force) const
+  {
+    return elastic_.solve(on_body(force), accuracy_);
+  }
+  Eigen::VectorXd free_part(const BodyVector<double> &all) const;
+  NodeVector of_nodes(const BodyVector<double> &body, const NodeVector &force) const;
+
+  const ContactFrame &frame_;
+  const MatrixFreeStiffness<double> &stiffness_;
+  VCycle &cycle_;
+  ElasticSolver elastic_;
+  Eigen::VectorXd of_nodes_; ///< mm/N
+  double accuracy_;
+};
+} // namespace orthocone

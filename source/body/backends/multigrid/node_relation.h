@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/surface/condition_solver.h>
+#include <orthocone/surface/contact_surface.h>
+
+namespace orthocone
+{
+/// What contact holds of a node.
+enum class Hold : unsigned char
+{
+  nothing, ///< its force is given
+  normal,  ///< u_z follows u_x and u_y, which friction resists
+  all,     ///< its displacement is given
+};
+
+/// A NodeCondition as the whole body sees it, in global axes. With the tangential part t = (x, y) of the
+/// change of displacement u and of the change of force f:
+///   nothing: f = force
+///   normal:  u_z = displacement_z - follows . u_t,  f_t + coupling f_z + robin u_t = force_t
+///   all:     u = displacement
+struct NodeRelation
+{
+  Hold hold = Hold::nothing;
+  Eigen::Vector3d force = Eigen::Vector3d::Zero();        ///< N
+  Eigen::Vector3d displacement = Eigen::Vector3d::Zero(); ///< mm
+  Eigen::Vector2d follows = Eigen::Vector2d::Zero();
+  Eigen::Vector2d coupling = Eigen::Vector2d::Zero();
+  Eigen::Matrix2d robin = Eigen::Matrix2d::Zero(); ///< N/mm
+};
+
+/// `global_in_local`: LocalAxes::global_in_local() of the node. Directions that symmetry holds drop out.
+NodeRelation relation_of(const NodeCondition &condition, const Eigen::Matrix3d &global_in_local,
+                         const ContactNode &node);
+} // namespace orthocone

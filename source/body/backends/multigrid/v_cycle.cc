@@ -1,0 +1,187 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "v_cycle.h"
+
+#include <deal.II/numerics/rtree.h>
+
+#include <mpi.h>
+
+#include <cstdlib>
+#include <utility>
+
+namespace orthocone
+{
+namespace
+{
+/// Elements of a mesh that is given, of another degree than the finest.
+MeshOptions with_degree(MeshOptions mesh, const unsigned int degree)
+{
+  mesh.degree = degree;
+  mesh.quadrature_points = 0;
+  return mesh;
+}
+
+/// Of every node of `coarse` the nearest one of `fine`.
+std::vector<std::size_t> nearest_nodes(const std::vector<ContactNode> &coarse,
+                                       const std::vector<ContactNode> &fine)
+{
+  using Entry = std::pair<dealii::Point<2>, std::size_t>;
+  const auto place = [](const ContactNode &node)
+  { return dealii::Point<2>(node.position[0], node.position[1]); };
+  std::vector<Entry> entries;
+  for (std::size_t i = 0; i < fine.size(); ++i)
+    entries.emplace_back(place(fine[i]), i);
+  const auto tree = dealii::pack_rtree(entries);
+  std::vector<std::size_t> nearest;
+  for (const ContactNode &node : coarse)
+    nearest.push_back(tree.qbegin(boost::geometry::index::nearest(place(node), 1))->second);
+  return nearest;
+}
+
+/// deal.II's transfer between meshes asks MPI who owns what, also where there is one process.
+void start_mpi()
+{
+  int is_started = 0;
+  MPI_Initialized(&is_started);
+  if (is_started != 0)
+    return;
+  MPI_Init(nullptr, nullptr);
+  std::atexit([] { MPI_Finalize(); });
+}
+} // namespace
+
+struct VCycle::Mesh
+{
+  Mesh(std::shared_ptr<const dealii::Triangulation<3>> cells, const MeshOptions &options,
+       const TopFace top_face)
+      : triangulation(std::move(cells)),
+        space(*triangulation, options, top_face)
+  {
+  }
+
+  std::shared_ptr<const dealii::Triangulation<3>> triangulation;
+  Discretization space;
+};
+
+VCycle::VCycle(const Discretization &space, const MeshOptions &mesh, const GeometryOptions &geometry,
+               const MaterialOptions &material)
+    : finest_(space)
+{
+  start_mpi();
+  const auto triangulations = dealii::MGTransferGlobalCoarseningTools::create_geometric_coarsening_sequence(
+      space.dof_handler().get_triangulation());
+  if (mesh.degree > 1)
+    meshes_.push_back(
+        std::make_unique<Mesh>(triangulations.front(), with_degree(mesh, 1), geometry.top_face));
+  for (std::size_t i = 0; i + 1 < triangulations.size(); ++i)
+    meshes_.push_back(std::make_unique<Mesh>(triangulations[i], mesh, geometry.top_face));
+  coarsest_ = std::make_unique<CoarseLevel>(space_of(0), material);
+  for (std::size_t level = 1; level <= meshes_.size(); ++level)
+    levels_.push_back(std::make_unique<Level>(space_of(level), material));
+  for (std::size_t level = 1; level <= meshes_.size(); ++level)
+    connect(level);
+  for (std::size_t level = 0; level <= meshes_.size(); ++level)
+  {
+    const Vector vector = level == 0 ? Vector(space_of(0).n_dofs()) : levels_[level - 1]->make_vector();
+    work_.push_back({vector, vector, vector});
+  }
+}
+
+VCycle::~VCycle() = default;
+
+const Discretization &VCycle::space_of(const std::size_t level) const
+{
+  return level == meshes_.size() ? finest_ : meshes_[level]->space;
+}
+
+void VCycle::connect(const std::size_t level)
+{
+  const Discretization &fine = space_of(level), &coarse = space_of(level - 1);
+  transfers_.push_back(std::make_unique<Transfer>());
+  const auto held_fine = held_at_zero<float>(fine), held_coarse = held_at_zero<float>(coarse);
+  if (fine.scalar_fe().degree != coarse.scalar_fe().degree)
+    transfers_.back()->reinit_polynomial_transfer(fine.dof_handler(), coarse.dof_handler(), held_fine,
+                                                  held_coarse);
+  else
+    transfers_.back()->reinit_geometric_transfer(fine.dof_handler(), coarse.dof_handler(), held_fine,
+                                                 held_coarse);
+  nearest_.push_back(nearest_nodes(coarse.contact_surface().nodes, fine.contact_surface().nodes));
+}
+
+/// Friction resists per area.
+std::vector<NodeRelation> VCycle::coarser(const std::size_t level,
+                                          const std::vector<NodeRelation> &fine) const
+{
+  const auto &coarse_nodes = space_of(level).contact_surface().nodes;
+  const auto &fine_nodes = space_of(level + 1).contact_surface().nodes;
+  std::vector<NodeRelation> relations;
+  for (std::size_t i = 0; i < coarse_nodes.size() && !fine.empty(); ++i)
+  {
+    const std::size_t nearest = nearest_[level][i];
+    relations.push_back(fine[nearest]);
+    relations.back().robin *= coarse_nodes[i].area / fine_nodes[nearest].area;
+  }
+  return relations;
+}
+
+void VCycle::hold(const std::vector<NodeRelation> &relations)
+{
+  std::vector<NodeRelation> held = relations;
+  for (std::size_t level = levels_.size(); level > 0; --level)
+  {
+    levels_[level - 1]->hold(held);
+    held = coarser(level - 1, held);
+  }
+  coarsest_->hold(held);
+}
+
+void VCycle::solve_coarsest(Vector &displacement, const Vector &forces) const
+{
+  const unsigned int n = space_of(0).n_free();
+  Eigen::VectorXd right_side(n);
+  for (unsigned int i = 0; i < n; ++i)
+    right_side[i] = forces.local_element(i);
+  const Eigen::VectorXd solution = coarsest_->solve(std::move(right_side));
+  displacement = 0;
+  for (unsigned int i = 0; i < n; ++i)
+    displacement.local_element(i) = static_cast<float>(solution[i]);
+}
+
+void VCycle::solve(const std::size_t level, Vector &displacement, const Vector &forces) const
+{
+  if (level == 0)
+    return solve_coarsest(displacement, forces);
+  const Level &fine = *levels_[level - 1];
+  Vector &rest = work_[level].rest;
+  Vector &coarse_forces = work_[level - 1].forces, &coarse_displacement = work_[level - 1].displacement;
+  fine.smooth_from_zero(displacement, forces);
+  fine.vmult(rest, displacement);
+  rest.sadd(-1, 1, forces);
+  coarse_forces = 0;
+  transfers_[level - 1]->restrict_and_add(coarse_forces, rest);
+  if (level > 1)
+    levels_[level - 2]->clear_held(coarse_forces);
+  solve(level - 1, coarse_displacement, coarse_forces);
+  rest = 0;
+  transfers_[level - 1]->prolongate_and_add(rest, coarse_displacement);
+  fine.clear_held(rest);
+  displacement += rest;
+  fine.smooth(displacement, forces);
+}
+
+/// In units of the forces: single precision has a small range.
+void VCycle::vmult(BodyVector<double> &displacement, const BodyVector<double> &forces) const
+{
+  ++n_cycles_;
+  const double size = forces.l2_norm();
+  displacement = 0;
+  if (size == 0)
+    return;
+  Workspace &work = work_.back();
+  for (unsigned int i = 0; i < finest_.n_dofs(); ++i)
+    work.forces.local_element(i) = static_cast<float>(forces.local_element(i) / size);
+  solve(levels_.size(), work.displacement, work.forces);
+  for (unsigned int i = 0; i < finest_.n_free(); ++i)
+    displacement.local_element(i) = size * static_cast<double>(work.displacement.local_element(i));
+}
+} // namespace orthocone

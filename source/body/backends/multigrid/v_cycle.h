@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include "coarse_level.h"
+#include "level.h"
+
+#include <deal.II/multigrid/mg_transfer_global_coarsening.h>
+
+#include <memory>
+#include <vector>
+
+namespace orthocone
+{
+/// One V-cycle over the meshes of which the mesh of a body is the refinement, and trilinear elements on the
+/// coarsest of them: close to the inverse of the stiffness with what contact holds, on every level.
+class VCycle
+{
+public:
+  /// `space` must outlive this.
+  VCycle(const Discretization &space, const MeshOptions &mesh, const GeometryOptions &geometry,
+         const MaterialOptions &material);
+  ~VCycle();
+  VCycle(const VCycle &) = delete; // levels refer to their spaces
+  VCycle &operator=(const VCycle &) = delete;
+
+  /// What contact holds of the nodes of the finest level. Coarser nodes are held as the nearest finer ones.
+  void hold(const std::vector<NodeRelation> &relations);
+  void release() { hold({}); }
+
+  /// Displacement by forces, both of all degrees of freedom, zero where they are held.
+  void vmult(BodyVector<double> &displacement, const BodyVector<double> &forces) const;
+
+  /// How often vmult() was called.
+  unsigned long n_cycles() const { return n_cycles_; }
+
+private:
+  struct Mesh; ///< of a level that is not the finest
+  using Vector = Level::Vector;
+  using Transfer = dealii::MGTwoLevelTransfer<3, Vector>;
+
+  const Discretization &space_of(std::size_t level) const;
+  void connect(std::size_t level);
+  std::vector<NodeRelation> coarser(std::size_t level, const std::vector<NodeRelation> &fine) const;
+  void solve(std::size_t level, Vector &displacement, const Vector &forces) const;
+  void solve_coarsest(Vector &displacement, const Vector &forces) const;
+
+  /// What the levels work in.
+  struct Workspace
+  {
+    Vector forces, displacement, rest;
+  };
+
+  const Discretization &finest_;
+  std::vector<std::unique_ptr<const Mesh>> meshes_;  ///< all levels but the finest, from the coarsest on
+  std::unique_ptr<CoarseLevel> coarsest_;            ///< level 0
+  std::vector<std::unique_ptr<Level>> levels_;       ///< from level 1 on
+  std::vector<std::unique_ptr<Transfer>> transfers_; ///< from the level below, from level 1 on
+  std::vector<std::vector<std::size_t>> nearest_;    ///< of every node of level l that of level l + 1
+  mutable std::vector<Workspace> work_;
+  mutable unsigned long n_cycles_ = 0;
+};
+} // namespace orthocone

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "whole_body_conditions.h"
+
+#include "held_stiffness.h"
+
+#include <deal.II/lac/solver_control.h>
+#include <deal.II/lac/solver_gmres.h>
+
+#include <cmath>
+#include <utility>
+
+namespace orthocone
+{
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+WholeBodyConditions::WholeBodyConditions(const ContactFrame &frame,
+                                         const MatrixFreeStiffness<double> &stiffness, VCycle &cycle)
+    : frame_(frame),
+      stiffness_(stiffness),
+      cycle_(cycle)
+{
+}
+
+std::vector<NodeRelation>
+WholeBodyConditions::relations_of(const std::vector<NodeCondition> &conditions) const
+{
+  std::vector<NodeRelation> relations;
+  for (std::size_t i = 0; i < conditions.size(); ++i)
+    relations.push_back(relation_of(conditions[i], frame_.global_in_local(i), frame_.nodes()[i]));
+  return relations;
+}
+
+/// What the conditions ask for, N: an inexact Newton step must leave no more than a share of it.
+static double size_of(const ContactConditions &conditions)
+{
+  double sum = conditions.rest.squaredNorm() + conditions.face_right_side.squaredNorm();
+  for (const NodeCondition &node : conditions.nodes)
+    sum += node.right_side.squaredNorm() + node.fixed.squaredNorm();
+  return std::sqrt(sum);
+}
+
+/// What the nodes' equations feel of a motion of the face by 1.
+std::vector<NodeRelation> WholeBodyConditions::relations_of_column(const ContactConditions &conditions,
+                                                                   const Index column) const
+{
+  std::vector<NodeCondition> nodes = conditions.nodes;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+  {
+    const Vector3d moved = conditions.face.col(column).segment<3>(3 * static_cast<Index>(i));
+    nodes[i].fixed.setZero();
+    nodes[i].right_side = -nodes[i].rows.transpose() * moved;
+  }
+  return relations_of(nodes);
+}
+
+/// Forces and displacements of the contact nodes under a displacement of the body. Contact forces are what
+/// its own forces ask for, so that only the rest of the body lacks equilibrium.
+ContactChange WholeBodyConditions::change_by(const BodyVector<double> &displacement,
+                                             const BodyVector<double> &forces, const VectorXd &rest) const
+{
+  const auto n = static_cast<Index>(frame_.n_free());
+  ContactChange change;
+  change.body = {VectorXd(n), rest.size() == 0 ? VectorXd(VectorXd::Zero(n)) : VectorXd(-rest)};
+  // Of all forces K u those that the body already lacks, first; then the contact forces are taken out.
+  VectorXd &left = change.body.rest;
+  for (Index i = 0; i < n; ++i)
+  {
+    change.body.displacement[i] = displacement.local_element(i);
+    left[i] += forces.local_element(i);
+  }
+  change.force.resize(3 * frame_.nodes().size());
+  change.displacement.resize(change.force.size());
+  for (std::size_t i = 0; i < frame_.nodes().size(); ++i)
+  {
+    Vector3d force = Vector3d::Zero(), moved = Vector3d::Zero();
+    for (unsigned int d = 0; d < 3; ++d)
+      if (frame_.nodes()[i].is_free[d])
+      {
+        const unsigned int dof = frame_.nodes()[i].dofs[d];
+        std::swap(force[d], left[dof]);
+        moved[d] = displacement.local_element(dof);
+      }
+    const auto place = 3 * static_cast<Index>(i);
+    change.force.segment<3>(place) = frame_.global_in_local(i).transpose() * force;
+    change.displacement.segment<3>(place) = frame_.global_in_local(i).transpose() * moved;
+  }
+  left *= -1;
+  if (rest.size() > 0)
+    left -= rest;
+  return change;
+}
+
+ContactChange WholeBodyConditions::solve_nodes(const std::vector<NodeRelation> &relations,
+                                               const VectorXd &rest, const double bound) const
+{
+  constexpr unsigned int most_iterations = 60;
+  const HeldStiffness held(stiffness_, frame_.nodes(), relations);
+  BodyVector<double> displacement = held.given(), forces = stiffness_.make_vector();
+  stiffness_.vmult(forces, displacement);
+  const BodyVector<double> right_side = held.right_side(forces, rest);
+  BodyVector<double> free = stiffness_.make_vector();
+  // Not more than asked for, and what has been reached where that is too much: Newton's method mends it.
+  dealii::IterationNumberControl control(most_iterations, bound, false, false);
+  dealii::SolverFGMRES<BodyVector<double>> gmres(
+      control, dealii::SolverFGMRES<BodyVector<double>>::AdditionalData(most_iterations));
+  if (right_side.l2_norm() > bound)
+    gmres.solve(held, free, right_side, cycle_);
+  held.add_displacement(displacement, free);
+  stiffness_.vmult(forces, displacement);
+  return change_by(displacement, forces, rest);
+}
+
+/// The face is eliminated: its columns are as many solves more.
+ContactChange WholeBodyConditions::solve(const ContactConditions &conditions, const double accuracy) const
+{
+  const std::vector<NodeRelation> relations = relations_of(conditions.nodes);
+  cycle_.hold(relations);
+  const double bound = accuracy * size_of(conditions);
+  ContactChange change = solve_nodes(relations, conditions.rest, bound);
+  const Index m = conditions.face.cols();
+  if (m == 0)
+    return change;
+  MatrixXd answers(m, m);
+  std::vector<ContactChange> columns;
+  for (Index j = 0; j < m; ++j)
+  {
+    columns.push_back(solve_nodes(relations_of_column(conditions, j), {}, bound));
+    answers.col(j) = conditions.face.transpose() * columns.back().force;
+  }
+  change.face =
+      answers.fullPivLu().solve(conditions.face_right_side - conditions.face.transpose() * change.force);
+  for (Index j = 0; j < m; ++j)
+  {
+    change.force += change.face[j] * columns[j].force;
+    change.displacement += change.face[j] * (columns[j].displacement + conditions.face.col(j));
+    change.body = change.body.moved(change.face[j], columns[j].body);
+  }
+  return change;
+}
+} // namespace orthocone

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include "v_cycle.h"
+
+#include <orthocone/body/backends/contact_frame.h>
+#include <orthocone/surface/condition_solver.h>
+
+namespace orthocone
+{
+/// Solves linearized contact laws on the whole body: its stiffness with the relations of the contact nodes,
+/// by flexible GMRES and V-cycles that hold the same relations on every level.
+class WholeBodyConditions : public ConditionSolver
+{
+public:
+  /// What is referred to must outlive this.
+  WholeBodyConditions(const ContactFrame &frame, const MatrixFreeStiffness<double> &stiffness, VCycle &cycle);
+
+  ContactChange solve(const ContactConditions &conditions, double accuracy) const override;
+
+private:
+  ContactChange solve_nodes(const std::vector<NodeRelation> &relations, const Eigen::VectorXd &rest,
+                            double bound) const;
+  ContactChange change_by(const BodyVector<double> &displacement, const BodyVector<double> &forces,
+                          const Eigen::VectorXd &rest) const;
+  std::vector<NodeRelation> relations_of(const std::vector<NodeCondition> &conditions) const;
+  std::vector<NodeRelation> relations_of_column(const ContactConditions &conditions,
+                                                Eigen::Index column) const;
+
+  const ContactFrame &frame_;
+  const MatrixFreeStiffness<double> &stiffness_;
+  VCycle &cycle_;
+};
+} // namespace orthocone

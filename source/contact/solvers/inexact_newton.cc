@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "linearization.h"
+#include "solvers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace orthocone
+{
+using Eigen::VectorXd;
+
+namespace
+{
+/// Unknowns, their displacement, the body behind them, and what the law says.
+struct BodyIterate
+{
+  BodyIterate(const ContactStep &step, VectorXd unknowns_, NodeVector displacement_, BodyPart body_,
+              const double rho_factor)
+      : unknowns(std::move(unknowns_)),
+        displacement(std::move(displacement_)),
+        body(std::move(body_)),
+        linearization(linearize(step, unknowns, displacement, rho_factor)),
+        error(std::hypot(linearization.error, body.rest.norm()))
+  {
+    linearization.conditions.rest = body.rest;
+  }
+
+  VectorXd unknowns;
+  NodeVector displacement;
+  BodyPart body;
+  Linearization linearization;
+  double error; ///< of the law and of the body's equilibrium, N
+};
+
+/// Contact forces that carry what drives the face, as evenly as can be: where nothing touches yet, no force
+/// depends on how the face moves.
+VectorXd balancing_start(const ContactStep &step)
+{
+  VectorXd unknowns = VectorXd::Zero(step.n_unknowns());
+  unknowns.head(step.q().size()) = step.face().columns() * step.face().balance();
+  return step.admissible(unknowns);
+}
+
+/// How accurately the next linear system is solved: as well as Newton's method converges, and not beyond what
+/// the tolerance asks for.
+class Forcing
+{
+public:
+  double next(const double error, const double wanted)
+  {
+    constexpr double coarse = 0.3, fine = 1e-2, oversolving = 0.05;
+    const double reduction = last_ > 0 ? error / last_ : 1;
+    last_ = error;
+    return std::max(std::clamp(0.9 * reduction * reduction, fine, coarse), oversolving * wanted / error);
+  }
+
+private:
+  double last_ = 0;
+};
+
+/// Semismooth Newton for a body without a dense compliance: linearized laws are solved on the whole body, and
+/// only as accurately as pays. Nothing sweeps here.
+class InexactNewton : public ContactSolver
+{
+public:
+  InexactNewton(const ContactSystem &system, const ContactSolverOptions &options)
+      : options_(options),
+        conditions_(condition_solver(system, "newton"))
+  {
+  }
+
+  SolverReport solve(const ContactStep &step, VectorXd &unknowns) const override;
+
+private:
+  BodyIterate near(const ContactStep &step, const VectorXd &unknowns) const
+  {
+    ContactChange near = step.near(unknowns);
+    return {step, unknowns, std::move(near.displacement), std::move(near.body), options_.rho_factor};
+  }
+  BodyIterate next(const ContactStep &step, const BodyIterate &last, double accuracy) const;
+  bool is_solved(const ContactStep &step, BodyIterate &iterate, VectorXd &unknowns) const;
+
+  ContactSolverOptions options_;
+  std::unique_ptr<ConditionSolver> conditions_;
+};
+
+/// Newton's change, or the share of it that makes the error smaller; where none does, the one that makes it
+/// least, if that is little worse, or all of it: pieces of the natural map meet there.
+BodyIterate InexactNewton::next(const ContactStep &step, const BodyIterate &last, const double accuracy) const
+{
+  constexpr double sufficient_decrease = 1e-4, smallest_step = 1. / 64, bearable_growth = 1.2;
+  const ContactChange change = conditions_->solve(last.linearization.conditions, accuracy);
+  VectorXd moved(change.force.size() + change.face.size());
+  moved << change.force, change.face;
+  const auto trial = [&](const double length)
+  {
+    return BodyIterate(step, last.unknowns + length * moved, last.displacement + length * change.displacement,
+                       last.body.moved(length, change.body), options_.rho_factor);
+  };
+  BodyIterate best = trial(1);
+  for (double length = 1; length >= smallest_step; length /= 2)
+  {
+    BodyIterate tried = length == 1 ? best : trial(length);
+    if (tried.error <= (1 - sufficient_decrease * length) * last.error)
+      return tried;
+    if (tried.error < best.error)
+      best = std::move(tried);
+  }
+  return best.error <= bearable_growth * last.error ? best : trial(1);
+}
+
+/// Whether the forces of an iterate, moved into their cones, solve the step with the displacement that they
+/// cause. Else the iterate becomes the state that they make.
+bool InexactNewton::is_solved(const ContactStep &step, BodyIterate &iterate, VectorXd &unknowns) const
+{
+  step.system().compliance().learn(iterate.unknowns.head(iterate.displacement.size()), iterate.body);
+  unknowns = step.admissible(iterate.unknowns);
+  if (step.residual(unknowns) <= options_.tolerance)
+    return true;
+  iterate = near(step, unknowns);
+  return false;
+}
+
+SolverReport InexactNewton::solve(const ContactStep &step, VectorXd &unknowns) const
+{
+  constexpr double rest_share = 0.1; // of the tolerance: what the displacement errs by is up to 30 times more
+  const unsigned int most = std::min(options_.maximum_iterations, 60u);
+  Trace trace;
+  Forcing forcing;
+  if (step.face().n() > 0 && unknowns.head(step.q().size()).isZero(0))
+    unknowns = balancing_start(step);
+  BodyIterate iterate = near(step, unknowns);
+  double residual = step.near_residual(unknowns);
+  trace.add(0, residual, step.force_scale(unknowns));
+  unsigned int n = 0;
+  while (residual > options_.tolerance && n < most && std::isfinite(residual))
+  {
+    const double wanted = options_.tolerance * step.force_scale(iterate.unknowns);
+    iterate = next(step, iterate, forcing.next(iterate.error, wanted));
+    ++n;
+    residual = step.residual(iterate.unknowns, iterate.displacement);
+    trace.add(n, residual, step.force_scale(iterate.unknowns));
+    if (residual > options_.tolerance)
+      continue;
+    if (iterate.body.rest.norm() > rest_share * wanted || !is_solved(step, iterate, unknowns))
+      residual = std::max(2 * options_.tolerance, step.residual(iterate.unknowns, iterate.displacement));
+  }
+  if (!(residual <= options_.tolerance))
+    unknowns = step.admissible(iterate.unknowns);
+  return make_report(step, unknowns, n, options_.tolerance, std::move(trace));
+}
+} // namespace
+
+std::unique_ptr<ContactSolver> make_inexact_newton(const ContactSystem &system,
+                                                   const ContactSolverOptions &options)
+{
+  return make<InexactNewton>(system, options);
+}
+} // namespace orthocone

@@ -1,0 +1,120 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""Bodies solved by multigrid: the states that a factorization finds, and runs that go on to the last bit.
+
+Usage: test_multigrid.py PROGRAM [unittest options]"""
+import signal
+import sys
+import time
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+from program import ROOT, RunTest, main  # noqa: E402
+from resumed_runs import DONE, EVERY_STEP, ResumeTest  # noqa: E402
+
+TOLERANCE = 1e-10  # of the contact solver, as by default
+ISOTROPIC = ["Mesh/Core cells=2", "Mesh/Rings=1", "Mesh/Core ratio=0.6", "Mesh/Layers=2"]
+BOX = ["Geometry/Shape=box", "Mesh/Cells=2, 4, 2"]
+FRETTING = ["Load program/Preload=Fz -5e5 : 2", "Load program/Legs=ux 0.01 : 2 ; ux -0.01 : 3", "Load program/Cycles=1"]
+ONE_CYCLE = ["Load program/Legs=0 0 -0.1 : 2 ; 0 0 0.0 : 4", "Load program/Cycles=1"]
+
+# Name: file, settings besides the mesh.
+SCENES = {
+    "case B": ("paper/case_b.prm", [*ISOTROPIC, *ONE_CYCLE, "Mesh/Refinements=1"]),
+    "case C, degree 3": ("paper/case_c.prm", [*ISOTROPIC, *ONE_CYCLE, "Mesh/Degree=3", "Mesh/Refinements=1"]),
+    "case C, degree 1": ("paper/case_c.prm", [*ISOTROPIC, *ONE_CYCLE, "Mesh/Degree=1", "Mesh/Refinements=2"]),
+    "no refinement": ("paper/case_b.prm", [*ISOTROPIC, *ONE_CYCLE]),
+    "one level": ("paper/case_b.prm", [*ISOTROPIC, *ONE_CYCLE, "Mesh/Degree=1"]),
+    "turned axes, full model": ("paper/case_c.prm", [*ISOTROPIC, *ONE_CYCLE, "Friction/Orthotropy angle=30",
+                                                     "Mesh/Refinements=1"]),
+    "guided": ("paper/case_b.prm", [*ISOTROPIC, *ONE_CYCLE, "Geometry/Top face=guided", "Mesh/Refinements=1"]),
+    "polar friction": ("verification/polar_friction.prm", [*ISOTROPIC, *ONE_CYCLE, "Mesh/Model=quarter",
+                                                           "Mesh/Refinements=1"]),
+    "fretting under a force": ("paper/case_b.prm", [*ISOTROPIC, *FRETTING, "Mesh/Refinements=1"]),
+    "sheared box on a wave": ("paper/case_c.prm", [*BOX, *FRETTING, "Mesh/Refinements=1",
+                                                   "Obstacle/Gap=0.002*(1-cos(x/3))"]),
+    "twisted": ("paper/case_b.prm", [*ISOTROPIC, "Load program/Legs=uz -0.05 : 2 ; rz 0.1 : 2 ; Mz 0 : 2",
+                                     "Load program/Cycles=1", "Mesh/Refinements=1"]),
+}
+COUNTS = {"step", "iterations", "residual", "n_open", "n_stick", "n_slip"}
+
+
+def numbers(rows):
+    """Columns that are numbers."""
+    columns = {}
+    for name in rows[0]:
+        if name not in COUNTS:
+            try:
+                columns[name] = [float(row[name]) for row in rows]
+            except ValueError:
+                pass
+    return columns
+
+
+class SameStatesTest(RunTest):
+    def compared(self, file, settings):
+        results = {}
+        for backend in ("condensed", "multigrid"):
+            result = self.run_program(backend, settings=[*settings, f"Mesh/Backend={backend}"],
+                                      file=ROOT / "prm" / file)
+            self.assertEqual((result.returncode, result.stderr), (DONE, ""))
+            results[backend] = numbers(self.rows(backend))
+        return results["condensed"], results["multigrid"]
+
+    def test_scenes(self):
+        """Every column to ten times the tolerance of its scale; areas and energies sum what nodes err by."""
+        for name, (file, settings) in SCENES.items():
+            with self.subTest(scene=name):
+                condensed, multigrid = self.compared(file, settings)
+                slip = max(abs(u) for key in ("ux", "uy", "uz") for u in condensed[key]) + 1e-9
+                force = max(abs(f) for key in ("force_x", "force_y", "force_z") for f in condensed[key])
+                scales = {"force_x": force, "force_y": force, "force_z": force, "max_slip": slip, "ux": slip, "uy": slip,
+                          "uz": slip, "elastic_energy": force * slip, "dissipation": force * slip,
+                          "total_dissipation": force * slip}
+                for column, scale in scales.items():
+                    error = max(abs(a - b) for a, b in zip(condensed[column], multigrid[column]))
+                    self.assertLessEqual(error, 10 * TOLERANCE * scale, column)
+
+
+class ResumedTest(ResumeTest):
+    SETTINGS = [*ISOTROPIC, "Mesh/Refinements=1", "Mesh/Backend=multigrid", "Load program/Cycles=2", EVERY_STEP]
+    RESULTS = ["history.csv", "checks.csv", "cycles.csv", "contact.pvd", "contact-0030.vtu"]
+
+    def test_to_the_last_bit(self):
+        """What later steps start from is in the checkpoint, wherever the run was interrupted."""
+        self.whole(self.SETTINGS, self.RESULTS)
+        for n_steps in (3, 8, 20):
+            with self.subTest(steps=n_steps):
+                run = self.start(f"after-{n_steps}", self.SETTINGS)
+                history = self.folder / f"after-{n_steps}/history.csv"
+                while run.poll() is None and (not history.exists() or history.read_text().count("\n") <= n_steps):
+                    time.sleep(0.002)
+                run.send_signal(signal.SIGKILL)
+                run.communicate()
+                self.assert_resumes(f"after-{n_steps}", self.SETTINGS)
+
+
+class RefusedTest(RunTest):
+    def refused(self, *settings, file="paper/case_b.prm"):
+        result = self.run_program("run", settings=["Mesh/Backend=multigrid", *settings], file=ROOT / "prm" / file)
+        self.assertEqual(result.returncode, 2)
+        self.assertEqual(result.stderr.count("\n"), 1)
+        self.assertFalse((self.folder / "run").exists())
+        return result.stderr
+
+    def test_sections(self):
+        self.assertIn("Mesh/Backend = multigrid with the axisymmetric model", self.refused(file="paper/case_a.prm"))
+
+    def test_methods_that_need_a_matrix(self):
+        for method in ("gauss-seidel", "uzawa", "box3", "feng2006", "plain-newton"):
+            self.assertIn(f"Contact solver/Method = {method}", self.refused(f"Contact solver/Method={method}"))
+
+    def test_reduced_quadrature(self):
+        self.assertIn("Volumetric quadrature = reduced", self.refused("Mesh/Volumetric quadrature=reduced"))
+
+    def test_other_choices_of_the_mesh(self):
+        self.assertIn("Mesh/Resolution = fine", self.refused("Mesh/Resolution=fine"))
+        self.assertIn("Mesh/Accuracy = 1 %", self.refused("Mesh/Accuracy=1 %"))
+
+
+if __name__ == "__main__":
+    main()

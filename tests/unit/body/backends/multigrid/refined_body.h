@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include "body/backends/multigrid/elastic_solver.h"
+#include "body/backends/multigrid/whole_body_conditions.h"
+#include "body/bodies.h"
+
+#include <random>
+
+namespace orthocone::test
+{
+/// Cells that are nearly cubes, so that multigrid is at its best.
+inline MeshOptions even_mesh(const unsigned int degree, const unsigned int refinements)
+{
+  MeshOptions mesh;
+  mesh.core_cells = 2;
+  mesh.rings = 1;
+  mesh.core_ratio = 0.6;
+  mesh.layers = 2;
+  mesh.degree = degree;
+  mesh.refinements = refinements;
+  mesh.cells = {{2, 2, 2}};
+  return mesh;
+}
+
+inline GeometryOptions shape_of(const BodyShape shape)
+{
+  GeometryOptions geometry;
+  geometry.shape = shape;
+  return geometry;
+}
+
+/// A body by both backends.
+struct RefinedBody
+{
+  RefinedBody(const GeometryOptions &geometry, const MeshOptions &mesh, const SymmetryPlanes &planes,
+              const LocalAxes &axes = LocalAxes(0))
+      : body(geometry, mesh, default_material, planes, axes),
+        stiffness(body.discretization, default_material),
+        cycle(body.discretization, mesh, geometry, default_material),
+        elastic(stiffness, cycle)
+  {
+  }
+
+  const std::vector<ContactNode> &nodes() const { return body.discretization.contact_surface().nodes; }
+
+  BodyVector<double> all(const Eigen::VectorXd &free) const
+  {
+    BodyVector<double> vector = stiffness.make_vector();
+    std::copy(free.begin(), free.end(), vector.begin());
+    return vector;
+  }
+  Eigen::VectorXd free(const BodyVector<double> &vector) const
+  {
+    return Eigen::Map<const Eigen::VectorXd>(vector.begin(), body.discretization.n_free());
+  }
+
+  LoadableBody body;
+  MatrixFreeStiffness<double> stiffness;
+  VCycle cycle;
+  ElasticSolver elastic;
+};
+
+/// Numbers from -1 to 1, the same in every run.
+inline Eigen::VectorXd random_numbers(const Eigen::Index n, const unsigned int seed)
+{
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> number(-1, 1);
+  return Eigen::VectorXd::NullaryExpr(n, [&] { return number(generator); });
+}
+
+/// A third of the nodes open, a third stuck, a third slipping, with all that friction couples.
+inline std::vector<NodeCondition> mixed_conditions(const RefinedBody &refined, const double stiffness)
+{
+  std::vector<NodeCondition> conditions;
+  for (std::size_t i = 0; i < refined.nodes().size(); ++i)
+  {
+    const Eigen::VectorXd random = random_numbers(9, 7 + static_cast<unsigned int>(i));
+    const bool is_on_plane = !refined.nodes()[i].is_free[0] || !refined.nodes()[i].is_free[1];
+    NodeCondition condition;
+    condition.n_unknowns = std::array<int, 3>{{0, 3, 2}}[is_on_plane ? i % 2 : i % 3];
+    if (condition.n_unknowns == 0)
+      condition.fixed = random.head<3>();
+    if (condition.n_unknowns == 3)
+    {
+      condition.basis.setIdentity();
+      condition.rows =
+          stiffness * (Eigen::Matrix3d::Identity() + 0.1 * random.replicate<1, 3>().topRows<3>());
+      condition.right_side = random.tail<3>();
+    }
+    if (condition.n_unknowns == 2)
+    {
+      condition.basis.col(0) = Eigen::Vector3d(1, 0.3 * random[0], 0.3 * random[1]).normalized();
+      condition.basis.col(1) =
+          condition.basis.col(0).cross(Eigen::Vector3d(0.1, random[2], 1).normalized()).normalized();
+      condition.rows.col(0) = stiffness * (condition.basis.col(0) + 0.05 * random.segment<3>(3));
+      condition.rows.col(1) = 0.4 * stiffness * (condition.basis.col(1) + 0.05 * random.segment<3>(5));
+      condition.diagonal[1] = 0.6;
+      condition.right_side.head<2>() = random.segment<2>(6);
+      condition.fixed = 0.2 * condition.basis.col(0).cross(condition.basis.col(1));
+    }
+    for (unsigned int d = 0; d < 2; ++d) // nothing happens across a plane of symmetry
+      if (!refined.nodes()[i].is_free[d])
+        condition.fixed[d + 1] = condition.right_side[d + 1] = 0;
+    conditions.push_back(condition);
+  }
+  return conditions;
+}
+} // namespace orthocone::test

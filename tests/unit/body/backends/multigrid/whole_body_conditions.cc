@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "refined_body.h"
+
+#include "body/backends/multigrid/held_stiffness.h"
+
+#include <gtest/gtest.h>
+
+namespace orthocone::test
+{
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+namespace
+{
+constexpr double node_stiffness = 1e5; // N/mm, as large as a node's own
+
+/// Unknowns of a node's condition that give the change of force, and what is left of it.
+std::pair<Vector3d, double> unknowns_of(const NodeCondition &condition, const Vector3d &force)
+{
+  const Vector3d x = condition.basis.transpose() * (force - condition.fixed);
+  Vector3d told = condition.fixed;
+  told += condition.basis.leftCols(condition.n_unknowns) * x.head(condition.n_unknowns);
+  return {x, (force - told).norm()};
+}
+
+/// Largest error of the nodes' equations, N, with the displacements that the compliance makes of the forces.
+double error_of(const ContactConditions &conditions, const ContactChange &change, const RefinedBody &refined)
+{
+  NodeVector moved;
+  refined.body.condensed.compliance().vmult(moved, change.force);
+  if (conditions.face.cols() > 0)
+    moved += conditions.face * change.face;
+  double error = (moved - change.displacement).norm() * node_stiffness;
+  for (std::size_t i = 0; i < conditions.nodes.size(); ++i)
+  {
+    const NodeCondition &condition = conditions.nodes[i];
+    const auto place = 3 * static_cast<Index>(i);
+    const auto [x, left] = unknowns_of(condition, change.force.segment<3>(place));
+    error = std::max(error, left);
+    for (Index k = 0; k < condition.n_unknowns; ++k)
+      error = std::max(error, std::abs(condition.rows.col(k).dot(moved.segment<3>(place)) +
+                                       condition.diagonal[k] * x[k] - condition.right_side[k]));
+  }
+  return error;
+}
+} // namespace
+
+TEST(WholeBodyConditions, SolvesWhatNodesAskFor)
+{
+  for (const double angle : {0., 30.})
+  {
+    const RefinedBody refined(default_geometry, even_mesh(2, 1), full, LocalAxes(angle));
+    const WholeBodyConditions solver(refined.body.condensed.frame(), refined.stiffness,
+                                     const_cast<VCycle &>(refined.cycle));
+    const ContactConditions conditions{mixed_conditions(refined, node_stiffness), MatrixXd(), VectorXd()};
+    EXPECT_LE(error_of(conditions, solver.solve(conditions, 1e-10), refined), 1e-7);
+  }
+}
+
+/// A face that forces drive along x and z: the change of force balances it.
+TEST(WholeBodyConditions, MovesAFaceThatForcesDrive)
+{
+  const RefinedBody refined(default_geometry, even_mesh(2, 0), full);
+  const auto &frame = refined.body.condensed.frame();
+  const WholeBodyConditions solver(frame, refined.stiffness, const_cast<VCycle &>(refined.cycle));
+  ContactConditions conditions{mixed_conditions(refined, node_stiffness), MatrixXd(), VectorXd(2)};
+  conditions.face.resize(3 * static_cast<Index>(refined.nodes().size()), 2);
+  conditions.face << frame.moved_with(moved_by(1, 0, 0)).normalized(),
+      frame.moved_with(moved_by(0, 0, 1)).normalized();
+  conditions.face_right_side << 3, -2;
+  const ContactChange change = solver.solve(conditions, 1e-10);
+  EXPECT_LE(error_of(conditions, change, refined), 1e-7);
+  EXPECT_LE((conditions.face.transpose() * change.force - conditions.face_right_side).norm(), 1e-9);
+}
+
+/// What the body lacked before, it no longer lacks.
+TEST(WholeBodyConditions, RestoresEquilibrium)
+{
+  const RefinedBody refined(default_geometry, even_mesh(2, 1), quarter);
+  const WholeBodyConditions solver(refined.body.condensed.frame(), refined.stiffness,
+                                   const_cast<VCycle &>(refined.cycle));
+  ContactConditions conditions{mixed_conditions(refined, node_stiffness), MatrixXd(), VectorXd()};
+  conditions.rest = random_numbers(refined.body.discretization.n_free(), 11);
+  const ContactChange change = solver.solve(conditions, 1e-8);
+  EXPECT_LE((conditions.rest + change.body.rest).norm(), 1e-7 * conditions.rest.norm());
+  const VectorXd forces = refined.body.condensed.frame().on_free_unknowns(change.force);
+  EXPECT_LE((forces - refined.body.stiffness.vmult(change.body.displacement) - change.body.rest).norm(),
+            1e-9 * forces.norm());
+}
+
+/// The coarsest mesh is solved exactly, with whatever contact holds there.
+TEST(VCycle, IsExactOnTheCoarsestMesh)
+{
+  RefinedBody refined(default_geometry, even_mesh(1, 0), quarter);
+  std::vector<NodeRelation> relations;
+  const std::vector<NodeCondition> conditions = mixed_conditions(refined, node_stiffness);
+  for (std::size_t i = 0; i < conditions.size(); ++i)
+  {
+    relations.push_back(
+        relation_of(conditions[i], Eigen::Matrix3d(LocalAxes(0).global_in_local(i)), refined.nodes()[i]));
+    relations.back().follows.setZero(); // this is not carried over to the levels
+  }
+  refined.cycle.hold(relations);
+  const HeldStiffness held(refined.stiffness, refined.nodes(), relations);
+  const auto right_side = held.right_side(refined.stiffness.make_vector(),
+                                          random_numbers(refined.body.discretization.n_free(), 3));
+  BodyVector<double> solution = refined.stiffness.make_vector(), image = solution;
+  refined.cycle.vmult(solution, right_side);
+  held.vmult(image, solution);
+  image -= right_side;
+  EXPECT_LE(image.l2_norm(), 1e-5 * right_side.l2_norm()); // vectors of the levels are in single precision
+}
+} // namespace orthocone::test
