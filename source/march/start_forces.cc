@@ -44,7 +44,7 @@ VectorXd StartForces::best(const ContactStep &problem, const std::vector<unsigne
     if (const auto drift = memory_.drift.find(step.phase); drift != memory_.drift.end())
       candidates.push_back(last_cycle->second + drift->second);
   }
-  if (step.step_of_leg > 1)
+  if (step.step_of_leg > 1 && memory_.change.size() > 0) // a coarser march may have missed the steps before
     candidates.push_back(present + memory_.change);
   candidates.push_back(present); // full unloading
   candidates.back().head(state.force.size()).setZero();

@@ -3,8 +3,10 @@
 #include <orthocone/march/step_solver.h>
 
 #include <orthocone/body/node_compliance.h>
+#include <orthocone/march/coarser_march.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace orthocone
 {
@@ -41,9 +43,13 @@ StepSolver::StepSolver(const Scene &scene, const ContactSolverOptions &options)
     : scene_(scene),
       opening_(node_compliance(scene.surface(), scene.symmetry(), scene.parameters().material)),
       tolerance_(options.tolerance),
-      solver_(make_contact_solver(scene.system(), options))
+      solver_(make_contact_solver(scene.system(), options)),
+      coarser_(CoarserMarch::of(scene))
 {
 }
+
+StepSolver::StepSolver(StepSolver &&other) noexcept = default;
+StepSolver::~StepSolver() = default;
 
 StepSolver::Attempt StepSolver::attempt(const ContactState &state, const FaceTarget &target) const
 {
@@ -60,16 +66,34 @@ SolverReport StepSolver::solve(ContactState &state, const LoadStep &step) const
   const ContactState before = state;
   state.leg_begin = leg_begin(state, step);
   const Attempt whole = attempt(state, step.target(state.leg_begin));
-  const SolverReport report =
-      whole.target.is_release()
-          ? release(state, whole)
-          : solve_to(state, whole, starts_.best(whole.problem, whole.components, state, step, tolerance_),
-                     most_halvings);
+  const SolverReport report = whole.target.is_release()
+                                  ? release(state, whole)
+                                  : solve_to(state, whole, start_of(whole, before, step), most_halvings);
   if (report.converged)
     state.step = step.number;
   else
     state = before;
   return report;
+}
+
+/// What is known of the past, or what the step changes on a coarser mesh where that is far off.
+VectorXd StepSolver::start_of(const Attempt &attempt, const ContactState &state, const LoadStep &step) const
+{
+  constexpr double good = 1e-3; // what a coarser mesh tells is hardly better
+  VectorXd start = starts_.best(attempt.problem, attempt.components, state, step, tolerance_);
+  if (coarser_ == nullptr)
+    return start;
+  const auto change = coarser_->solve(step);
+  if (!change || attempt.problem.near_residual(start) <= good)
+    return start;
+  const ElasticBody &body = scene_.body();
+  const ContactChange held = body.compliance().held_at(body.elastic_displacement(state.force) +
+                                                       body.prolonged(change->displacement));
+  body.compliance().learn(held.force, held.body);
+  ContactState moved = state;
+  moved.force = held.force;
+  moved.motion.components += change->motion.components;
+  return present_unknowns(moved, attempt);
 }
 
 FaceState StepSolver::leg_begin(const ContactState &before, const LoadStep &step) const
@@ -99,13 +123,21 @@ double StepSolver::carried_share(const ContactState &before, const LoadStep &ste
 void StepSolver::accept(const ContactState &before, const ContactState &after, const LoadStep &step)
 {
   starts_.remember(before, after, step);
-  starts_.keep_bodies(scene_.system().compliance().settle(after.force));
+  std::vector<MarchMemory> coarser;
+  if (coarser_ != nullptr)
+  {
+    coarser_->accept(step);
+    coarser.push_back(coarser_->memory());
+  }
+  starts_.keep(scene_.system().compliance().settle(after.force), std::move(coarser));
 }
 
 void StepSolver::restore(const StartMemory &memory)
 {
   starts_.restore(memory);
   scene_.system().compliance().restore(memory.bodies);
+  if (coarser_ != nullptr && !memory.coarser.empty())
+    coarser_->restore(memory.coarser.front());
 }
 
 VectorXd StepSolver::present_unknowns(const ContactState &state, const Attempt &attempt) const

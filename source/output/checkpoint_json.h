@@ -30,6 +30,13 @@ TableMarks tables_from(const Json &json);
 Json steps_json(const std::vector<unsigned int> &steps);
 std::vector<unsigned int> steps_from(const Json &json);
 
+Json state_json(const ContactState &state);
+ContactState state_from(const Json &json);
+
+/// Of a march that has reached `state`.
+Json starts_json(const StartMemory &starts);
+StartMemory starts_from(const Json &json, const ContactState &state);
+
 /// The value of these bytes.
 Json json_from_cbor(const std::string &bytes);
 } // namespace orthocone::checkpoint_json

@@ -5,6 +5,7 @@
 #include "dense_conditions.h"
 
 #include <cmath>
+#include <stdexcept>
 #include <utility>
 
 namespace orthocone
@@ -20,6 +21,11 @@ ContactChange Compliance::near(const NodeVector &force) const
   answer.force = force;
   vmult(answer.displacement, force);
   return answer;
+}
+
+ContactChange Compliance::held_at(const Eigen::VectorXd &) const
+{
+  throw std::logic_error("this compliance has no body");
 }
 
 void Compliance::learn(const NodeVector &, const BodyPart &) const {}

@@ -6,6 +6,8 @@
 #include <orthocone/surface/compliance.h>
 #include <orthocone/surface/rigid_motion.h>
 
+#include <stdexcept>
+
 namespace orthocone
 {
 /// How far a whole body and its compliance differ under contact forces.
@@ -40,6 +42,14 @@ public:
   /// Displacements of the volume (mm) under contact forces, and the same with a motion of the held face.
   virtual Eigen::VectorXd elastic_displacement(const NodeVector &force) const = 0;
   virtual Eigen::VectorXd with_motion(const RigidMotion &held, const Eigen::VectorXd &elastic) const = 0;
+
+  /// A displacement of the free degrees of freedom of the mesh before the last refinement, on this one (mm).
+  /// Throws std::logic_error where the body has no such mesh.
+  virtual Eigen::VectorXd prolonged(const Eigen::VectorXd &coarser) const
+  {
+    static_cast<void>(coarser);
+    throw std::logic_error("this body has no coarser mesh");
+  }
 
   /// Of forces that move the contact nodes by `elastic` (without the motion of the held face). Rounding is
   /// kept well below `bound`.

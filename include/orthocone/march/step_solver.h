@@ -13,6 +13,8 @@
 
 namespace orthocone
 {
+struct MarchMemory;
+
 /// Forces from which the next step may start, besides those of the last step. Each vector holds three forces
 /// a node and behind them the motion of the held face.
 struct StartMemory
@@ -21,10 +23,18 @@ struct StartMemory
   std::map<unsigned int, NodeVector> of_phase; ///< forces at each phase of the last cycle
   std::map<unsigned int, NodeVector> drift;    ///< their change from the cycle before that
   std::vector<Eigen::VectorXd> bodies{};       ///< Compliance::settle()
+  std::vector<MarchMemory> coarser{};          ///< of CoarserMarch; one, or none
 
   /// Most that both maps may hold. A cycle of so many steps that they would hold more starts its later phases
   /// from the step before.
   static constexpr std::size_t most_bytes = 32000000;
+};
+
+/// A march that goes on from here.
+struct MarchMemory
+{
+  ContactState state;
+  StartMemory starts;
 };
 
 /// Chooses the forces from which a step starts: those of the last step, their extrapolation along the leg
@@ -43,11 +53,17 @@ public:
 
   const StartMemory &memory() const { return memory_; }
   void restore(const StartMemory &memory) { memory_ = memory; }
-  void keep_bodies(std::vector<Eigen::VectorXd> bodies) { memory_.bodies = std::move(bodies); }
+  void keep(std::vector<Eigen::VectorXd> bodies, std::vector<MarchMemory> coarser)
+  {
+    memory_.bodies = std::move(bodies);
+    memory_.coarser = std::move(coarser);
+  }
 
 private:
   StartMemory memory_;
 };
+
+class CoarserMarch;
 
 /// Solves load steps one after another. A step that fails is halved, from the state before it, so that the
 /// slip history of the attempt is forgotten.
@@ -57,6 +73,8 @@ public:
   /// By the scene's own solver, or by another one. `scene` must outlive this.
   explicit StepSolver(const Scene &scene);
   StepSolver(const Scene &scene, const ContactSolverOptions &options);
+  StepSolver(StepSolver &&other) noexcept;
+  ~StepSolver();
 
   /// Advances `state` to the end of `step`. On failure (report.converged is false) `state` is as before.
   SolverReport solve(ContactState &state, const LoadStep &step) const;
@@ -84,6 +102,7 @@ private:
     std::vector<unsigned int> components; ///< of its free face
   };
 
+  Eigen::VectorXd start_of(const Attempt &attempt, const ContactState &state, const LoadStep &step) const;
   Attempt attempt(const ContactState &state, const FaceTarget &target) const;
   SolverReport solve_to(ContactState &state, const Attempt &attempt, Eigen::VectorXd unknowns,
                         unsigned int n_halvings) const;
@@ -98,5 +117,6 @@ private:
   double tolerance_;
   std::unique_ptr<ContactSolver> solver_;
   StartForces starts_;
+  std::unique_ptr<CoarserMarch> coarser_; ///< where that pays
 };
 } // namespace orthocone

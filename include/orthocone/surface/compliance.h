@@ -30,6 +30,10 @@ public:
   /// No motion of a face.
   virtual ContactChange near(const NodeVector &force) const;
 
+  /// The contact forces that hold a body whose free degrees of freedom are displaced so (mm), and what it
+  /// lacks then. Throws std::logic_error where there is no body.
+  virtual ContactChange held_at(const Eigen::VectorXd &displacement) const;
+
   /// Takes note of a body under these forces that somebody has found: later answers may start from it.
   virtual void learn(const NodeVector &force, const BodyPart &body) const;
 

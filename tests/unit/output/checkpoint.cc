@@ -95,6 +95,19 @@ TEST(Checkpoint, OfNoStepYetMayKnowStartForces)
   EXPECT_EQ(after.of_phase, before.starts.of_phase);
 }
 
+TEST(Checkpoint, KeepsBodiesAndCoarserMarches)
+{
+  Checkpoint before = checkpoint_after(7);
+  before.starts.bodies = {NodeVector::LinSpaced(5, 0, 1. / 7), NodeVector::LinSpaced(5, 1, 1. / 9)};
+  before.starts.coarser = {{before.state, before.starts}};
+  const Checkpoint after = decode(encode(before));
+  EXPECT_EQ(after.starts.bodies, before.starts.bodies);
+  ASSERT_EQ(after.starts.coarser.size(), 1u);
+  EXPECT_EQ(after.starts.coarser.front().state.force, before.state.force);
+  EXPECT_EQ(after.starts.coarser.front().starts.bodies, before.starts.bodies);
+  EXPECT_TRUE(after.starts.coarser.front().starts.coarser.empty());
+}
+
 TEST(Checkpoint, KeepsEverythingToTheLastBit)
 {
   Checkpoint before = checkpoint_after(7);

@@ -32,6 +32,7 @@ public:
   Wrench wrench(const NodeVector &force) const override;
   Eigen::VectorXd elastic_displacement(const NodeVector &force) const override;
   Eigen::VectorXd with_motion(const RigidMotion &held, const Eigen::VectorXd &elastic) const override;
+  Eigen::VectorXd prolonged(const Eigen::VectorXd &coarser) const override;
   BodyMismatch mismatch(const NodeVector &force, const NodeVector &elastic, double bound) const override;
 
   /// V-cycles on the finest mesh so far: the measure of all work.

@@ -50,7 +50,7 @@ void Level::hold(std::vector<NodeRelation> relations)
 
 void Level::invert_blocks()
 {
-  constexpr double most_robin = 100; // times the stiffness of the body: more is as good as held
+  constexpr double most_robin = 1e4; // times the stiffness of the body: more is as good as held
   blocks_.assign(relations_.size(), Eigen::Matrix2f::Zero());
   robin_.assign(relations_.size(), Eigen::Matrix2f::Zero());
   for (std::size_t i = 0; i < relations_.size(); ++i)

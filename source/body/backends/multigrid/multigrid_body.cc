@@ -87,6 +87,11 @@ VectorXd MultigridBody::with_motion(const RigidMotion &held, const VectorXd &ela
   return modules_->frame.with_motion(held, elastic);
 }
 
+VectorXd MultigridBody::prolonged(const VectorXd &coarser) const
+{
+  return modules_->cycle->prolonged(coarser);
+}
+
 BodyMismatch MultigridBody::mismatch(const NodeVector &force, const NodeVector &elastic, double) const
 {
   const VectorXd forces = modules_->frame.on_free_unknowns(force);

@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include "multigrid_compliance.h"
 
+#include "contact_change.h"
+
 #include <utility>
 
 namespace orthocone
@@ -53,6 +55,8 @@ VectorXd MultigridCompliance::body_displacement(const NodeVector &force) const
 
 ContactChange MultigridCompliance::near(const NodeVector &force) const
 {
+  if (force.size() == learned_.force.size() && force == learned_.force)
+    return learned_;
   const NearSolution near = elastic_.near(on_body(force));
   ContactChange answer;
   answer.force = force;
@@ -61,12 +65,21 @@ ContactChange MultigridCompliance::near(const NodeVector &force) const
   return answer;
 }
 
+ContactChange MultigridCompliance::held_at(const VectorXd &displacement) const
+{
+  BodyVector<double> all = stiffness_.make_vector(), forces = stiffness_.make_vector();
+  copy(displacement, all);
+  stiffness_.vmult(forces, all);
+  return contact_change(frame_, all, forces, {});
+}
+
 void MultigridCompliance::learn(const NodeVector &force, const BodyPart &body) const
 {
   BodyVector<double> displacement = stiffness_.make_vector(), forces = stiffness_.make_vector();
   copy(body.displacement, displacement);
   copy(frame_.on_free_unknowns(force) - body.rest, forces);
   elastic_.learn(displacement, forces);
+  learned_ = {force, {}, of_nodes(displacement, force), body};
 }
 
 /// A direction that symmetry holds has a compliance of its own.

@@ -21,6 +21,7 @@ public:
   Eigen::Index n_nodes() const override { return of_nodes_.size(); }
   void vmult(NodeVector &displacement, const NodeVector &force) const override;
   ContactChange near(const NodeVector &force) const override;
+  ContactChange held_at(const Eigen::VectorXd &displacement) const override;
   void learn(const NodeVector &force, const BodyPart &body) const override;
   std::vector<Eigen::VectorXd> settle(const NodeVector &force) const override;
   void restore(const std::vector<Eigen::VectorXd> &settled) const override { elastic_.restore(settled); }
@@ -46,5 +47,6 @@ private:
   ElasticSolver elastic_;
   Eigen::VectorXd of_nodes_; ///< mm/N
   double accuracy_;
+  mutable ContactChange learned_; ///< what learn() was told last
 };
 } // namespace orthocone

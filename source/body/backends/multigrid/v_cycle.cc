@@ -169,6 +169,23 @@ void VCycle::solve(const std::size_t level, Vector &displacement, const Vector &
   fine.smooth(displacement, forces);
 }
 
+Eigen::VectorXd VCycle::prolonged(const Eigen::VectorXd &coarser) const
+{
+  Vector &coarse = work_[levels_.size() - 1].displacement, &fine = work_.back().rest;
+  const double size = coarser.lpNorm<Eigen::Infinity>();
+  Eigen::VectorXd result = Eigen::VectorXd::Zero(finest_.n_free());
+  if (size == 0)
+    return result;
+  coarse = 0;
+  fine = 0;
+  for (Eigen::Index i = 0; i < coarser.size(); ++i)
+    coarse.local_element(i) = static_cast<float>(coarser[i] / size);
+  transfers_.back()->prolongate_and_add(fine, coarse);
+  for (Eigen::Index i = 0; i < result.size(); ++i)
+    result[i] = size * static_cast<double>(fine.local_element(i));
+  return result;
+}
+
 /// In units of the forces: single precision has a small range.
 void VCycle::vmult(BodyVector<double> &displacement, const BodyVector<double> &forces) const
 {

@@ -31,6 +31,9 @@ public:
   /// Displacement by forces, both of all degrees of freedom, zero where they are held.
   void vmult(BodyVector<double> &displacement, const BodyVector<double> &forces) const;
 
+  /// Displacements of the free degrees of freedom of the level below the finest, on the finest.
+  Eigen::VectorXd prolonged(const Eigen::VectorXd &coarser) const;
+
   /// How often vmult() was called.
   unsigned long n_cycles() const { return n_cycles_; }
 

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include "whole_body_conditions.h"
 
+#include "contact_change.h"
 #include "held_stiffness.h"
 
 #include <deal.II/lac/solver_control.h>
@@ -57,43 +58,6 @@ std::vector<NodeRelation> WholeBodyConditions::relations_of_column(const Contact
   return relations_of(nodes);
 }
 
-/// Forces and displacements of the contact nodes under a displacement of the body. Contact forces are what
-/// its own forces ask for, so that only the rest of the body lacks equilibrium.
-ContactChange WholeBodyConditions::change_by(const BodyVector<double> &displacement,
-                                             const BodyVector<double> &forces, const VectorXd &rest) const
-{
-  const auto n = static_cast<Index>(frame_.n_free());
-  ContactChange change;
-  change.body = {VectorXd(n), rest.size() == 0 ? VectorXd(VectorXd::Zero(n)) : VectorXd(-rest)};
-  // Of all forces K u those that the body already lacks, first; then the contact forces are taken out.
-  VectorXd &left = change.body.rest;
-  for (Index i = 0; i < n; ++i)
-  {
-    change.body.displacement[i] = displacement.local_element(i);
-    left[i] += forces.local_element(i);
-  }
-  change.force.resize(3 * frame_.nodes().size());
-  change.displacement.resize(change.force.size());
-  for (std::size_t i = 0; i < frame_.nodes().size(); ++i)
-  {
-    Vector3d force = Vector3d::Zero(), moved = Vector3d::Zero();
-    for (unsigned int d = 0; d < 3; ++d)
-      if (frame_.nodes()[i].is_free[d])
-      {
-        const unsigned int dof = frame_.nodes()[i].dofs[d];
-        std::swap(force[d], left[dof]);
-        moved[d] = displacement.local_element(dof);
-      }
-    const auto place = 3 * static_cast<Index>(i);
-    change.force.segment<3>(place) = frame_.global_in_local(i).transpose() * force;
-    change.displacement.segment<3>(place) = frame_.global_in_local(i).transpose() * moved;
-  }
-  left *= -1;
-  if (rest.size() > 0)
-    left -= rest;
-  return change;
-}
-
 ContactChange WholeBodyConditions::solve_nodes(const std::vector<NodeRelation> &relations,
                                                const VectorXd &rest, const double bound) const
 {
@@ -111,7 +75,7 @@ ContactChange WholeBodyConditions::solve_nodes(const std::vector<NodeRelation> &
     gmres.solve(held, free, right_side, cycle_);
   held.add_displacement(displacement, free);
   stiffness_.vmult(forces, displacement);
-  return change_by(displacement, forces, rest);
+  return contact_change(frame_, displacement, forces, rest);
 }
 
 /// The face is eliminated: its columns are as many solves more.

@@ -22,8 +22,6 @@ public:
 private:
   ContactChange solve_nodes(const std::vector<NodeRelation> &relations, const Eigen::VectorXd &rest,
                             double bound) const;
-  ContactChange change_by(const BodyVector<double> &displacement, const BodyVector<double> &forces,
-                          const Eigen::VectorXd &rest) const;
   std::vector<NodeRelation> relations_of(const std::vector<NodeCondition> &conditions) const;
   std::vector<NodeRelation> relations_of_column(const ContactConditions &conditions,
                                                 Eigen::Index column) const;

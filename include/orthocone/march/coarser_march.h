@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/march/step_solver.h>
+
+#include <memory>
+#include <optional>
+
+namespace orthocone
+{
+/// The march of the same scene on the mesh before the last refinement, to a loose tolerance and one step
+/// ahead: what a step changes there is where it starts from on the finer mesh.
+class CoarserMarch
+{
+public:
+  /// Nothing if the body of the scene has no coarser mesh, or does not need one.
+  static std::unique_ptr<CoarserMarch> of(const Scene &finer);
+
+  explicit CoarserMarch(const Parameters &parameters, const ModelChoice &choice);
+
+  struct Change
+  {
+    Eigen::VectorXd displacement; ///< of the free degrees of freedom of the coarser mesh, mm
+    RigidMotion motion;           ///< of the held face
+  };
+
+  /// Solves a step from the last accepted state; nothing if that fails.
+  std::optional<Change> solve(const LoadStep &step);
+
+  /// The step that was solved last is accepted.
+  void accept(const LoadStep &step);
+
+  MarchMemory memory() const { return {state_, solver_.memory()}; }
+  void restore(const MarchMemory &memory);
+
+private:
+  Scene scene_;
+  StepSolver solver_;
+  ContactState state_;
+  std::optional<ContactState> solved_;
+};
+} // namespace orthocone

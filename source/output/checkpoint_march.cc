@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// A march as a checkpoint keeps it: its state, and what later steps start from.
+#include "checkpoint_json.h"
+
+namespace orthocone::checkpoint_json
+{
+using Eigen::Index;
+
+Json state_json(const ContactState &state)
+{
+  return {{"step", state.step},
+          {"motion", array_json(state.motion.components)},
+          {"leg_motion", array_json(state.leg_begin.motion.components)},
+          {"leg_wrench", array_json(state.leg_begin.wrench.components)},
+          {"n_nodes", state.n_nodes()},
+          {"force", array_json(state.force)},
+          {"displacement", array_json(state.displacement)},
+          {"accumulated_slip", array_json(state.accumulated_slip)},
+          {"dissipated_energy", array_json(state.dissipated_energy)},
+          {"slip_at_stick", array_json(state.slip_at_stick)},
+          {"status", state.status}};
+}
+
+ContactState state_from(const Json &json)
+{
+  const auto n = static_cast<Index>(count_from(json.at("n_nodes")));
+  ContactState state(0);
+  state.step = count_from(json.at("step"));
+  state.motion.components = array_from(json.at("motion"), n_rigid_components);
+  state.leg_begin.motion.components = array_from(json.at("leg_motion"), n_rigid_components);
+  state.leg_begin.wrench.components = array_from(json.at("leg_wrench"), n_rigid_components);
+  state.accumulated_slip = array_from(json.at("accumulated_slip"), n);
+  state.dissipated_energy = array_from(json.at("dissipated_energy"), n);
+  state.slip_at_stick = array_from(json.at("slip_at_stick"), 2 * n);
+  state.force = array_from(json.at("force"), 3 * n);
+  state.displacement = array_from(json.at("displacement"), 3 * n);
+  for (const auto &status : json.at("status"))
+    switch (status.get<int>())
+    {
+    case static_cast<int>(NodeStatus::open):
+    case static_cast<int>(NodeStatus::stick):
+    case static_cast<int>(NodeStatus::slip):
+      state.status.push_back(static_cast<NodeStatus>(status.get<int>()));
+      break;
+    default:
+      throw CheckpointError("is damaged (unknown status of a node)");
+    }
+  if (static_cast<Index>(state.status.size()) != n)
+    throw CheckpointError("is damaged (an array has the wrong size)");
+  return state;
+}
+
+namespace
+{
+Json phases_json(const std::map<unsigned int, NodeVector> &forces)
+{
+  Json json = Json::array();
+  for (const auto &[phase, force] : forces)
+    json.push_back({phase, array_json(force)});
+  return json;
+}
+
+std::map<unsigned int, NodeVector> phases_from(const Json &json, const Index n)
+{
+  std::map<unsigned int, NodeVector> forces;
+  for (const auto &entry : json)
+    forces[count_from(entry.at(0))] = array_from(entry.at(1), n);
+  return forces;
+}
+
+Json bodies_json(const std::vector<Eigen::VectorXd> &bodies)
+{
+  Json json = Json::array();
+  for (const Eigen::VectorXd &body : bodies)
+    json.push_back(array_json(body));
+  return json;
+}
+
+/// All of one size.
+std::vector<Eigen::VectorXd> bodies_from(const Json &json)
+{
+  std::vector<Eigen::VectorXd> bodies;
+  for (const Json &body : json)
+    bodies.push_back(array_from(body, static_cast<Index>(json.at(0).get_binary().size() / sizeof(double))));
+  return bodies;
+}
+
+Json coarser_json(const std::vector<MarchMemory> &marches)
+{
+  Json json = Json::array();
+  for (const MarchMemory &march : marches)
+    json.push_back({state_json(march.state), starts_json(march.starts)});
+  return json;
+}
+
+std::vector<MarchMemory> coarser_from(const Json &json)
+{
+  std::vector<MarchMemory> marches;
+  for (const Json &march : json)
+  {
+    const ContactState state = state_from(march.at(0));
+    marches.push_back({state, starts_from(march.at(1), state)});
+  }
+  return marches;
+}
+} // namespace
+
+Json starts_json(const StartMemory &starts)
+{
+  return {{"change", array_json(starts.change)},
+          {"of_phase", phases_json(starts.of_phase)},
+          {"drift", phases_json(starts.drift)},
+          {"bodies", bodies_json(starts.bodies)},
+          {"coarser", coarser_json(starts.coarser)}};
+}
+
+StartMemory starts_from(const Json &json, const ContactState &state)
+{
+  const Index n = 3 * state.n_nodes() + n_rigid_components; // the motion of the held face behind the forces
+  // Before the first step there is no change, unless a search for a mesh has marched through it.
+  const bool has_change = state.step > 0 || !json.at("change").get_binary().empty();
+  return {array_from(json.at("change"), has_change ? n : 0), phases_from(json.at("of_phase"), n),
+          phases_from(json.at("drift"), n), bodies_from(json.at("bodies")), coarser_from(json.at("coarser"))};
+}
+} // namespace orthocone::checkpoint_json
