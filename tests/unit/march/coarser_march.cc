@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/march/coarser_march.h>
 
+#include "body/mpi.h"
+
 #include <gtest/gtest.h>
 
 namespace orthocone::test
@@ -13,6 +15,7 @@ namespace
 /// Case B's friction on cells that are nearly cubes.
 Parameters refined(const unsigned int refinements)
 {
+  start_mpi_unwatched();
   Parameters parameters;
   parameters.mesh.core_cells = 2;
   parameters.mesh.rings = 1;

@@ -5,6 +5,7 @@
 #include "body/backends/multigrid/elastic_solver.h"
 #include "body/backends/multigrid/whole_body_conditions.h"
 #include "body/bodies.h"
+#include "body/mpi.h"
 
 #include <random>
 
@@ -36,7 +37,7 @@ struct RefinedBody
 {
   RefinedBody(const GeometryOptions &geometry, const MeshOptions &mesh, const SymmetryPlanes &planes,
               const LocalAxes &axes = LocalAxes(0))
-      : body(geometry, mesh, default_material, planes, axes),
+      : body((start_mpi_unwatched(), geometry), mesh, default_material, planes, axes),
         stiffness(body.discretization, default_material),
         cycle(body.discretization, mesh, geometry, default_material),
         elastic(stiffness, cycle)

@@ -52,7 +52,8 @@ TEST(WholeBodyConditions, SolvesWhatNodesAskFor)
 {
   for (const double angle : {0., 30.})
   {
-    const RefinedBody refined(default_geometry, even_mesh(2, 1), full, LocalAxes(angle));
+    const RefinedBody refined(default_geometry, angle == 0 ? even_mesh(1, 1) : even_mesh(2, 0), full,
+                              LocalAxes(angle));
     const WholeBodyConditions solver(refined.body.condensed.frame(), refined.stiffness,
                                      const_cast<VCycle &>(refined.cycle));
     const ContactConditions conditions{mixed_conditions(refined, node_stiffness), MatrixXd(), VectorXd()};
