@@ -106,7 +106,14 @@ void MultigridCompliance::vmult(NodeVector &displacement, const NodeVector &forc
 
 std::vector<VectorXd> MultigridCompliance::settle(const NodeVector &force) const
 {
+  learned_ = {};
   return elastic_.settle(on_body(force), accuracy_);
+}
+
+void MultigridCompliance::restore(const std::vector<VectorXd> &settled) const
+{
+  learned_ = {};
+  elastic_.restore(settled);
 }
 
 Eigen::Matrix3d MultigridCompliance::diagonal_block(const Index node) const

@@ -24,7 +24,7 @@ public:
   ContactChange held_at(const Eigen::VectorXd &displacement) const override;
   void learn(const NodeVector &force, const BodyPart &body) const override;
   std::vector<Eigen::VectorXd> settle(const NodeVector &force) const override;
-  void restore(const std::vector<Eigen::VectorXd> &settled) const override { elastic_.restore(settled); }
+  void restore(const std::vector<Eigen::VectorXd> &settled) const override;
   Eigen::Matrix3d diagonal_block(Eigen::Index node) const override;
   std::unique_ptr<ConditionSolver> condition_solver(double softness) const override;
   double softness() const override;
