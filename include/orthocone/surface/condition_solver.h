@@ -60,10 +60,9 @@ struct BodyPart
 /// Changes of the forces, of the motion y of the face, of the displacement and of the body behind it.
 struct ContactChange
 {
-  NodeVector force{};     ///< N
-  Eigen::VectorXd face{}; ///< mm
-  NodeVector
-      displacement{}; ///< with the motion of the face, mm; nothing: what the compliance says of the force
+  NodeVector force{};        ///< N
+  Eigen::VectorXd face{};    ///< mm
+  NodeVector displacement{}; ///< with the motion of the face, mm; nothing: as the compliance says
   BodyPart body{};
 };
 

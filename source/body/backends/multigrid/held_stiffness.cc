@@ -2,26 +2,10 @@
 // Copyright (C) 2026 the orthocone authors
 #include "held_stiffness.h"
 
+#include "node_values.h"
+
 namespace orthocone
 {
-namespace
-{
-using Eigen::Vector2d;
-
-Vector2d tangential(const HeldStiffness::Vector &vector, const ContactNode &node)
-{
-  return {node.is_free[0] ? vector.local_element(node.dofs[0]) : 0,
-          node.is_free[1] ? vector.local_element(node.dofs[1]) : 0};
-}
-
-void add_tangential(HeldStiffness::Vector &vector, const ContactNode &node, const Vector2d &value)
-{
-  for (unsigned int d = 0; d < 2; ++d)
-    if (node.is_free[d])
-      vector.local_element(node.dofs[d]) += value[d];
-}
-} // namespace
-
 void HeldStiffness::add_displacement(Vector &displacement, const Vector &free) const
 {
   displacement += free;
@@ -37,7 +21,7 @@ void HeldStiffness::vmult(Vector &result, const Vector &free) const
   stiffness_.vmult(result, displacement);
   for (std::size_t i = 0; i < nodes_.size(); ++i)
     if (relations_[i].hold == Hold::normal)
-      add_tangential(result, nodes_[i], relations_[i].robin * tangential(free, nodes_[i]));
+      add_tangential<double>(result, nodes_[i], relations_[i].robin * tangential(free, nodes_[i]));
   test(result);
 }
 
@@ -46,7 +30,8 @@ void HeldStiffness::test(Vector &forces) const
 {
   for (std::size_t i = 0; i < nodes_.size(); ++i)
     if (relations_[i].hold == Hold::normal)
-      add_tangential(forces, nodes_[i], relations_[i].coupling * forces.local_element(nodes_[i].dofs[2]));
+      add_tangential<double>(forces, nodes_[i],
+                             relations_[i].coupling * forces.local_element(nodes_[i].dofs[2]));
   clear_held(forces);
 }
 
@@ -57,7 +42,7 @@ void HeldStiffness::clear_held(Vector &vector) const
     {
       vector.local_element(nodes_[i].dofs[2]) = 0;
       if (relations_[i].hold == Hold::all)
-        add_tangential(vector, nodes_[i], -tangential(vector, nodes_[i]));
+        set_tangential<double>(vector, nodes_[i], Eigen::Vector2d::Zero());
     }
 }
 
@@ -68,7 +53,7 @@ HeldStiffness::Vector HeldStiffness::given() const
     if (relations_[i].hold != Hold::nothing)
     {
       displacement.local_element(nodes_[i].dofs[2]) = relations_[i].displacement[2];
-      add_tangential(displacement, nodes_[i], relations_[i].displacement.head<2>());
+      add_tangential<double>(displacement, nodes_[i], relations_[i].displacement.head<2>());
     }
   return displacement;
 }
@@ -81,7 +66,7 @@ HeldStiffness::Vector HeldStiffness::right_side(const Vector &forces, const Eige
     right_side.local_element(i) += rest[i];
   for (std::size_t i = 0; i < nodes_.size(); ++i)
   {
-    add_tangential(right_side, nodes_[i], relations_[i].force.head<2>());
+    add_tangential<double>(right_side, nodes_[i], relations_[i].force.head<2>());
     if (relations_[i].hold == Hold::nothing)
       right_side.local_element(nodes_[i].dofs[2]) += relations_[i].force[2];
   }

@@ -2,29 +2,14 @@
 // Copyright (C) 2026 the orthocone authors
 #include "level.h"
 
+#include "node_values.h"
+
 #include <algorithm>
 #include <utility>
 
 namespace orthocone
 {
-namespace
-{
 using Eigen::Vector2f;
-
-/// Entries of a vector at the tangential degrees of freedom of a node; 0 where symmetry holds them.
-Vector2f tangential(const Level::Vector &vector, const ContactNode &node)
-{
-  return {node.is_free[0] ? vector.local_element(node.dofs[0]) : 0,
-          node.is_free[1] ? vector.local_element(node.dofs[1]) : 0};
-}
-
-void set_tangential(const Vector2f &value, const ContactNode &node, Level::Vector &vector)
-{
-  for (unsigned int d = 0; d < 2; ++d)
-    if (node.is_free[d])
-      vector.local_element(node.dofs[d]) = value[d];
-}
-} // namespace
 
 Level::Level(const Discretization &space, const MaterialOptions &material)
     : space_(space),
@@ -76,7 +61,7 @@ void Level::clear_held(Vector &vector) const
       continue;
     vector.local_element(nodes()[i].dofs[2]) = 0;
     if (relations_[i].hold == Hold::all)
-      set_tangential(Vector2f::Zero(), nodes()[i], vector);
+      set_tangential<float>(vector, nodes()[i], Vector2f::Zero());
   }
 }
 
@@ -85,9 +70,10 @@ void Level::vmult(Vector &result, const Vector &vector) const
   stiffness_.vmult(result, vector);
   for (std::size_t i = 0; i < relations_.size(); ++i)
     if (relations_[i].hold == Hold::normal)
-      set_tangential(tangential(result, nodes()[i]) + robin_[i] * tangential(vector, nodes()[i]) +
-                         relations_[i].coupling.cast<float>() * result.local_element(nodes()[i].dofs[2]),
-                     nodes()[i], result);
+      add_tangential<float>(result, nodes()[i],
+                            robin_[i] * tangential(vector, nodes()[i]) +
+                                relations_[i].coupling.cast<float>() *
+                                    result.local_element(nodes()[i].dofs[2]));
   clear_held(result);
 }
 
@@ -97,7 +83,8 @@ void Level::Jacobi::vmult(Vector &result, const Vector &vector) const
   result.scale(level_.inverse_diagonal_);
   for (std::size_t i = 0; i < level_.relations_.size(); ++i)
     if (level_.relations_[i].hold == Hold::normal)
-      set_tangential(level_.blocks_[i] * tangential(vector, level_.nodes()[i]), level_.nodes()[i], result);
+      set_tangential<float>(result, level_.nodes()[i],
+                            level_.blocks_[i] * tangential(vector, level_.nodes()[i]));
   level_.clear_held(result);
 }
 
