@@ -135,6 +135,13 @@ void QuasiStaticProblem::begin(const std::optional<Checkpoint> &checkpoint)
   record_.critical_friction = critical_friction_;
   record_.seconds.add(scene_.seconds());
   seconds_before_ = record_.total_seconds;
+  cycles_before_ = record_.n_v_cycles;
+}
+
+void QuasiStaticProblem::take_stock()
+{
+  record_.total_seconds = seconds_before_ + total_.seconds();
+  record_.n_v_cycles = cycles_before_ + scene_.body().n_cycles();
 }
 
 /// Saves the state before the step that failed; what is told first is why it failed.
@@ -154,7 +161,7 @@ QuasiStaticProblem::Outcome QuasiStaticProblem::with_checkpoint(Outcome outcome)
 void QuasiStaticProblem::save_checkpoint()
 {
   const Stopwatch watch;
-  record_.total_seconds = seconds_before_ + total_.seconds();
+  take_stock();
   output_.flush();
   Parameters given = parameters_;
   given.mesh = chosen_.requested;
@@ -171,7 +178,7 @@ void QuasiStaticProblem::save_checkpoint()
 
 void QuasiStaticProblem::finish(const Outcome &outcome)
 {
-  record_.total_seconds = seconds_before_ + total_.seconds();
+  take_stock();
   const std::string status = outcome.code == ExitCode::done ? "complete" : outcome.message;
   folder_.write("summary.json", summary_json({status, parameters_, scene_.choice(), scene_.body().unknowns(),
                                               static_cast<unsigned int>(steps_.size()),
@@ -183,6 +190,8 @@ void QuasiStaticProblem::finish(const Outcome &outcome)
        i < warnings.size(); ++i)
     log_.line("warning: " + warnings[i]);
   log_.line(describe_energy(record_));
+  if (record_.n_v_cycles > 0)
+    log_.line("multigrid: " + std::to_string(record_.n_v_cycles) + " V-cycles on the finest mesh");
   log_.line(describe_seconds(record_) + "; files in " + folder_.path());
   output_.flush();
 }

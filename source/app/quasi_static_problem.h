@@ -47,6 +47,7 @@ private:
   void end_cycle(const CycleRow &row, ContactState &state);
   Outcome with_checkpoint(Outcome outcome);
   void save_checkpoint();
+  void take_stock();
   void finish(const Outcome &outcome);
   void finish_if_possible(const Outcome &outcome);
 
@@ -69,8 +70,9 @@ private:
   Outcome outcome_{};                     ///< why the march did not go on
   std::optional<CycleRow> ended_cycle_{}; ///< by the last step
   Stopwatch since_checkpoint_;
-  const std::uint32_t gap_file_; ///< gap_file_checksum()
-  double checkpoint_pause_;      ///< least seconds to the next one
-  double seconds_before_ = 0;    ///< wall time of the runs before the checkpoint
+  const std::uint32_t gap_file_;    ///< gap_file_checksum()
+  double checkpoint_pause_;         ///< least seconds to the next one
+  double seconds_before_ = 0;       ///< wall time of the runs before the checkpoint
+  unsigned long cycles_before_ = 0; ///< V-cycles of these runs
 };
 } // namespace orthocone

@@ -146,6 +146,8 @@ std::string summary_json(const Summary &summary)
                             {"iterations", summary.record.n_iterations},
                             {"largest_residual", summary.record.largest_residual},
                             {"verdict", to_word(summary.record.verdict)}};
+  if (summary.record.n_v_cycles > 0)
+    json["contact_solver"]["v_cycles"] = summary.record.n_v_cycles;
   json["peaks"] = {{"slip_mm", peak_json(summary.record.peaks.slip)},
                    {"pressure_MPa", peak_json(summary.record.peaks.pressure)},
                    {"force_z_N", peak_json(summary.record.peaks.force_z)}};

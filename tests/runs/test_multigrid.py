@@ -3,6 +3,7 @@
 """Bodies solved by multigrid: the states that a factorization finds, and runs that go on to the last bit.
 
 Usage: test_multigrid.py PROGRAM [unittest options]"""
+import json
 import signal
 import sys
 import time
@@ -58,6 +59,8 @@ class SameStatesTest(RunTest):
                                       file=ROOT / "prm" / file)
             self.assertEqual((result.returncode, result.stderr), (DONE, ""))
             results[backend] = numbers(self.rows(backend))
+            solver = json.loads((self.folder / backend / "summary.json").read_text())["contact_solver"]
+            self.assertEqual("v_cycles" in solver, backend == "multigrid")
         return results["condensed"], results["multigrid"]
 
     def test_scenes(self):

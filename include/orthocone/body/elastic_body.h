@@ -54,5 +54,8 @@ public:
   /// Of forces that move the contact nodes by `elastic` (without the motion of the held face). Rounding is
   /// kept well below `bound`.
   virtual BodyMismatch mismatch(const NodeVector &force, const NodeVector &elastic, double bound) const = 0;
+
+  /// V-cycles on the finest mesh so far, the measure of all work; 0 where the body is factorized.
+  virtual unsigned long n_cycles() const { return 0; }
 };
 } // namespace orthocone

@@ -34,9 +34,7 @@ public:
   Eigen::VectorXd with_motion(const RigidMotion &held, const Eigen::VectorXd &elastic) const override;
   Eigen::VectorXd prolonged(const Eigen::VectorXd &coarser) const override;
   BodyMismatch mismatch(const NodeVector &force, const NodeVector &elastic, double bound) const override;
-
-  /// V-cycles on the finest mesh so far: the measure of all work.
-  unsigned long n_cycles() const;
+  unsigned long n_cycles() const override;
 
 private:
   struct Modules;
