@@ -4,108 +4,143 @@
 
 #include <orthocone/body/materials/lame.h>
 
+#include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
-#include <deal.II/matrix_free/fe_evaluation.h>
-#include <deal.II/matrix_free/tools.h>
+#include <deal.II/fe/fe_values.h>
 
-#include <utility>
+#include <algorithm>
 
 namespace orthocone
 {
 namespace
 {
-/// Degree and number of points are those of the cells, found when they are visited.
+/// Of the polynomials through `nodes`, at `points` (rows): the values, or the first derivatives.
 template<typename Number>
-using Cell = dealii::FEEvaluation<3, -1, 0, 3, Number>;
+std::vector<Number> line_table(const std::vector<dealii::Point<1>> &nodes,
+                               const std::vector<dealii::Point<1>> &points, const unsigned int derivative)
+{
+  const auto polynomials = dealii::Polynomials::generate_complete_Lagrange_basis(nodes);
+  std::vector<Number> table;
+  std::vector<double> values(2);
+  for (const dealii::Point<1> &point : points)
+    for (const auto &polynomial : polynomials)
+    {
+      polynomial.value(point[0], values);
+      table.push_back(static_cast<Number>(values[derivative]));
+    }
+  return table;
+}
 
 template<typename Number>
-void multiply_strains(Cell<Number> &cell, const Number lambda, const Number mu)
+CellBatches<Number> empty_batches(const Discretization &space, const MaterialOptions &material)
 {
-  using Vectorized = dealii::VectorizedArray<Number>;
-  for (unsigned int q = 0; q < cell.n_q_points; ++q)
-  {
-    auto stress = cell.get_symmetric_gradient(q);
-    const Vectorized pressure = trace(stress) * lambda;
-    stress *= Vectorized(2 * mu);
-    for (unsigned int i = 0; i < 3; ++i)
-      stress[i][i] += pressure;
-    cell.submit_symmetric_gradient(stress, q);
-  }
+  const LameParameters lame(material);
+  const unsigned int n_nodes = space.scalar_fe().degree + 1, n_points = space.n_quadrature_points();
+  const auto nodes = dealii::QGaussLobatto<1>(n_nodes).get_points();
+  const auto points = dealii::QGauss<1>(n_points).get_points();
+  return {n_nodes,
+          n_points,
+          line_table<Number>(nodes, points, 0),
+          line_table<Number>(points, points, 1),
+          static_cast<Number>(lame.lambda),
+          static_cast<Number>(lame.mu)};
 }
+
+/// Puts cells into the lanes of batches.
+template<typename Number>
+class BatchWriter
+{
+public:
+  BatchWriter(const Discretization &space, CellBatches<Number> &batches)
+      : space_(space),
+        batches_(batches),
+        values_(space.mapping(), space.scalar_fe(), dealii::QGauss<3>(space.n_quadrature_points()),
+                dealii::update_inverse_jacobians | dealii::update_JxW_values),
+        of_cell_(space.fe().n_dofs_per_cell())
+  {
+  }
+
+  void add(const Discretization::Cell &cell, const unsigned int lane)
+  {
+    if (lane == 0)
+      add_batch();
+    cell->get_dof_indices(of_cell_);
+    unsigned int *to = batches_.dofs.data() + batches_.dofs.size() - of_cell_.size() * lanes + lane;
+    for (unsigned int component = 0; component < 3; ++component)
+      for (const unsigned int node : space_.scalar_fe().get_poly_space_numbering_inverse())
+      {
+        *to = of_cell_[space_.fe().component_to_system_index(component, node)];
+        to += lanes;
+      }
+    values_.reinit(static_cast<typename dealii::Triangulation<3>::cell_iterator>(cell));
+    Lanes<Number> *geometry = batches_.geometry.data() + batches_.geometry.size() - n_geometry();
+    for (const unsigned int q : values_.quadrature_point_indices())
+    {
+      for (unsigned int d = 0; d < 3; ++d)
+        for (unsigned int e = 0; e < 3; ++e)
+          (geometry++)->values[lane] = static_cast<Number>(values_.inverse_jacobian(q)[d][e]);
+      (geometry++)->values[lane] = static_cast<Number>(values_.JxW(q));
+    }
+  }
+
+private:
+  static constexpr unsigned int lanes = Lanes<Number>::n;
+
+  unsigned int n_geometry() const { return CellBatches<Number>::n_geometry * values_.n_quadrature_points; }
+
+  /// Lanes without a cell stay as they are here: no volume, and a degree of freedom that is held.
+  void add_batch()
+  {
+    batches_.dofs.resize(batches_.dofs.size() + of_cell_.size() * lanes, space_.n_dofs() - 1);
+    batches_.geometry.resize(batches_.geometry.size() + n_geometry(), Lanes<Number>{});
+  }
+
+  const Discretization &space_;
+  CellBatches<Number> &batches_;
+  dealii::FEValues<3> values_;
+  std::vector<dealii::types::global_dof_index> of_cell_;
+};
 } // namespace
 
 template<typename Number>
-dealii::AffineConstraints<Number> held_at_zero(const Discretization &space)
-{
-  dealii::AffineConstraints<Number> constraints;
-  for (unsigned int dof = space.n_free(); dof < space.n_dofs(); ++dof)
-    constraints.add_line(dof);
-  constraints.close();
-  return constraints;
-}
-
-template<typename Number>
 MatrixFreeStiffness<Number>::MatrixFreeStiffness(const Discretization &space, const MaterialOptions &material)
+    : n_free_(space.n_free()),
+      n_dofs_(space.n_dofs()),
+      cells_(empty_batches<Number>(space, material))
 {
-  const LameParameters lame(material);
-  lambda_ = static_cast<Number>(lame.lambda);
-  mu_ = static_cast<Number>(lame.mu);
-  typename dealii::MatrixFree<3, Number>::AdditionalData options;
-  options.mapping_update_flags = dealii::update_gradients | dealii::update_JxW_values;
-  // One thread: sums of one order, the same bytes in every run.
-  options.tasks_parallel_scheme = dealii::MatrixFree<3, Number>::AdditionalData::none;
-  cells_.reinit(space.mapping(), space.dof_handler(), held_at_zero<double>(space),
-                dealii::QGauss<1>(space.n_quadrature_points()), options);
-}
-
-template<typename Number>
-BodyVector<Number> MatrixFreeStiffness<Number>::make_vector() const
-{
-  BodyVector<Number> vector;
-  cells_.initialize_dof_vector(vector);
-  return vector;
+  BatchWriter<Number> writer(space, cells_);
+  unsigned int n_cells = 0;
+  for (const auto &cell : space.dof_handler().active_cell_iterators())
+    writer.add(cell, n_cells++ % Lanes<Number>::n);
 }
 
 template<typename Number>
 void MatrixFreeStiffness<Number>::vmult(BodyVector<Number> &forces,
                                         const BodyVector<Number> &displacement) const
 {
-  constexpr bool zero_first = true;
-  cells_.template cell_loop<BodyVector<Number>, BodyVector<Number>>(
-      [this](const dealii::MatrixFree<3, Number> &cells, BodyVector<Number> &to,
-             const BodyVector<Number> &from, const std::pair<unsigned int, unsigned int> &range)
-      {
-        Cell<Number> cell(cells);
-        for (unsigned int i = range.first; i < range.second; ++i)
-        {
-          cell.reinit(i);
-          cell.gather_evaluate(from, dealii::EvaluationFlags::gradients);
-          multiply_strains(cell, lambda_, mu_);
-          cell.integrate_scatter(dealii::EvaluationFlags::gradients, to);
-        }
-      },
-      forces, displacement, zero_first);
+  Assert(std::all_of(displacement.begin() + n_free_, displacement.end(),
+                     [](const Number held) { return held == 0; }),
+         dealii::ExcMessage("a held degree of freedom moves"));
+  forces = 0;
+  add_products(cells_, displacement.begin(), forces.begin());
+  clear_held(forces);
 }
 
 template<typename Number>
 BodyVector<Number> MatrixFreeStiffness<Number>::diagonal() const
 {
   BodyVector<Number> diagonal = make_vector();
-  dealii::MatrixFreeTools::compute_diagonal<3, -1, 0, 3, Number, dealii::VectorizedArray<Number>>(
-      cells_, diagonal,
-      [this](Cell<Number> &cell)
-      {
-        cell.evaluate(dealii::EvaluationFlags::gradients);
-        multiply_strains(cell, lambda_, mu_);
-        cell.integrate(dealii::EvaluationFlags::gradients);
-      });
-  for (const unsigned int dof : cells_.get_constrained_dofs())
-    diagonal.local_element(dof) = 0;
+  add_diagonals(cells_, diagonal.begin());
+  clear_held(diagonal);
   return diagonal;
 }
 
-template dealii::AffineConstraints<float> held_at_zero(const Discretization &);
-template dealii::AffineConstraints<double> held_at_zero(const Discretization &);
+template<typename Number>
+void MatrixFreeStiffness<Number>::clear_held(BodyVector<Number> &vector) const
+{
+  std::fill(vector.begin() + n_free_, vector.end(), Number{0});
+}
+
 template class MatrixFreeStiffness<float>;
 template class MatrixFreeStiffness<double>;
 } // namespace orthocone

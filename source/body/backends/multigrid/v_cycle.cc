@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include "v_cycle.h"
 
+#include <deal.II/lac/affine_constraints.h>
 #include <deal.II/numerics/rtree.h>
 
 #include <mpi.h>
@@ -36,6 +37,16 @@ std::vector<std::size_t> nearest_nodes(const std::vector<ContactNode> &coarse,
   for (const ContactNode &node : coarse)
     nearest.push_back(tree.qbegin(boost::geometry::index::nearest(place(node), 1))->second);
   return nearest;
+}
+
+/// The held degrees of freedom as constraints: their displacement is zero.
+dealii::AffineConstraints<float> held_at_zero(const Discretization &space)
+{
+  dealii::AffineConstraints<float> constraints;
+  for (unsigned int dof = space.n_free(); dof < space.n_dofs(); ++dof)
+    constraints.add_line(dof);
+  constraints.close();
+  return constraints;
 }
 
 /// deal.II's transfer between meshes asks MPI who owns what, also where there is one process.
@@ -98,7 +109,7 @@ void VCycle::connect(const std::size_t level)
 {
   const Discretization &fine = space_of(level), &coarse = space_of(level - 1);
   transfers_.push_back(std::make_unique<Transfer>());
-  const auto held_fine = held_at_zero<float>(fine), held_coarse = held_at_zero<float>(coarse);
+  const auto held_fine = held_at_zero(fine), held_coarse = held_at_zero(coarse);
   if (fine.scalar_fe().degree != coarse.scalar_fe().degree)
     transfers_.back()->reinit_polynomial_transfer(fine.dof_handler(), coarse.dof_handler(), held_fine,
                                                   held_coarse);

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// Sum factorization: values at the nodes are interpolated to the Gauss points direction by direction, and
+// differentiated there as polynomials through these (Kronbichler and Kormann 2012, Computers & Fluids 63).
+#include "cell_products.h"
+
+#include <algorithm>
+
+// The processor chooses among what is compiled for it. Sanitizers do not know of such functions.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) &&     \
+    !defined(__SANITIZE_THREAD__)
+#define ORTHOCONE_FOR_EVERY_PROCESSOR __attribute__((target_clones("avx512f", "fma", "default")))
+#else
+#define ORTHOCONE_FOR_EVERY_PROCESSOR
+#endif
+// What is inlined is compiled for each of them, and for each number of nodes.
+#define ORTHOCONE_INLINE __attribute__((always_inline)) inline
+#define ORTHOCONE_INLINE_LAMBDA __attribute__((always_inline))
+
+namespace orthocone
+{
+namespace
+{
+/// A matrix by rows, or its transpose.
+template<typename Number>
+struct LineMatrix
+{
+  const Number *entries;
+  unsigned int row_step, column_step;
+};
+
+template<typename Number>
+ORTHOCONE_INLINE LineMatrix<Number> by_rows(const Number *entries, const unsigned int n_columns)
+{
+  return {entries, n_columns, 1};
+}
+
+template<typename Number>
+ORTHOCONE_INLINE LineMatrix<Number> transposed(const Number *entries, const unsigned int n_columns)
+{
+  return {entries, 1, n_columns};
+}
+
+/// out(k, a, j) = sum over i of matrix(a, i) in(k, i, j), or adds it: j < n_before, k < n_behind.
+template<bool adds, typename Number>
+ORTHOCONE_INLINE void contract(const LineMatrix<Number> matrix, const unsigned int n_rows,
+                               const unsigned int n_columns, const Lanes<Number> *__restrict in,
+                               Lanes<Number> *__restrict out, const unsigned int n_before,
+                               const unsigned int n_behind)
+{
+#pragma GCC unroll 1
+  for (unsigned int k = 0; k < n_behind; ++k)
+#pragma GCC unroll 1
+    for (unsigned int j = 0; j < n_before; ++j)
+      for (unsigned int a = 0; a < n_rows; ++a)
+      {
+        const Lanes<Number> *const line = in + k * n_columns * n_before + j;
+        auto sum = matrix.entries[a * matrix.row_step] * line[0].values;
+        for (unsigned int i = 1; i < n_columns; ++i)
+          sum += matrix.entries[a * matrix.row_step + i * matrix.column_step] * line[i * n_before].values;
+        Lanes<Number> &to = out[(k * n_rows + a) * n_before + j];
+        to.values = adds ? to.values + sum : sum;
+      }
+}
+
+/// Gradients of three components with respect to the unit cell become those of the forces at one point.
+template<typename Number>
+ORTHOCONE_INLINE void apply_law(const CellBatches<Number> &cells, const Lanes<Number> *geometry,
+                                Lanes<Number> *gradient, const unsigned int step)
+{
+  typename Lanes<Number>::Values strain[3][3], stress[3][3];
+  const auto weight = geometry[9].values;
+  for (unsigned int c = 0; c < 3; ++c)
+    for (unsigned int e = 0; e < 3; ++e)
+      strain[c][e] = gradient[3 * c * step].values * geometry[e].values +
+                     gradient[(3 * c + 1) * step].values * geometry[3 + e].values +
+                     gradient[(3 * c + 2) * step].values * geometry[6 + e].values;
+  const auto pressure = cells.lambda * weight * (strain[0][0] + strain[1][1] + strain[2][2]);
+  for (unsigned int c = 0; c < 3; ++c)
+    for (unsigned int e = 0; e < 3; ++e)
+      stress[c][e] = cells.mu * weight * (strain[c][e] + strain[e][c]);
+  for (unsigned int c = 0; c < 3; ++c)
+    stress[c][c] += pressure;
+  for (unsigned int c = 0; c < 3; ++c)
+    for (unsigned int d = 0; d < 3; ++d)
+      gradient[(3 * c + d) * step].values = stress[c][0] * geometry[3 * d].values +
+                                            stress[c][1] * geometry[3 * d + 1].values +
+                                            stress[c][2] * geometry[3 * d + 2].values;
+}
+
+/// Where the products of a batch are computed.
+template<typename Number>
+struct Workspace
+{
+  explicit Workspace(const CellBatches<Number> &cells)
+      : cell(3 * cells.n_nodes * cells.n_nodes * cells.n_nodes),
+        first(cells.n_points * cells.n_points * cells.n_points),
+        second(first.size()),
+        gradients(9 * first.size())
+  {
+  }
+
+  std::vector<Lanes<Number>> cell; ///< 3 components x nodes: displacements, then forces
+  std::vector<Lanes<Number>> first, second, gradients;
+};
+
+template<typename Number>
+ORTHOCONE_INLINE void multiply(const CellBatches<Number> &cells, const unsigned int n, const unsigned int q,
+                               const Lanes<Number> *geometry, Workspace<Number> &work)
+{
+  const unsigned int n_cell = n * n * n, n_points = q * q * q;
+  Lanes<Number> *const first = work.first.data(), *const second = work.second.data();
+  const auto values = by_rows(cells.values.data(), n), back = transposed(cells.values.data(), n);
+  const auto derivatives = by_rows(cells.derivatives.data(), q);
+  const auto derivatives_back = transposed(cells.derivatives.data(), q);
+#pragma GCC unroll 1
+  for (unsigned int c = 0; c < 3; ++c)
+  {
+    Lanes<Number> *const gradient = work.gradients.data() + 3 * c * n_points;
+    contract<false>(values, q, n, work.cell.data() + c * n_cell, first, 1, n * n);
+    contract<false>(values, q, n, first, second, q, n);
+    contract<false>(values, q, n, second, first, q * q, 1);
+    contract<false>(derivatives, q, q, first, gradient, 1, q * q);
+    contract<false>(derivatives, q, q, first, gradient + n_points, q, q);
+    contract<false>(derivatives, q, q, first, gradient + 2 * n_points, q * q, 1);
+  }
+#pragma GCC unroll 1
+  for (unsigned int p = 0; p < n_points; ++p)
+    apply_law(cells, geometry + p * CellBatches<Number>::n_geometry, work.gradients.data() + p, n_points);
+#pragma GCC unroll 1
+  for (unsigned int c = 0; c < 3; ++c)
+  {
+    const Lanes<Number> *const gradient = work.gradients.data() + 3 * c * n_points;
+    contract<false>(derivatives_back, q, q, gradient, first, 1, q * q);
+    contract<true>(derivatives_back, q, q, gradient + n_points, first, q, q);
+    contract<true>(derivatives_back, q, q, gradient + 2 * n_points, first, q * q, 1);
+    contract<false>(back, n, q, first, second, q * q, 1);
+    contract<false>(back, n, q, second, first, q, n);
+    contract<false>(back, n, q, first, work.cell.data() + c * n_cell, 1, n * n);
+  }
+}
+
+/// With n and q known to the compiler where they are usual. `use` is given both.
+template<typename Number, typename Use>
+ORTHOCONE_INLINE void with_sizes(const CellBatches<Number> &cells, const Use &use)
+{
+  const unsigned int n = cells.n_nodes, q = cells.n_points;
+  if (n == 2 && q == 2)
+    use(2U, 2U);
+  else if (n == 3 && q == 3)
+    use(3U, 3U);
+  else if (n == 4 && q == 4)
+    use(4U, 4U);
+  else
+    use(n, q);
+}
+
+template<typename Number>
+ORTHOCONE_INLINE void add_all_products(const CellBatches<Number> &cells, const unsigned int n,
+                                       const unsigned int q, const Number *displacement, Number *forces)
+{
+  constexpr unsigned int lanes = Lanes<Number>::n;
+  const std::size_t n_geometry = std::size_t{CellBatches<Number>::n_geometry} * q * q * q;
+  Workspace<Number> work(cells);
+  const unsigned int *dofs = cells.dofs.data();
+  for (std::size_t at = 0; at < cells.geometry.size(); at += n_geometry, dofs += 3 * n * n * n * lanes)
+  {
+    for (unsigned int i = 0; i < 3 * n * n * n; ++i)
+      for (unsigned int lane = 0; lane < lanes; ++lane)
+        work.cell[i].values[lane] = displacement[dofs[i * lanes + lane]];
+    multiply(cells, n, q, cells.geometry.data() + at, work);
+    for (unsigned int i = 0; i < 3 * n * n * n; ++i)
+      for (unsigned int lane = 0; lane < lanes; ++lane)
+        forces[dofs[i * lanes + lane]] += work.cell[i].values[lane];
+  }
+}
+
+/// A cell's forces at the node that alone moves, node by node.
+template<typename Number>
+ORTHOCONE_INLINE void add_all_diagonals(const CellBatches<Number> &cells, const unsigned int n,
+                                        const unsigned int q, Number *diagonal)
+{
+  constexpr unsigned int lanes = Lanes<Number>::n;
+  const std::size_t n_geometry = std::size_t{CellBatches<Number>::n_geometry} * q * q * q;
+  Workspace<Number> work(cells);
+  const unsigned int *dofs = cells.dofs.data();
+  for (std::size_t at = 0; at < cells.geometry.size(); at += n_geometry, dofs += 3 * n * n * n * lanes)
+    for (unsigned int i = 0; i < 3 * n * n * n; ++i)
+    {
+      std::fill(work.cell.begin(), work.cell.end(), Lanes<Number>{});
+      work.cell[i].values += 1;
+      multiply(cells, n, q, cells.geometry.data() + at, work);
+      for (unsigned int lane = 0; lane < lanes; ++lane)
+        diagonal[dofs[i * lanes + lane]] += work.cell[i].values[lane];
+    }
+}
+} // namespace
+
+ORTHOCONE_FOR_EVERY_PROCESSOR
+void add_products(const CellBatches<float> &cells, const float *displacement, float *forces)
+{
+  with_sizes(cells, [&](const unsigned int n, const unsigned int q) ORTHOCONE_INLINE_LAMBDA
+             { add_all_products(cells, n, q, displacement, forces); });
+}
+
+ORTHOCONE_FOR_EVERY_PROCESSOR
+void add_products(const CellBatches<double> &cells, const double *displacement, double *forces)
+{
+  with_sizes(cells, [&](const unsigned int n, const unsigned int q) ORTHOCONE_INLINE_LAMBDA
+             { add_all_products(cells, n, q, displacement, forces); });
+}
+
+ORTHOCONE_FOR_EVERY_PROCESSOR
+void add_diagonals(const CellBatches<float> &cells, float *diagonal)
+{
+  add_all_diagonals(cells, cells.n_nodes, cells.n_points, diagonal);
+}
+
+ORTHOCONE_FOR_EVERY_PROCESSOR
+void add_diagonals(const CellBatches<double> &cells, double *diagonal)
+{
+  add_all_diagonals(cells, cells.n_nodes, cells.n_points, diagonal);
+}
+} // namespace orthocone

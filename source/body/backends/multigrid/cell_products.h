@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// Products of the stiffness of cells with their displacements, many cells at a time: one in every lane of a
+// register. Debian's deal.II has kernels for one lane only.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace orthocone
+{
+constexpr std::size_t bytes_of_lanes = 64; // the longest registers that there are
+
+/// One number of each of several cells.
+template<typename Number>
+struct alignas(bytes_of_lanes) Lanes // which the vectors alone are not in a template
+{
+  static constexpr unsigned int n = bytes_of_lanes / sizeof(Number);
+  typedef Number Values __attribute__((vector_size(bytes_of_lanes)));
+  Values values;
+};
+
+/// Hexahedra of one degree and material. Nodes and points of a cell are in lexicographic order.
+template<typename Number>
+struct CellBatches
+{
+  /// Of inverse Jacobian (row by row, 1/mm) and weight (mm^3) of a point.
+  static constexpr unsigned int n_geometry = 10;
+
+  unsigned int n_nodes;             ///< in every direction
+  unsigned int n_points;            ///< of Gauss, in every direction; not fewer than nodes
+  std::vector<Number> values;       ///< n_points x n_nodes: of the shape functions of a line at its points
+  std::vector<Number> derivatives;  ///< n_points x n_points: at the points, of the polynomials through them
+  Number lambda;                    ///< MPa
+  Number mu;                        ///< MPa
+  std::vector<unsigned int> dofs{}; ///< batches x 3 components x nodes x lanes
+  std::vector<Lanes<Number>> geometry{}; ///< batches x points x n_geometry
+};
+
+/// Adds the forces (N) of all cells under displacements (mm) of all degrees of freedom.
+void add_products(const CellBatches<float> &cells, const float *displacement, float *forces);
+void add_products(const CellBatches<double> &cells, const double *displacement, double *forces);
+
+/// Adds the diagonals of all cells, N/mm.
+void add_diagonals(const CellBatches<float> &cells, float *diagonal);
+void add_diagonals(const CellBatches<double> &cells, double *diagonal);
+} // namespace orthocone
