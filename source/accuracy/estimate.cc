@@ -103,46 +103,75 @@ void require_countable(const ModelSize &size)
   throw TooLargeError(text.str());
 }
 
-Estimate estimate(const Parameters &parameters, const Body &body, const ModelSymmetry &symmetry)
+/// What a factorization of this cost takes at so many operations/s, and the dense compliance that follows.
+static Estimate of_factorization(const Parameters &parameters, const ModelSize &size,
+                                 const ModelSymmetry &symmetry, const FactorizationCost &cost,
+                                 const double rate)
 {
-  const BodyUnknowns &unknowns = body.unknowns();
-  dealii::SparsityPattern pattern;
-  body.make_pattern(pattern);
-  const FactorizationCost cost = factorization_cost(pattern, unknowns.n_interior());
-  const double rate = measured_flop_rate();
-  const double n_contact = 3. * unknowns.contact_surface().nodes.size();
-  const double n_entries = pattern.n_nonzero_elements();
+  const double n_contact = 3 * size.contact_nodes;
   Estimate result{};
   // The program itself; the stiffness and CHOLMOD's copy of it, with their indices; the factor.
-  result.gigabytes = 0.15 +
-                     (2 * 1.5 * n_entries + cost.entries + dense_matrices * n_contact * n_contact) *
-                         bytes_per_number / gigabyte +
-                     step_memory(parameters.load, n_contact) / gigabyte;
+  result.gigabytes =
+      0.15 +
+      (2 * 1.5 * size.stiffness_entries + cost.entries + dense_matrices * n_contact * n_contact) *
+          bytes_per_number / gigabyte +
+      step_memory(parameters.load, n_contact) / gigabyte;
   const unsigned int dim = symmetry.is_axisymmetric() ? 2 : 3;
   const double n_cell = dim * std::pow(parameters.mesh.degree + 1, dim);
   const double assembly =
-      unknowns.n_cells() * std::pow(parameters.mesh.n_quadrature_points(), dim) * 2 * n_cell * n_cell;
+      size.cells * std::pow(parameters.mesh.n_quadrature_points(), dim) * 2 * n_cell * n_cell;
   // Factorizations reach half of the speed of large products; METIS takes about as long again on small
   // models.
   result.set_up_seconds = 0.2 + 4 * assembly / rate + 3 * cost.flops / rate + 2 * cube(n_contact) / rate;
   // Products with half of the compliance in single precision: a hundred and more where the start is far off,
   // two in many steps.
   const double contact = 20 * n_contact * n_contact * bytes_per_number / 4 / memory_bandwidth;
-  const double checks = (2 * cost.entries + 3 * n_entries) * bytes_per_number / memory_bandwidth;
-  const double n_drawn = drawn_nodes(unknowns.contact_surface(), symmetry);
-  const double output =
-      1.5e-6 * (unknowns.n_dofs() * fields_written_per_step(parameters.output.volume_interval) +
-                9 * n_drawn * fields_written_per_step(parameters.output.contact_interval));
-  result.step_seconds = contact + checks + output;
+  const double checks = (2 * cost.entries + 3 * size.stiffness_entries) * bytes_per_number / memory_bandwidth;
+  result.step_seconds = contact + checks;
   return result;
 }
 
-Estimate multigrid_estimate(const Parameters &parameters, const ModelSize &size)
+Estimate estimate(const Parameters &parameters, const Body &body, const ModelSymmetry &symmetry)
+{
+  const BodyUnknowns &unknowns = body.unknowns();
+  dealii::SparsityPattern pattern;
+  body.make_pattern(pattern);
+  const ModelSize size{
+      static_cast<double>(unknowns.n_cells()), static_cast<double>(unknowns.contact_surface().nodes.size()),
+      static_cast<double>(unknowns.n_dofs()), static_cast<double>(pattern.n_nonzero_elements())};
+  Estimate result = of_factorization(
+      parameters, size, symmetry, factorization_cost(pattern, unknowns.n_interior()), measured_flop_rate());
+  const double n_drawn = drawn_nodes(unknowns.contact_surface(), symmetry);
+  result.step_seconds += 1.5e-6 * (size.dofs * fields_written_per_step(parameters.output.volume_interval) +
+                                   9 * n_drawn * fields_written_per_step(parameters.output.contact_interval));
+  return result;
+}
+
+Estimate usual_estimate(const Parameters &parameters, const ModelSize &size, const ModelSymmetry &symmetry)
+{
+  constexpr double rate = 5e10; // operations/s of one or two usual cores
+  // Nested dissection of a solid, docs/performance.md, "Multigrid"; less for small ones.
+  constexpr double entries = 28, flops = 28;
+  const FactorizationCost cost{entries * std::pow(size.dofs, 4. / 3), flops * size.dofs * size.dofs};
+  return of_factorization(parameters, size, symmetry, cost, rate);
+}
+
+/// Of the cells that are refined: their shape hardly changes.
+static double stretch_before_refinement(Parameters parameters, const ModelSymmetry &symmetry)
+{
+  parameters.mesh.refinements = 0;
+  return Body(parameters, symmetry).stretch();
+}
+
+Estimate multigrid_estimate(const Parameters &parameters, const ModelSize &size,
+                            const ModelSymmetry &symmetry)
 {
   // docs/performance.md, "Multigrid".
   constexpr double program = 0.17, bytes_per_unknown = 1300;
-  constexpr double set_up = 1.5e-5, v_cycle = 1e-6; // s per unknown
-  constexpr double cycles_per_step = 30;
+  constexpr double set_up = 1.5e-5, v_cycle = 3e-7; // s per unknown
+  constexpr double least_cycles_per_step = 30, even = 2.5;
+  const double cycles_per_step =
+      least_cycles_per_step * std::max(1., stretch_before_refinement(parameters, symmetry) / even);
   Estimate result{};
   result.gigabytes = program + (bytes_per_unknown * size.dofs) / gigabyte +
                      step_memory(parameters.load, 3 * size.contact_nodes) / gigabyte;
@@ -171,7 +200,7 @@ static std::optional<double> needed_gigabytes(const Parameters &parameters, cons
   constexpr double most_per_unknown = 1e-4, program = 0.2; // far more than any model needs
   const ModelSize size = model_size(parameters, symmetry);
   if (parameters.mesh.backend == BodyBackend::multigrid)
-    return multigrid_estimate(parameters, size).gigabytes;
+    return multigrid_estimate(parameters, size, symmetry).gigabytes;
   const double steps = step_memory(parameters.load, 3 * size.contact_nodes) / gigabyte;
   if (const double least = least_estimate(size).gigabytes; least > gigabytes)
     return least;

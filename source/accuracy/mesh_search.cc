@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/accuracy/mesh_search.h>
 
+#include <orthocone/accuracy/backend_choice.h>
 #include <orthocone/accuracy/estimate.h>
 #include <orthocone/base/blas_threads.h>
 #include <orthocone/base/memory.h>
@@ -149,7 +150,12 @@ ChosenMesh choose_mesh(const Parameters &parameters, const ModelChoice &choice, 
 {
   if (parameters.mesh.accuracy != 0)
     return find_mesh(parameters, choice, tell, memory_limit().gigabytes);
-  return {parameters.mesh,
-          resolved_mesh(parameters.geometry, parameters.mesh, choice.symmetry.is_axisymmetric())};
+  Parameters meshed = parameters;
+  meshed.mesh = resolved_mesh(parameters.geometry, parameters.mesh, choice.symmetry.is_axisymmetric());
+  const BackendChoice backend = choose_backend(meshed, choice.symmetry, memory_limit().gigabytes);
+  meshed.mesh.backend = backend.backend;
+  if (!backend.reason.empty())
+    tell(backend.reason);
+  return {parameters.mesh, meshed.mesh};
 }
 } // namespace orthocone

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include "commands.h"
 
+#include <orthocone/accuracy/backend_choice.h>
 #include <orthocone/accuracy/estimate.h>
 #include <orthocone/base/text.h>
 #include <orthocone/body/backends/stiffness_factor.h>
@@ -56,7 +57,8 @@ void print_large_model(const Parameters &parameters, const ModelChoice &model, c
   const auto n_steps = static_cast<unsigned int>(load_steps(parameters.load).size());
   const MemoryLimit limit = memory_limit();
   const bool is_condensed = parameters.mesh.backend != BodyBackend::multigrid;
-  const Estimate cost = is_condensed ? least_estimate(size) : multigrid_estimate(parameters, size);
+  const Estimate cost =
+      is_condensed ? least_estimate(size) : multigrid_estimate(parameters, size, model.symmetry);
   std::cout << describe_model(model) << describe(size) << "\n"
             << describe_friction(parameters) << describe_obstacle(parameters.obstacle) << "load steps     "
             << n_steps << "\n"
@@ -73,9 +75,10 @@ void print_model(const Parameters &parameters, const ModelChoice &model)
   std::cout << describe_model(parameters, model, body.unknowns(), n_steps) << "\n";
   try
   {
-    const Estimate cost = parameters.mesh.backend == BodyBackend::multigrid
-                              ? multigrid_estimate(parameters, model_size(parameters, model.symmetry))
-                              : estimate(parameters, body, model.symmetry);
+    const Estimate cost =
+        parameters.mesh.backend == BodyBackend::multigrid
+            ? multigrid_estimate(parameters, model_size(parameters, model.symmetry), model.symmetry)
+            : estimate(parameters, body, model.symmetry);
     std::cout << describe(cost, n_steps, limit, false) << "\n";
     print_warnings(parameters, lack_of_memory(cost.gigabytes, limit));
   }
@@ -95,6 +98,10 @@ int check(const CommandLine &line, const Parameters &given)
   Parameters parameters = given;
   if (given.mesh.accuracy == 0)
     parameters.mesh = resolved_mesh(given.geometry, given.mesh, model.symmetry.is_axisymmetric());
+  const BackendChoice backend = choose_backend(parameters, model.symmetry, memory_limit().gigabytes);
+  parameters.mesh.backend = backend.backend;
+  if (!backend.reason.empty())
+    std::cout << backend.reason << "\n";
   const ModelSize size = model_size(parameters, model.symmetry);
   if (given.mesh.accuracy != 0)
     print_unknown_mesh(given, model);

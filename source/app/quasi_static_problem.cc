@@ -39,6 +39,8 @@ QuasiStaticProblem::QuasiStaticProblem(const Parameters &parameters, const Model
   solver_.restore(chosen_.starts);
   record_.accuracy = chosen_.accuracy;
   record_.critical_friction = critical_friction_;
+  if (parameters.mesh.backend == BodyBackend::multigrid)
+    record_.stretch = scene_.body().mesh().stretch();
   record_.seconds = scene_.seconds();
   // The search built the model, too.
   if (chosen_.accuracy)
@@ -131,7 +133,9 @@ void QuasiStaticProblem::begin(const std::optional<Checkpoint> &checkpoint)
   state_ = checkpoint->state;
   solver_.restore(checkpoint->starts);
   totals_ = compute_totals(evaluator_, state_);
+  const double stretch = record_.stretch;
   record_ = checkpoint->record;
+  record_.stretch = stretch;
   record_.critical_friction = critical_friction_;
   record_.seconds.add(scene_.seconds());
   seconds_before_ = record_.total_seconds;

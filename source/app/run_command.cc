@@ -3,6 +3,7 @@
 #include "commands.h"
 #include "quasi_static_problem.h"
 
+#include <orthocone/accuracy/backend_choice.h>
 #include <orthocone/accuracy/estimate.h>
 #include <orthocone/base/text.h>
 #include <orthocone/body/backends/stiffness_factor.h>
@@ -104,9 +105,11 @@ void require_memory_for(const Assignment &task)
     return;
   parameters.mesh =
       resolved_mesh(parameters.geometry, parameters.mesh, task.model.symmetry.is_axisymmetric());
+  const MemoryLimit limit = memory_limit();
+  parameters.mesh.backend = choose_backend(parameters, task.model.symmetry, limit.gigabytes).backend;
   try
   {
-    require_memory(parameters, task.model.symmetry, memory_limit());
+    require_memory(parameters, task.model.symmetry, limit);
   }
   catch (const TooLargeError &error)
   {

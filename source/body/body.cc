@@ -2,6 +2,9 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/body/body.h>
 
+#include <algorithm>
+#include <limits>
+
 namespace orthocone
 {
 Body::Solid::Solid(const Parameters &parameters, const SymmetryPlanes &planes)
@@ -31,6 +34,26 @@ Body::Body(const Parameters &parameters, const ModelSymmetry &symmetry)
 const BodyUnknowns &Body::unknowns() const
 {
   return std::visit([](const auto &shape) -> const BodyUnknowns & { return shape.discretization; }, shape_);
+}
+
+double Body::stretch() const
+{
+  return visit(
+      [](const auto &space)
+      {
+        double largest = 1;
+        for (const auto &cell : space.dof_handler().get_triangulation().active_cell_iterators())
+        {
+          double longest = 0, shortest = std::numeric_limits<double>::max();
+          for (const unsigned int line : cell->line_indices())
+          {
+            longest = std::max(longest, cell->line(line)->diameter());
+            shortest = std::min(shortest, cell->line(line)->diameter());
+          }
+          largest = std::max(largest, longest / shortest);
+        }
+        return largest;
+      });
 }
 
 void Body::make_pattern(dealii::SparsityPattern &pattern) const

@@ -62,12 +62,18 @@ std::string describe(const CriticalFrictionRecord &critical)
 
 std::vector<std::string> model_warnings(const RunRecord &record)
 {
-  if (!(record.critical_friction.factor <= 1))
-    return {};
-  return {
-      describe(record.critical_friction) +
-      ": a node can wedge there, and a load step may have several solutions, or none that a solver finds; "
-      "compare runs with other steps and methods before a result is trusted"};
+  std::vector<std::string> warnings;
+  if (record.critical_friction.factor <= 1)
+    warnings.push_back(
+        describe(record.critical_friction) +
+        ": a node can wedge there, and a load step may have several solutions, or none that a solver finds; "
+        "compare runs with other steps and methods before a result is trusted");
+  constexpr double most_stretch = 10;
+  if (record.stretch > most_stretch)
+    warnings.push_back("Mesh: the longest edge of a cell is " + to_text(std::round(record.stretch)) +
+                       " times its shortest one, and multigrid takes V-cycles in proportion; "
+                       "Mesh/Backend = condensed does not mind");
+  return warnings;
 }
 
 std::vector<std::string> all_warnings(const Parameters &parameters, const RunRecord &record)

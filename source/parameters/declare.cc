@@ -71,7 +71,8 @@ void declare_backend(MeshOptions &mesh, EntryTable &table)
       table, "Backend", mesh.backend,
       "How the elastic body is solved: factorized and condensed to its contact nodes (condensed), or by "
       "multigrid over the Refinements, without any matrix of the whole (multigrid: solids of degree 1 to 3 "
-      "with Contact solver/Method = newton). auto = condensed.");
+      "with Contact solver/Method = newton). auto: what "
+      "takes less time by an estimate, and condensed without Refinements.");
 }
 
 void declare_material(MaterialOptions &material, EntryTable &table)

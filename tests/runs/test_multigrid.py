@@ -96,6 +96,36 @@ class ResumedTest(ResumeTest):
                 self.assert_resumes(f"after-{n_steps}", self.SETTINGS)
 
 
+class ChosenTest(RunTest):
+    """Mesh/Backend = auto."""
+    SETTINGS = [*ISOTROPIC, "Load program/Cycles=1"]
+
+    def test_a_run_tells_and_keeps_its_choice(self):
+        result = self.run_program("run", settings=[*self.SETTINGS, *ONE_CYCLE, "Mesh/Refinements=1"])
+        self.assertEqual((result.returncode, result.stderr), (DONE, ""))
+        self.assertRegex((self.folder / "run/log.txt").read_text(),
+                         r"backend +condensed about \S+ s and \S+ GB; multigrid about \S+ s and \S+ GB\n")
+        self.assertRegex((self.folder / "run/parameters.prm").read_text(), r"set Backend += condensed\n")
+
+    def test_check_tells_it(self):
+        result = self.run_program("run", "--check", settings=[*self.SETTINGS, "Mesh/Refinements=3"])
+        self.assertEqual((result.returncode, result.stderr), (DONE, ""))
+        self.assertRegex(result.stdout, r"backend +multigrid about .*; condensed about .*\n")
+        self.assertIn("elastic body   multigrid", result.stdout)
+
+    def test_nothing_is_said_where_nothing_is_chosen(self):
+        result = self.run_program("run", "--check", settings=self.SETTINGS)
+        self.assertNotIn("backend", result.stdout)
+
+    def test_stretched_cells_are_warned_of(self):
+        flat = [*self.SETTINGS, "Geometry/Height=0.2", "Mesh/Refinements=1", "Load program/Legs=0 0 -1e-3 : 1"]
+        warning = "multigrid takes V-cycles in proportion"
+        for backend in ("condensed", "multigrid"):
+            result = self.run_program(backend, settings=[*flat, f"Mesh/Backend={backend}"])
+            self.assertEqual((result.returncode, result.stderr), (DONE, ""))
+            self.assertEqual(warning in (self.folder / backend / "summary.json").read_text(), backend == "multigrid")
+
+
 class RefusedTest(RunTest):
     def refused(self, *settings, file="paper/case_b.prm"):
         result = self.run_program("run", settings=["Mesh/Backend=multigrid", *settings], file=ROOT / "prm" / file)

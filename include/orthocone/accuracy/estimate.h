@@ -28,8 +28,12 @@ struct Estimate
 /// From a symbolic factorization and the speed of a small matrix product on this machine.
 Estimate estimate(const Parameters &parameters, const Body &body, const ModelSymmetry &symmetry);
 
-/// The same for Mesh/Backend = multigrid, from the size alone.
-Estimate multigrid_estimate(const Parameters &parameters, const ModelSize &size);
+/// The same from the size alone, for a solid and a usual machine.
+Estimate usual_estimate(const Parameters &parameters, const ModelSize &size, const ModelSymmetry &symmetry);
+
+/// The same for Mesh/Backend = multigrid.
+Estimate multigrid_estimate(const Parameters &parameters, const ModelSize &size,
+                            const ModelSymmetry &symmetry);
 
 /// Estimate for a model of which nothing but its size is known: what its stiffness and its dense compliance
 /// alone take.

@@ -19,6 +19,9 @@ public:
 
   const BodyUnknowns &unknowns() const;
 
+  /// Longest edge of a cell / its shortest one, the largest of all cells.
+  double stretch() const;
+
   /// Entries of the stiffness on and below the diagonal.
   void make_pattern(dealii::SparsityPattern &pattern) const;
   Stiffness stiffness(const MaterialOptions &material) const;

@@ -55,6 +55,7 @@ struct RunRecord
   double missing = 0; ///< sum of |work - change of elastic energy - dissipation| of all computed steps, N mm
   std::optional<AccuracyEstimate> accuracy{}; ///< where Mesh/Accuracy chose the mesh
   CriticalFrictionRecord critical_friction{}; ///< of the model, not kept in checkpoints
+  double stretch = 1; ///< Body::stretch() where multigrid solves the body; not kept in checkpoints
   PhaseSeconds seconds{};
   double total_seconds = 0;
 };

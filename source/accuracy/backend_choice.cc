@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/accuracy/backend_choice.h>
+
+#include <orthocone/accuracy/estimate.h>
+#include <orthocone/contact/solvers/contact_method.h>
+#include <orthocone/scene/load_program.h>
+
+#include <iomanip>
+#include <sstream>
+
+namespace orthocone
+{
+namespace
+{
+bool both_can(const Parameters &parameters, const ModelSymmetry &symmetry)
+{
+  return parameters.mesh.refinements > 0 && !symmetry.is_axisymmetric() &&
+         parameters.mesh.volumetric_quadrature == VolumetricQuadrature::full &&
+         !find_contact_method(parameters.contact_solver.method)->needs_dense;
+}
+
+std::string described(const Estimate &cost, const double seconds)
+{
+  std::ostringstream text;
+  text << std::setprecision(2) << seconds << " s and " << cost.gigabytes << " GB";
+  return text.str();
+}
+} // namespace
+
+BackendChoice choose_backend(const Parameters &parameters, const ModelSymmetry &symmetry,
+                             const double gigabytes)
+{
+  if (parameters.mesh.backend != BodyBackend::automatic || !both_can(parameters, symmetry))
+    return {parameters.mesh.backend};
+  const ModelSize size = model_size(parameters, symmetry);
+  const Estimate condensed = usual_estimate(parameters, size, symmetry);
+  const Estimate multigrid = multigrid_estimate(parameters, size, symmetry);
+  const auto n_steps = static_cast<double>(load_steps(parameters.load).size());
+  const double seconds_condensed = condensed.set_up_seconds + n_steps * condensed.step_seconds;
+  const double seconds_multigrid = multigrid.set_up_seconds + n_steps * multigrid.step_seconds;
+  const std::string line = "backend        ";
+  const std::string of_condensed = "condensed about " + described(condensed, seconds_condensed);
+  const std::string of_multigrid = "multigrid about " + described(multigrid, seconds_multigrid);
+  if (condensed.gigabytes <= gigabytes && seconds_condensed <= seconds_multigrid)
+    return {BodyBackend::condensed, line + of_condensed + "; " + of_multigrid};
+  return {BodyBackend::multigrid, line + of_multigrid + "; " + of_condensed};
+}
+} // namespace orthocone

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/accuracy/backend_choice.h>
+
+#include <gtest/gtest.h>
+
+namespace orthocone::test
+{
+namespace
+{
+constexpr double much = 1e3; // GB
+const SymmetryPlanes quarter{true, true};
+
+/// Even cells.
+Parameters refined(const unsigned int refinements)
+{
+  Parameters parameters;
+  parameters.mesh.core_cells = 2;
+  parameters.mesh.rings = 1;
+  parameters.mesh.core_ratio = 0.6;
+  parameters.mesh.layers = 2;
+  parameters.mesh.refinements = refinements;
+  return parameters;
+}
+
+BodyBackend chosen(const Parameters &parameters, const double gigabytes = much)
+{
+  return choose_backend(parameters, quarter, gigabytes).backend;
+}
+} // namespace
+
+TEST(BackendChoice, TakesMultigridForLargeBodiesOnly)
+{
+  EXPECT_EQ(chosen(refined(1)), BodyBackend::condensed);
+  EXPECT_EQ(chosen(refined(4)), BodyBackend::multigrid);
+  EXPECT_NE(choose_backend(refined(1), quarter, much).reason, "");
+}
+
+TEST(BackendChoice, TakesWhatTheMemoryHolds)
+{
+  EXPECT_EQ(chosen(refined(2), 0.01), BodyBackend::multigrid);
+  EXPECT_EQ(chosen(refined(2)), BodyBackend::condensed);
+}
+
+TEST(BackendChoice, FactorizesForManyStepsWhereItIsWorthIt)
+{
+  Parameters parameters = refined(3);
+  parameters.load.cycles = 1;
+  EXPECT_EQ(chosen(parameters), BodyBackend::multigrid);
+  parameters.load.cycles = 100;
+  EXPECT_EQ(chosen(parameters), BodyBackend::condensed);
+}
+
+TEST(BackendChoice, KnowsThatStretchedCellsTakeMoreCycles)
+{
+  Parameters parameters = refined(3);
+  parameters.load.cycles = 1;
+  parameters.mesh.layers = 1;
+  parameters.geometry.height = 0.2; // cells are 20 times as wide as high
+  EXPECT_EQ(chosen(parameters), BodyBackend::condensed);
+}
+
+TEST(BackendChoice, ComparesNothingWhereOnlyOneCanDoIt)
+{
+  const auto expect_none = [](const Parameters &parameters, const ModelSymmetry &symmetry)
+  {
+    const BackendChoice choice = choose_backend(parameters, symmetry, much);
+    EXPECT_EQ(choice.backend, BodyBackend::automatic);
+    EXPECT_EQ(choice.reason, "");
+  };
+  expect_none(refined(0), quarter);
+  expect_none(refined(4), ModelSymmetry::of_revolution());
+  Parameters other = refined(4);
+  other.mesh.volumetric_quadrature = VolumetricQuadrature::reduced;
+  expect_none(other, quarter);
+  other = refined(4);
+  other.contact_solver.method = "gauss-seidel";
+  expect_none(other, quarter);
+}
+
+TEST(BackendChoice, LeavesWhatIsGiven)
+{
+  for (const BodyBackend given : {BodyBackend::condensed, BodyBackend::multigrid})
+  {
+    Parameters parameters = refined(4);
+    parameters.mesh.backend = given;
+    EXPECT_EQ(chosen(parameters), given);
+  }
+}
+} // namespace orthocone::test
