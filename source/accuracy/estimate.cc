@@ -167,7 +167,7 @@ Estimate multigrid_estimate(const Parameters &parameters, const ModelSize &size,
                             const ModelSymmetry &symmetry)
 {
   // docs/performance.md, "Multigrid".
-  constexpr double program = 0.17, bytes_per_unknown = 1300;
+  constexpr double program = 0.17, bytes_per_unknown = 1200;
   constexpr double set_up = 1.5e-5, v_cycle = 3e-7; // s per unknown
   constexpr double least_cycles_per_step = 30, even = 2.5;
   const double cycles_per_step =
