@@ -168,10 +168,12 @@ Estimate multigrid_estimate(const Parameters &parameters, const ModelSize &size,
 {
   // docs/performance.md, "Multigrid".
   constexpr double program = 0.17, bytes_per_unknown = 1200;
-  constexpr double set_up = 1.5e-5, v_cycle = 3e-7; // s per unknown
-  constexpr double least_cycles_per_step = 30, even = 2.5;
+  constexpr double set_up = 1.5e-5, v_cycle = 3e-7;          // s per unknown
+  constexpr double in_first_cycle = 30, in_later_cycles = 9; // V-cycles of a step
+  constexpr double even = 2.5;
   const double cycles_per_step =
-      least_cycles_per_step * std::max(1., stretch_before_refinement(parameters, symmetry) / even);
+      (in_later_cycles + (in_first_cycle - in_later_cycles) / std::max(1U, parameters.load.cycles)) *
+      std::max(1., stretch_before_refinement(parameters, symmetry) / even);
   Estimate result{};
   result.gigabytes = program + (bytes_per_unknown * size.dofs) / gigabyte +
                      step_memory(parameters.load, 3 * size.contact_nodes) / gigabyte;

@@ -37,8 +37,10 @@ VectorXd StartForces::best(const ContactStep &problem, const std::vector<unsigne
 {
   const NodeVector present = with_motion(state);
   std::vector<NodeVector> candidates;
-  if (const auto last_cycle = memory_.of_phase.find(step.phase);
-      step.cycle > 0 && last_cycle != memory_.of_phase.end()) // in the first cycle: of the search for a mesh
+  const auto last_cycle = memory_.of_phase.find(step.phase);
+  const bool has_last_cycle =
+      step.cycle > 0 && last_cycle != memory_.of_phase.end(); // in the first cycle: of the search for a mesh
+  if (has_last_cycle)
   {
     candidates.push_back(last_cycle->second);
     if (const auto drift = memory_.drift.find(step.phase); drift != memory_.drift.end())
@@ -54,7 +56,9 @@ VectorXd StartForces::best(const ContactStep &problem, const std::vector<unsigne
   for (std::size_t i = 0; i < candidates.size() && least > tolerance; ++i)
   {
     VectorXd unknowns = unknowns_of(candidates[i], problem, components);
-    if (const double residual = problem.near_residual(unknowns); residual < least || best.size() == 0)
+    const double residual = i == 0 && has_last_cycle ? problem.residual(unknowns) // worth a product with W
+                                                     : problem.near_residual(unknowns);
+    if (residual < least || best.size() == 0)
     {
       least = residual;
       best = std::move(unknowns);

@@ -77,6 +77,15 @@ class SameStatesTest(RunTest):
                     error = max(abs(a - b) for a, b in zip(condensed[column], multigrid[column]))
                     self.assertLessEqual(error, 10 * TOLERANCE * scale, column)
 
+    def test_a_response_that_is_periodic_takes_no_iterations(self):
+        """In the second cycle of case B, every state is that of the first one."""
+        result = self.run_program("run", settings=[*ISOTROPIC, "Mesh/Backend=multigrid", "Mesh/Refinements=1",
+                                                   "Load program/Cycles=2"])
+        self.assertEqual((result.returncode, result.stderr), (DONE, ""))
+        iterations = [int(row["iterations"]) for row in self.rows("run")]
+        self.assertGreater(sum(iterations[:15]), 15)
+        self.assertEqual(sum(iterations[15:]), 0)
+
 
 class ResumedTest(ResumeTest):
     SETTINGS = [*ISOTROPIC, "Mesh/Refinements=1", "Mesh/Backend=multigrid", "Load program/Cycles=2", EVERY_STEP]

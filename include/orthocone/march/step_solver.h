@@ -44,7 +44,8 @@ class StartForces
 {
 public:
   /// Unknowns of `problem`, whose face has these components: the first candidate whose residual is within the
-  /// tolerance, which costs one product with W, or the one with the least.
+  /// tolerance, or the one with the least. Forces of the last cycle cost one product with W, the others one
+  /// ContactStep::near_residual().
   Eigen::VectorXd best(const ContactStep &problem, const std::vector<unsigned int> &components,
                        const ContactState &state, const LoadStep &step, double tolerance) const;
 

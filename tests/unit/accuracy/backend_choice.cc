@@ -42,15 +42,6 @@ TEST(BackendChoice, TakesWhatTheMemoryHolds)
   EXPECT_EQ(chosen(refined(2)), BodyBackend::condensed);
 }
 
-TEST(BackendChoice, FactorizesForManyStepsWhereItIsWorthIt)
-{
-  Parameters parameters = refined(3);
-  parameters.load.cycles = 1;
-  EXPECT_EQ(chosen(parameters), BodyBackend::multigrid);
-  parameters.load.cycles = 100;
-  EXPECT_EQ(chosen(parameters), BodyBackend::condensed);
-}
-
 TEST(BackendChoice, KnowsThatStretchedCellsTakeMoreCycles)
 {
   Parameters parameters = refined(3);
