@@ -52,8 +52,7 @@ std::string QuasiStaticProblem::failure_text(const LoadStep &step, const SolverR
   const LoadStep told = step.resolved(solver_.leg_begin(state_, step));
   if (report.verdict == Verdict::unbalanced)
     return no_equilibrium_text(told, steps_, solver_.carried_share(state_, step));
-  return unsolved_step_text(told, steps_, parameters_.contact_solver, report,
-                            scene_.surface().nodes[report.worst_node]);
+  return unsolved_step_text(told, steps_, parameters_.contact_solver, report, scene_);
 }
 
 void QuasiStaticProblem::write(const SolvedStep &solved)

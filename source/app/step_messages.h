@@ -7,7 +7,7 @@
 #include <orthocone/contact/solvers/contact_solver.h>
 #include <orthocone/output/log.h>
 #include <orthocone/scene/load_program.h>
-#include <orthocone/surface/contact_surface.h>
+#include <orthocone/scene/scene.h>
 
 #include <string>
 #include <vector>
@@ -17,7 +17,7 @@ namespace orthocone
 /// Of a step of the program `steps` that no halving solves, and what to try.
 std::string unsolved_step_text(const LoadStep &step, const std::vector<LoadStep> &steps,
                                const ContactSolverOptions &options, const SolverReport &report,
-                               const ContactNode &worst);
+                               const Scene &scene);
 
 /// Of a step that forces drive beyond what can be carried. `carried`: StepSolver::carried_share().
 std::string no_equilibrium_text(const LoadStep &step, const std::vector<LoadStep> &steps, double carried);

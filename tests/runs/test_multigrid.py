@@ -105,6 +105,18 @@ class ResumedTest(ResumeTest):
                 self.assert_resumes(f"after-{n_steps}", self.SETTINGS)
 
 
+class UnsolvedTest(RunTest):
+    def test_what_is_named_as_a_remedy_is_there(self):
+        """Slip axes that differ 100-fold are too much for Newton's method alone."""
+        settings = [*ISOTROPIC, *ONE_CYCLE, "Mesh/Refinements=1", "Friction/Slip potential=0.01, 1"]
+        result = self.run_program("multigrid", settings=[*settings, "Mesh/Backend=multigrid"])
+        self.assertEqual(result.returncode, 3)
+        self.assertIn("Mesh/Backend = condensed", result.stderr)
+        self.assertNotIn("gauss-seidel", result.stderr)
+        result = self.run_program("condensed", settings=[*settings, "Mesh/Backend=condensed"])
+        self.assertEqual((result.returncode, result.stderr), (DONE, ""))
+
+
 class ChosenTest(RunTest):
     """Mesh/Backend = auto."""
     SETTINGS = [*ISOTROPIC, "Load program/Cycles=1"]

@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/contact/solvers/diagnosis.h>
 
+#include "solvers.h"
+
 #include <orthocone/base/text.h>
 
 #include <algorithm>
@@ -77,10 +79,11 @@ std::string more_iterations(const ContactSolverOptions &options, const SolverRep
   return text.str();
 }
 
-std::string remedy(const ContactSolverOptions &options, const SolverReport &report)
+std::string remedy(const ContactSolverOptions &options, const SolverReport &report, const bool is_dense)
 {
   const bool is_default = options.method == best_method() && options.rho_factor == 1;
-  if (report.verdict == Verdict::slow)
+  const bool may_iterate_more = is_dense || options.maximum_iterations < most_inexact_iterations;
+  if (report.verdict == Verdict::slow && may_iterate_more)
     return more_iterations(options, report);
   if (report.verdict == Verdict::unbalanced)
     return "Drive it less far, or by a motion.";
@@ -90,14 +93,16 @@ std::string remedy(const ContactSolverOptions &options, const SolverReport &repo
     return "Try Contact solver/Method = " + best_method() + " with Rho factor = 1.";
   if (!std::isfinite(report.residual))
     return "Are lengths in mm, forces in N, moduli in MPa?";
+  if (!is_dense)
+    return "Try smaller load steps, or Mesh/Backend = condensed, which has more to fall back on.";
   return "Try smaller load steps or Contact solver/Method = gauss-seidel; near incompressibility, "
          "Mesh/Volumetric "
          "quadrature = reduced; and see what log.txt says of the critical friction.";
 }
 } // namespace
 
-std::string diagnosis(const ContactSolverOptions &options, const SolverReport &report)
+std::string diagnosis(const ContactSolverOptions &options, const SolverReport &report, const bool is_dense)
 {
-  return why(options, report) + ". " + remedy(options, report);
+  return why(options, report) + ". " + remedy(options, report, is_dense);
 }
 } // namespace orthocone

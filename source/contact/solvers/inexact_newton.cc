@@ -128,7 +128,7 @@ bool InexactNewton::is_solved(const ContactStep &step, BodyIterate &iterate, Vec
 SolverReport InexactNewton::solve(const ContactStep &step, VectorXd &unknowns) const
 {
   constexpr double rest_share = 0.3; // of the tolerance: what the displacement errs by is up to 30 times more
-  const unsigned int most = std::min(options_.maximum_iterations, 60u);
+  const unsigned int most = std::min(options_.maximum_iterations, most_inexact_iterations);
   Trace trace;
   Forcing forcing;
   if (step.face().n() > 0 && unknowns.head(step.q().size()).isZero(0))

@@ -34,6 +34,9 @@ private:
   std::vector<OneNodeProblem> nodes_;
 };
 
+/// Of Newton's method without a dense compliance: more have never helped, and each is dear.
+constexpr unsigned int most_inexact_iterations = 60;
+
 /// make_report() of a step without equilibrium.
 SolverReport unbalanced_report(const ContactStep &step, const Eigen::VectorXd &unknowns,
                                unsigned int iterations, double tolerance, Trace trace);

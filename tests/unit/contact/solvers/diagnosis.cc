@@ -22,10 +22,11 @@ SolverReport report(const Verdict verdict, const double factor = 1)
 }
 
 void expect_words(const SolverReport &report, const ContactSolverOptions &options,
-                  const std::vector<std::string> &words)
+                  const std::vector<std::string> &words, const bool is_dense = true)
 {
+  const std::string text = diagnosis(options, report, is_dense);
   for (const std::string &word : words)
-    EXPECT_NE(diagnosis(options, report).find(word), std::string::npos) << diagnosis(options, report);
+    EXPECT_NE(text.find(word), std::string::npos) << text;
 }
 } // namespace
 
@@ -41,6 +42,18 @@ TEST(Diagnosis, SaysHowTheIterationFailedAndWhatToTry)
   SolverReport lost = report(Verdict::diverged);
   lost.residual = std::numeric_limits<double>::infinity();
   expect_words(lost, newton, {"no longer numbers", "lengths in mm"});
+}
+
+TEST(Diagnosis, NamesOnlyWhatABodyWithoutADenseComplianceHas)
+{
+  for (const Verdict verdict : {Verdict::cycling, Verdict::slow, Verdict::diverged})
+  {
+    expect_words(report(verdict), {}, {"Mesh/Backend = condensed"}, false);
+    EXPECT_EQ(diagnosis({}, report(verdict), false).find("gauss-seidel"), std::string::npos);
+  }
+  ContactSolverOptions few;
+  few.maximum_iterations = 2;
+  expect_words(report(Verdict::slow), few, {"Maximum iterations"}, false);
 }
 
 // 0.9^i reaches the tolerance of 1e-10 after ln(1e-10)/ln(0.9) = 218.5 iterations.
