@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 //
 // The elastic body: what a linear elastic solve costs, and what condensation adds.
+#include "body/backends/multigrid/matrix_free_stiffness.h"
 #include "sizes.h"
 
 namespace
@@ -52,4 +53,28 @@ void one_solve(benchmark::State &state)
     benchmark::DoNotOptimize(s.factor.solve(right_side).data());
 }
 BENCHMARK(one_solve)->Apply(all_sizes);
+
+/// Forces by displacements: with the entries of the stiffness, and without them, as multigrid does it.
+void assembled_product(benchmark::State &state)
+{
+  const Scene &s = scene_of(state);
+  const Eigen::VectorXd displacement = Eigen::VectorXd::LinSpaced(s.discretization.n_free(), 1, 2);
+  for (auto _ : state)
+    benchmark::DoNotOptimize(s.stiffness.vmult(displacement).data());
+}
+BENCHMARK(assembled_product)->Apply(all_sizes);
+
+template<typename Number>
+void matrix_free_product(benchmark::State &state, const Number one)
+{
+  const Scene &s = scene_of(state);
+  const MatrixFreeStiffness<Number> stiffness(s.discretization, s.parameters.material);
+  BodyVector<Number> displacement = stiffness.make_vector(), forces = displacement;
+  std::fill_n(displacement.begin(), s.discretization.n_free(), one);
+  for (auto _ : state)
+    stiffness.vmult(forces, displacement);
+  benchmark::DoNotOptimize(forces.begin());
+}
+BENCHMARK_CAPTURE(matrix_free_product, single, 1.F)->Apply(all_sizes);
+BENCHMARK_CAPTURE(matrix_free_product, double, 1.)->Apply(all_sizes);
 } // namespace

@@ -24,7 +24,8 @@ import docs_page  # noqa: E402
 
 KERNELS = {"projection/mixed", "projection/slip", "projection_with_derivative/slip", "one_node/slip_guessed",
            "one_node/slip_unguessed", "residual", "sweep", "newton_iteration", "contact_step", "assembly",
-           "factorization", "factorization_free", "condensation", "one_solve", "ordering/metis", "ordering/amd",
+           "factorization", "factorization_free", "condensation", "one_solve", "assembled_product",
+           "matrix_free_product/single", "matrix_free_product/double", "ordering/metis", "ordering/amd",
            "ordering/metis_contact_last", "ordering/amd_contact_last", "ordering/camd_contact_last"}
 FIGURES = {"start_up", "process", "gigabytes", "mesh", "assembly", "factorization", "condensation", "contact", "checks",
            "output"}
