@@ -79,7 +79,8 @@ def kernel_filter(sizes):
     def some(limit):
         return "|".join(str(cells) for cells in sizes if cells <= limit) or "none"
     of_one_node = "^(projection|one_node)"
-    of_all = f"^(residual|sweep|newton|contact|assembly|factorization|condensation).*/({some(LARGEST_OF_ALL_KERNELS)})/"
+    words = "residual|sweep|newton|contact|assembly|factorization|condensation|assembled_product|matrix_free_product"
+    of_all = f"^({words}).*/({some(LARGEST_OF_ALL_KERNELS)})/"
     solve = f"^one_solve/({some(max(sizes))})/"
     orderings = f"^ordering.*/({some(LARGEST_OF_ORDERINGS)})/"
     return "|".join((of_one_node, of_all, solve, orderings))
