@@ -139,13 +139,13 @@ void QuasiStaticProblem::begin(const std::optional<Checkpoint> &checkpoint)
   record_.critical_friction = critical_friction_;
   record_.seconds.add(scene_.seconds());
   seconds_before_ = record_.total_seconds;
-  cycles_before_ = record_.n_v_cycles;
+  v_cycles_before_ = record_.n_v_cycles;
 }
 
 void QuasiStaticProblem::take_stock()
 {
   record_.total_seconds = seconds_before_ + total_.seconds();
-  record_.n_v_cycles = cycles_before_ + scene_.body().n_cycles();
+  record_.n_v_cycles = v_cycles_before_ + scene_.body().n_v_cycles();
 }
 
 /// Saves the state before the step that failed; what is told first is why it failed.

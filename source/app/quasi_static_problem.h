@@ -70,9 +70,9 @@ private:
   Outcome outcome_{};                     ///< why the march did not go on
   std::optional<CycleRow> ended_cycle_{}; ///< by the last step
   Stopwatch since_checkpoint_;
-  const std::uint32_t gap_file_;    ///< gap_file_checksum()
-  double checkpoint_pause_;         ///< least seconds to the next one
-  double seconds_before_ = 0;       ///< wall time of the runs before the checkpoint
-  unsigned long cycles_before_ = 0; ///< V-cycles of these runs
+  const std::uint32_t gap_file_;      ///< gap_file_checksum()
+  double checkpoint_pause_;           ///< least seconds to the next one
+  double seconds_before_ = 0;         ///< wall time of the runs before the checkpoint
+  unsigned long v_cycles_before_ = 0; ///< V-cycles of these runs
 };
 } // namespace orthocone

@@ -32,32 +32,38 @@ VectorXd unknowns_of(const NodeVector &all, const ContactStep &problem,
 }
 } // namespace
 
+/// The likeliest first.
+std::vector<StartForces::Candidate> StartForces::candidates_for(const ContactState &state,
+                                                                const LoadStep &step) const
+{
+  const NodeVector present = with_motion(state);
+  std::vector<Candidate> candidates;
+  if (const auto last_cycle = memory_.of_phase.find(step.phase);
+      step.cycle > 0 && last_cycle != memory_.of_phase.end()) // in the first cycle: of the search for a mesh
+  {
+    candidates.push_back({last_cycle->second, true});
+    if (const auto drift = memory_.drift.find(step.phase); drift != memory_.drift.end())
+      candidates.push_back({last_cycle->second + drift->second});
+  }
+  if (step.step_of_leg > 1 && memory_.change.size() > 0) // a coarser march may have missed the steps before
+    candidates.push_back({present + memory_.change});
+  candidates.push_back({present}); // full unloading
+  candidates.back().all.head(state.force.size()).setZero();
+  candidates.push_back({present});
+  return candidates;
+}
+
 VectorXd StartForces::best(const ContactStep &problem, const std::vector<unsigned int> &components,
                            const ContactState &state, const LoadStep &step, const double tolerance) const
 {
-  const NodeVector present = with_motion(state);
-  std::vector<NodeVector> candidates;
-  const auto last_cycle = memory_.of_phase.find(step.phase);
-  const bool has_last_cycle =
-      step.cycle > 0 && last_cycle != memory_.of_phase.end(); // in the first cycle: of the search for a mesh
-  if (has_last_cycle)
-  {
-    candidates.push_back(last_cycle->second);
-    if (const auto drift = memory_.drift.find(step.phase); drift != memory_.drift.end())
-      candidates.push_back(last_cycle->second + drift->second);
-  }
-  if (step.step_of_leg > 1 && memory_.change.size() > 0) // a coarser march may have missed the steps before
-    candidates.push_back(present + memory_.change);
-  candidates.push_back(present); // full unloading
-  candidates.back().head(state.force.size()).setZero();
-  candidates.push_back(present);
+  const std::vector<Candidate> candidates = candidates_for(state, step);
   double least = std::numeric_limits<double>::infinity();
   VectorXd best;
   for (std::size_t i = 0; i < candidates.size() && least > tolerance; ++i)
   {
-    VectorXd unknowns = unknowns_of(candidates[i], problem, components);
-    const double residual = i == 0 && has_last_cycle ? problem.residual(unknowns) // worth a product with W
-                                                     : problem.near_residual(unknowns);
+    VectorXd unknowns = unknowns_of(candidates[i].all, problem, components);
+    const double residual =
+        candidates[i].is_likely ? problem.residual(unknowns) : problem.near_residual(unknowns);
     if (residual < least || best.size() == 0)
     {
       least = residual;

@@ -56,6 +56,6 @@ public:
   virtual BodyMismatch mismatch(const NodeVector &force, const NodeVector &elastic, double bound) const = 0;
 
   /// V-cycles on the finest mesh so far, the measure of all work; 0 where the body is factorized.
-  virtual unsigned long n_cycles() const { return 0; }
+  virtual unsigned long n_v_cycles() const { return 0; }
 };
 } // namespace orthocone

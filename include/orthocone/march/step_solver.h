@@ -44,7 +44,7 @@ class StartForces
 {
 public:
   /// Unknowns of `problem`, whose face has these components: the first candidate whose residual is within the
-  /// tolerance, or the one with the least. Forces of the last cycle cost one product with W, the others one
+  /// tolerance, or the one with the least. A likely one costs one product with W, another one
   /// ContactStep::near_residual().
   Eigen::VectorXd best(const ContactStep &problem, const std::vector<unsigned int> &components,
                        const ContactState &state, const LoadStep &step, double tolerance) const;
@@ -61,6 +61,13 @@ public:
   }
 
 private:
+  struct Candidate
+  {
+    NodeVector all;         ///< as in StartMemory
+    bool is_likely = false; ///< to be the answer: its residual is worth a product with W
+  };
+  std::vector<Candidate> candidates_for(const ContactState &state, const LoadStep &step) const;
+
   StartMemory memory_;
 };
 

@@ -43,7 +43,7 @@ struct RunRecord
                 const StepChecks &checks);
 
   unsigned int n_iterations = 0;
-  unsigned long n_v_cycles = 0; ///< ElasticBody::n_cycles() of this run and of those before the checkpoint
+  unsigned long n_v_cycles = 0; ///< ElasticBody::n_v_cycles() of this run and of those before the checkpoint
   double largest_residual = 0;
   Verdict verdict = Verdict::converged; ///< of the last step that was tried
   double largest_energy = 0;            ///< StepChecks::energy, N mm

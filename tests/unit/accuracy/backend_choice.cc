@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/accuracy/backend_choice.h>
 
+#include "body/even_mesh.h"
+
 #include <gtest/gtest.h>
 
 namespace orthocone::test
@@ -11,15 +13,10 @@ namespace
 constexpr double much = 1e3; // GB
 const SymmetryPlanes quarter{true, true};
 
-/// Even cells.
 Parameters refined(const unsigned int refinements)
 {
   Parameters parameters;
-  parameters.mesh.core_cells = 2;
-  parameters.mesh.rings = 1;
-  parameters.mesh.core_ratio = 0.6;
-  parameters.mesh.layers = 2;
-  parameters.mesh.refinements = refinements;
+  parameters.mesh = even_mesh(2, refinements);
   return parameters;
 }
 

@@ -3,6 +3,8 @@
 #include <orthocone/accuracy/estimate.h>
 #include <orthocone/body/backends/stiffness_factor.h>
 
+#include "body/even_mesh.h"
+
 #include <gtest/gtest.h>
 
 namespace orthocone::test
@@ -31,6 +33,19 @@ TEST(Estimate, OfTheSizeAloneIsAtMostThatOfTheMesh)
     const Body body(parameters, quarter);
     EXPECT_LE(least_estimate(model_size(parameters, quarter)).gigabytes,
               estimate(parameters, body, quarter).gigabytes);
+  }
+}
+
+TEST(Estimate, OfAUsualMachineIsNearThatOfTheFactorization)
+{
+  const SymmetryPlanes quarter{true, true};
+  Parameters parameters;
+  for (const auto &[degree, refinements] : {std::pair{2U, 2U}, {3U, 2U}, {1U, 3U}})
+  {
+    parameters.mesh = even_mesh(degree, refinements);
+    const double expected = estimate(parameters, Body(parameters, quarter), quarter).gigabytes;
+    const double usual = usual_estimate(parameters, model_size(parameters, quarter), quarter).gigabytes;
+    EXPECT_NEAR(usual / expected, 1, 0.25) << "degree " << degree;
   }
 }
 } // namespace orthocone::test

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/march/coarser_march.h>
 
+#include "body/even_mesh.h"
 #include "body/mpi.h"
 
 #include <gtest/gtest.h>
@@ -17,11 +18,7 @@ Parameters refined(const unsigned int refinements)
 {
   start_mpi_unwatched();
   Parameters parameters;
-  parameters.mesh.core_cells = 2;
-  parameters.mesh.rings = 1;
-  parameters.mesh.core_ratio = 0.6;
-  parameters.mesh.layers = 2;
-  parameters.mesh.refinements = refinements;
+  parameters.mesh = even_mesh(2, refinements);
   parameters.mesh.backend = BodyBackend::multigrid;
   parameters.load.legs = {move_to(0, 0, -0.1, 2), move_to(0, 0, -0.05, 2)};
   return parameters;

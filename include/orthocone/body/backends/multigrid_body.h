@@ -34,7 +34,7 @@ public:
   Eigen::VectorXd with_motion(const RigidMotion &held, const Eigen::VectorXd &elastic) const override;
   Eigen::VectorXd prolonged(const Eigen::VectorXd &coarser) const override;
   BodyMismatch mismatch(const NodeVector &force, const NodeVector &elastic, double bound) const override;
-  unsigned long n_cycles() const override;
+  unsigned long n_v_cycles() const override;
 
 private:
   struct Modules;

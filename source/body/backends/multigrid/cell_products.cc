@@ -156,24 +156,38 @@ ORTHOCONE_INLINE void with_sizes(const CellBatches<Number> &cells, const Use &us
     use(n, q);
 }
 
+/// `use` is given the degrees of freedom of each batch, and what turns work.cell from displacements to
+/// forces.
+template<typename Number, typename Use>
+ORTHOCONE_INLINE void for_each_batch(const CellBatches<Number> &cells, const unsigned int n,
+                                     const unsigned int q, Workspace<Number> &work, const Use &use)
+{
+  const std::size_t n_geometry = std::size_t{CellBatches<Number>::n_geometry} * q * q * q;
+  const unsigned int *dofs = cells.dofs.data();
+  for (std::size_t at = 0; at < cells.geometry.size(); at += n_geometry)
+  {
+    use(dofs, [&]() ORTHOCONE_INLINE_LAMBDA { multiply(cells, n, q, cells.geometry.data() + at, work); });
+    dofs += 3 * n * n * n * Lanes<Number>::n;
+  }
+}
+
 template<typename Number>
 ORTHOCONE_INLINE void add_all_products(const CellBatches<Number> &cells, const unsigned int n,
                                        const unsigned int q, const Number *displacement, Number *forces)
 {
   constexpr unsigned int lanes = Lanes<Number>::n;
-  const std::size_t n_geometry = std::size_t{CellBatches<Number>::n_geometry} * q * q * q;
   Workspace<Number> work(cells);
-  const unsigned int *dofs = cells.dofs.data();
-  for (std::size_t at = 0; at < cells.geometry.size(); at += n_geometry, dofs += 3 * n * n * n * lanes)
-  {
-    for (unsigned int i = 0; i < 3 * n * n * n; ++i)
-      for (unsigned int lane = 0; lane < lanes; ++lane)
-        work.cell[i].values[lane] = displacement[dofs[i * lanes + lane]];
-    multiply(cells, n, q, cells.geometry.data() + at, work);
-    for (unsigned int i = 0; i < 3 * n * n * n; ++i)
-      for (unsigned int lane = 0; lane < lanes; ++lane)
-        forces[dofs[i * lanes + lane]] += work.cell[i].values[lane];
-  }
+  for_each_batch(cells, n, q, work,
+                 [&](const unsigned int *dofs, const auto &multiply_batch) ORTHOCONE_INLINE_LAMBDA
+                 {
+                   for (unsigned int i = 0; i < 3 * n * n * n; ++i)
+                     for (unsigned int lane = 0; lane < lanes; ++lane)
+                       work.cell[i].values[lane] = displacement[dofs[i * lanes + lane]];
+                   multiply_batch();
+                   for (unsigned int i = 0; i < 3 * n * n * n; ++i)
+                     for (unsigned int lane = 0; lane < lanes; ++lane)
+                       forces[dofs[i * lanes + lane]] += work.cell[i].values[lane];
+                 });
 }
 
 /// A cell's forces at the node that alone moves, node by node.
@@ -182,18 +196,19 @@ ORTHOCONE_INLINE void add_all_diagonals(const CellBatches<Number> &cells, const 
                                         const unsigned int q, Number *diagonal)
 {
   constexpr unsigned int lanes = Lanes<Number>::n;
-  const std::size_t n_geometry = std::size_t{CellBatches<Number>::n_geometry} * q * q * q;
   Workspace<Number> work(cells);
-  const unsigned int *dofs = cells.dofs.data();
-  for (std::size_t at = 0; at < cells.geometry.size(); at += n_geometry, dofs += 3 * n * n * n * lanes)
-    for (unsigned int i = 0; i < 3 * n * n * n; ++i)
-    {
-      std::fill(work.cell.begin(), work.cell.end(), Lanes<Number>{});
-      work.cell[i].values += 1;
-      multiply(cells, n, q, cells.geometry.data() + at, work);
-      for (unsigned int lane = 0; lane < lanes; ++lane)
-        diagonal[dofs[i * lanes + lane]] += work.cell[i].values[lane];
-    }
+  for_each_batch(cells, n, q, work,
+                 [&](const unsigned int *dofs, const auto &multiply_batch) ORTHOCONE_INLINE_LAMBDA
+                 {
+                   for (unsigned int i = 0; i < 3 * n * n * n; ++i)
+                   {
+                     std::fill(work.cell.begin(), work.cell.end(), Lanes<Number>{});
+                     work.cell[i].values += 1;
+                     multiply_batch();
+                     for (unsigned int lane = 0; lane < lanes; ++lane)
+                       diagonal[dofs[i * lanes + lane]] += work.cell[i].values[lane];
+                   }
+                 });
 }
 } // namespace
 

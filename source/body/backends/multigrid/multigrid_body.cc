@@ -108,7 +108,7 @@ BodyMismatch MultigridBody::mismatch(const NodeVector &force, const NodeVector &
   return mismatch;
 }
 
-unsigned long MultigridBody::n_cycles() const
+unsigned long MultigridBody::n_v_cycles() const
 {
   return modules_->cycle->n_cycles();
 }

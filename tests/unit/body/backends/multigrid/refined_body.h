@@ -5,26 +5,13 @@
 #include "body/backends/multigrid/elastic_solver.h"
 #include "body/backends/multigrid/whole_body_conditions.h"
 #include "body/bodies.h"
+#include "body/even_mesh.h"
 #include "body/mpi.h"
 
 #include <random>
 
 namespace orthocone::test
 {
-/// Cells that are nearly cubes, so that multigrid is at its best.
-inline MeshOptions even_mesh(const unsigned int degree, const unsigned int refinements)
-{
-  MeshOptions mesh;
-  mesh.core_cells = 2;
-  mesh.rings = 1;
-  mesh.core_ratio = 0.6;
-  mesh.layers = 2;
-  mesh.degree = degree;
-  mesh.refinements = refinements;
-  mesh.cells = {{2, 2, 2}};
-  return mesh;
-}
-
 inline GeometryOptions shape_of(const BodyShape shape)
 {
   GeometryOptions geometry;
