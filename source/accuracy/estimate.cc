@@ -2,7 +2,6 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/accuracy/estimate.h>
 
-#include <orthocone/base/errors.h>
 #include <orthocone/base/stopwatch.h>
 #include <orthocone/body/backends/stiffness_factor.h>
 #include <orthocone/march/step_solver.h>
@@ -11,8 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
-#include <limits>
-#include <optional>
 #include <sstream>
 
 namespace orthocone
@@ -42,15 +39,6 @@ double measured_flop_rate()
   return best;
 }
 
-/// What the program keeps of its steps, bytes.
-double step_memory(const LoadOptions &load, const double n_contact)
-{
-  const auto n_steps = static_cast<double>(load_steps(load).size());
-  const double starts = 2 * n_steps / std::max(1U, load.cycles) * n_contact * bytes_per_number;
-  // Kept, and once more as text of a checkpoint.
-  return bytes_per_step * n_steps + 3 * std::min(starts, static_cast<double>(StartMemory::most_bytes));
-}
-
 double cube(const double value)
 {
   return value * value * value;
@@ -70,6 +58,15 @@ double drawn_nodes(const ContactSurface &surface, const ModelSymmetry &symmetry)
 }
 } // namespace
 
+double step_gigabytes(const LoadOptions &load, const double contact_nodes)
+{
+  const auto n_steps = static_cast<double>(load_steps(load).size());
+  const double starts = 2 * n_steps / std::max(1U, load.cycles) * 3 * contact_nodes * bytes_per_number;
+  // Kept, and once more as text of a checkpoint.
+  return (bytes_per_step * n_steps + 3 * std::min(starts, static_cast<double>(StartMemory::most_bytes))) /
+         gigabyte;
+}
+
 /// The cells that refinements make, as if they were given.
 static MeshOptions refined(MeshOptions mesh)
 {
@@ -87,22 +84,6 @@ ModelSize model_size(const Parameters &parameters, const ModelSymmetry &symmetry
   return make_shape(parameters.geometry, refined(parameters.mesh))->size(symmetry);
 }
 
-void require_countable(const ModelSize &size)
-{
-  constexpr double most = std::numeric_limits<int>::max();
-  const double compliance = 9 * size.contact_nodes * size.contact_nodes;
-  if (size.stiffness_entries <= most && compliance <= most)
-    return;
-  std::ostringstream text;
-  text
-      << std::setprecision(2) << "the model has about "
-      << (compliance > most ? size.contact_nodes : size.stiffness_entries)
-      << (compliance > most ? " contact nodes, whose compliance has" : " entries in its stiffness, which are")
-      << " more than the 2^31 numbers that a factorization can count: a coarser mesh or a reduced Mesh/Model "
-         "needs less";
-  throw TooLargeError(text.str());
-}
-
 /// What a factorization of this cost takes at so many operations/s, and the dense compliance that follows.
 static Estimate of_factorization(const Parameters &parameters, const ModelSize &size,
                                  const ModelSymmetry &symmetry, const FactorizationCost &cost,
@@ -115,7 +96,7 @@ static Estimate of_factorization(const Parameters &parameters, const ModelSize &
       0.15 +
       (2 * 1.5 * size.stiffness_entries + cost.entries + dense_matrices * n_contact * n_contact) *
           bytes_per_number / gigabyte +
-      step_memory(parameters.load, n_contact) / gigabyte;
+      step_gigabytes(parameters.load, size.contact_nodes);
   const unsigned int dim = symmetry.is_axisymmetric() ? 2 : 3;
   const double n_cell = dim * std::pow(parameters.mesh.degree + 1, dim);
   const double assembly =
@@ -176,7 +157,7 @@ Estimate multigrid_estimate(const Parameters &parameters, const ModelSize &size,
       std::max(1., stretch_before_refinement(parameters, symmetry) / even);
   Estimate result{};
   result.gigabytes = program + (bytes_per_unknown * size.dofs) / gigabyte +
-                     step_memory(parameters.load, 3 * size.contact_nodes) / gigabyte;
+                     step_gigabytes(parameters.load, size.contact_nodes);
   result.set_up_seconds = 0.3 + set_up * size.dofs;
   result.step_seconds = cycles_per_step * v_cycle * size.dofs +
                         1.5e-6 * size.dofs * fields_written_per_step(parameters.output.volume_interval);
@@ -192,54 +173,6 @@ Estimate least_estimate(const ModelSize &size)
   result.set_up_seconds = 2 * cube(n_contact) / measured_flop_rate();
   result.step_seconds = 2 * n_contact * n_contact * bytes_per_number / 4 / memory_bandwidth;
   return result;
-}
-
-/// What the model needs, or nothing where that is surely less than `gigabytes`. The estimate meshes the model
-/// and finds an order, so it is made only where the answer depends on it.
-static std::optional<double> needed_gigabytes(const Parameters &parameters, const ModelSymmetry &symmetry,
-                                              const double gigabytes)
-{
-  constexpr double most_per_unknown = 1e-4, program = 0.2; // far more than any model needs
-  const ModelSize size = model_size(parameters, symmetry);
-  if (parameters.mesh.backend == BodyBackend::multigrid)
-    return multigrid_estimate(parameters, size, symmetry).gigabytes;
-  const double steps = step_memory(parameters.load, 3 * size.contact_nodes) / gigabyte;
-  if (const double least = least_estimate(size).gigabytes; least > gigabytes)
-    return least;
-  require_countable(size);
-  if (size.dofs * most_per_unknown + program + steps < gigabytes)
-    return std::nullopt;
-  return estimate(parameters, Body(parameters, symmetry), symmetry).gigabytes;
-}
-
-bool is_too_large(const Parameters &parameters, const ModelSymmetry &symmetry, const double gigabytes)
-{
-  try
-  {
-    return needed_gigabytes(parameters, symmetry, gigabytes).value_or(0) > gigabytes;
-  }
-  catch (const TooLargeError &)
-  {
-    return true;
-  }
-}
-
-std::string lack_of_memory(const double needed, const MemoryLimit &limit)
-{
-  if (needed <= limit.gigabytes)
-    return {};
-  std::ostringstream text;
-  text << std::setprecision(2) << "memory: the model needs about " << needed << " GB, and " << limit.source
-       << " " << limit.gigabytes
-       << " GB; a coarser mesh or a reduced Mesh/Model needs less, --insist runs all the same";
-  return text.str();
-}
-
-void require_memory(const Parameters &parameters, const ModelSymmetry &symmetry, const MemoryLimit &limit)
-{
-  const double needed = needed_gigabytes(parameters, symmetry, limit.gigabytes).value_or(0);
-  if (const std::string lack = lack_of_memory(needed, limit); !lack.empty())
-    throw InputError(lack);
 }
 
 std::string describe(const Estimate &estimate, const unsigned int n_steps, const MemoryLimit &limit,

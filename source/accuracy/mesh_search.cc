@@ -3,7 +3,7 @@
 #include <orthocone/accuracy/mesh_search.h>
 
 #include <orthocone/accuracy/backend_choice.h>
-#include <orthocone/accuracy/estimate.h>
+#include <orthocone/accuracy/memory_need.h>
 #include <orthocone/base/blas_threads.h>
 #include <orthocone/base/memory.h>
 #include <orthocone/base/stopwatch.h>

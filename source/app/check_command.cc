@@ -4,6 +4,7 @@
 
 #include <orthocone/accuracy/backend_choice.h>
 #include <orthocone/accuracy/estimate.h>
+#include <orthocone/accuracy/memory_need.h>
 #include <orthocone/base/text.h>
 #include <orthocone/body/backends/stiffness_factor.h>
 #include <orthocone/body/shapes/mesh_ladder.h>

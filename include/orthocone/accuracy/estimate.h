@@ -13,10 +13,6 @@ namespace orthocone
 /// Size of a model, found from the numbers of cells alone.
 ModelSize model_size(const Parameters &parameters, const ModelSymmetry &symmetry);
 
-/// Throws TooLargeError if the stiffness or the compliance of such a model have more entries than a
-/// factorization can count, whatever the memory.
-void require_countable(const ModelSize &size);
-
 /// What a run will need, to about a factor of 3.
 struct Estimate
 {
@@ -39,16 +35,8 @@ Estimate multigrid_estimate(const Parameters &parameters, const ModelSize &size,
 /// alone take.
 Estimate least_estimate(const ModelSize &size);
 
-/// Whether the model is likely to need more memory than there is. Meshes it and finds its order only where
-/// that depends on it.
-bool is_too_large(const Parameters &parameters, const ModelSymmetry &symmetry, double gigabytes);
-
-/// The sentence on a model that needs `needed` GB, which are more than the limit; "" if they are not.
-std::string lack_of_memory(double needed, const MemoryLimit &limit);
-
-/// Throws TooLargeError, or InputError if the model is likely to need more memory than the limit.
-/// `parameters` have the resolved mesh.
-void require_memory(const Parameters &parameters, const ModelSymmetry &symmetry, const MemoryLimit &limit);
+/// What a run keeps of its steps, GB.
+double step_gigabytes(const LoadOptions &load, double contact_nodes);
 
 /// The estimate in two lines, with the memory that there is. `is_least`: it is a bound from below.
 std::string describe(const Estimate &estimate, unsigned int n_steps, const MemoryLimit &limit, bool is_least);
