@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/accuracy/accuracy.h>
 
+#include <orthocone/base/numbers.h>
 #include <orthocone/base/text.h>
 
 #include <algorithm>
@@ -13,48 +14,67 @@ namespace orthocone
 {
 namespace
 {
-/// Absolute error of the last of the values.
-double remaining_change(const std::vector<double> &values)
+constexpr double best_ratio = 0.5;
+constexpr double worst_ratio = 0.6;
+constexpr double least_share = 1. / 3; // of the difference before
+
+/// What all differences behind the last one are likely to add up to; `before`: the one before, or 0.
+double remaining_change(const double last, const double before)
 {
-  constexpr double best_ratio = 0.5;
-  constexpr double worst_ratio = 0.6;
-  constexpr double least_share = 1. / 3; // of the difference before
-  const std::size_t last = values.size() - 1;
-  double difference = std::abs(values[last] - values[last - 1]);
-  double ratio = best_ratio;
-  if (last >= 2)
-  {
-    const double before = std::abs(values[last - 1] - values[last - 2]);
-    difference = std::max(difference, least_share * before);
-    ratio = before > 0 ? std::clamp(difference / before, best_ratio, worst_ratio) : best_ratio;
-  }
+  const double difference = std::max(last, least_share * before);
+  const double ratio = before > 0 ? std::clamp(difference / before, best_ratio, worst_ratio) : best_ratio;
   return difference * ratio / (1 - ratio);
 }
 
+/// Absolute error of the last of the values.
+double remaining_change(const std::vector<double> &values)
+{
+  const std::size_t last = values.size() - 1;
+  return remaining_change(std::abs(values[last] - values[last - 1]),
+                          last >= 2 ? std::abs(values[last - 1] - values[last - 2]) : 0);
+}
 } // namespace
 
 bool AccuracyEstimate::is_reached() const
 {
-  return std::all_of(errors.begin(), errors.end(), [this](const double error) { return error <= wanted; });
+  for (unsigned int i = 0; i < n_quantities; ++i)
+    if (!(errors[i] + taken[i] <= wanted))
+      return false;
+  return true;
 }
 
-Quantities estimated_errors(const std::vector<Quantities> &levels, const double contact_area)
+Quantities relative_errors(const Quantities &absolute, const Quantities &values, const double contact_area,
+                           const double motion)
 {
   constexpr double percent = 100;
-  constexpr double least_share_of_area = 0.1;
+  constexpr double least_share_of_area = 0.1, negligible = 1e-3;
+  Quantities least{};
+  least[0] = negligible * motion;
+  least[2] = least[loop_area_index] = negligible * values[1] * motion / 2;
+  least[stick_area_index] = least_share_of_area * contact_area;
   Quantities errors{};
+  for (unsigned int i = 0; i < n_quantities; ++i)
+    errors[i] = percent * relative(absolute[i], std::max(std::abs(values[i]), least[i]));
+  return errors;
+}
+
+Quantities estimated_errors(const std::vector<Quantities> &levels, const double contact_area,
+                            const double motion)
+{
+  Quantities changes{};
   for (unsigned int i = 0; i < n_quantities; ++i)
   {
     std::vector<double> values;
     for (const Quantities &level : levels)
       values.push_back(level[i]);
-    double scale = std::abs(values.back());
-    if (i == stick_area_index)
-      scale = std::max(scale, least_share_of_area * contact_area);
-    const double change = values.size() < 2 ? std::abs(values[0]) : remaining_change(values);
-    errors[i] = change > 0 ? percent * change / scale : 0;
+    changes[i] = values.size() < 2 ? std::abs(values[0]) : remaining_change(values);
   }
-  return errors;
+  return relative_errors(changes, levels.back(), contact_area, motion);
+}
+
+double first_order_error(const double change, const double change_before)
+{
+  return std::max(change, least_share * change_before) + remaining_change(change, change_before);
 }
 
 std::string describe_quantities(const AccuracyEstimate &accuracy)
@@ -68,7 +88,10 @@ std::string describe_quantities(const AccuracyEstimate &accuracy)
 
 std::string describe(const AccuracyEstimate &accuracy)
 {
-  return to_text(accuracy.wanted) + " % wanted, " + (accuracy.is_reached() ? "reached" : "NOT reached") +
+  const bool is_shared =
+      std::any_of(accuracy.taken.begin(), accuracy.taken.end(), [](const double taken) { return taken > 0; });
+  return to_text(accuracy.wanted) + (is_shared ? " % wanted with the steps, " : " % wanted, ") +
+         (accuracy.is_reached() ? "reached" : "NOT reached") +
          "; value (estimated error): " + describe_quantities(accuracy);
 }
 } // namespace orthocone

@@ -32,8 +32,8 @@ void print_unknown_mesh(const Parameters &parameters, const ModelChoice &model)
 {
   std::cout << describe_model(model) << "mesh           is chosen by the run, for errors of "
             << to_text(parameters.mesh.accuracy) << " %\n"
-            << describe_friction(parameters) << describe_obstacle(parameters.obstacle) << "load steps     "
-            << load_steps(parameters.load).size() << "\n";
+            << describe_friction(parameters) << describe_obstacle(parameters.obstacle)
+            << describe_steps(parameters.load);
   print_warnings(parameters, "");
 }
 
@@ -55,25 +55,24 @@ std::string why_too_large(const ModelSize &size, const std::string &lack)
 /// A mesh of so many unknowns that it takes longer than somebody who checks waits.
 void print_large_model(const Parameters &parameters, const ModelChoice &model, const ModelSize &size)
 {
-  const auto n_steps = static_cast<unsigned int>(load_steps(parameters.load).size());
+  const unsigned int n_steps = n_solved_parts(parameters.load);
   const MemoryLimit limit = memory_limit();
   const bool is_condensed = parameters.mesh.backend != BodyBackend::multigrid;
   const Estimate cost =
       is_condensed ? least_estimate(size) : multigrid_estimate(parameters, size, model.symmetry);
   std::cout << describe_model(model) << describe(size) << "\n"
-            << describe_friction(parameters) << describe_obstacle(parameters.obstacle) << "load steps     "
-            << n_steps << "\n"
-            << describe(cost, n_steps, limit, is_condensed) << "\n";
+            << describe_friction(parameters) << describe_obstacle(parameters.obstacle)
+            << describe_steps(parameters.load) << describe(cost, n_steps, limit, is_condensed) << "\n";
   const std::string lack = lack_of_memory(cost.gigabytes, limit);
   print_warnings(parameters, is_condensed ? why_too_large(size, lack) : lack);
 }
 
 void print_model(const Parameters &parameters, const ModelChoice &model)
 {
-  const auto n_steps = static_cast<unsigned int>(load_steps(parameters.load).size());
+  const unsigned int n_steps = n_solved_parts(parameters.load);
   const MemoryLimit limit = memory_limit();
   const Body body(parameters, model.symmetry);
-  std::cout << describe_model(parameters, model, body.unknowns(), n_steps) << "\n";
+  std::cout << describe_model(parameters, model, body.unknowns()) << "\n";
   try
   {
     const Estimate cost =

@@ -17,12 +17,12 @@
 
 namespace orthocone
 {
-QuasiStaticProblem::QuasiStaticProblem(const Parameters &parameters, const ModelChoice &choice,
-                                       const RunFolder &folder, Log &log, ChosenMesh chosen)
-    : parameters_(parameters),
+QuasiStaticProblem::QuasiStaticProblem(ChosenModel chosen, const ModelChoice &choice, const RunFolder &folder,
+                                       Log &log)
+    : parameters_(chosen.parameters),
       folder_(folder),
       log_(log),
-      steps_(load_steps(parameters.load)),
+      steps_(load_steps(parameters_.load)),
       chosen_(with_scene(std::move(chosen), choice)),
       scene_(*chosen_.scene),
       solver_(scene_),
@@ -33,25 +33,25 @@ QuasiStaticProblem::QuasiStaticProblem(const Parameters &parameters, const Model
       cycles_(parameters_.load, scene_.symmetry().force_shares(scene_.surface()),
               reach_of(scene_.body().unknowns())),
       output_(folder_, parameters_.output, scene_, evaluator_),
-      gap_file_(gap_file_checksum(parameters.obstacle)),
-      checkpoint_pause_(parameters.output.checkpoint_seconds)
+      gap_file_(gap_file_checksum(parameters_.obstacle)),
+      checkpoint_pause_(parameters_.output.checkpoint_seconds)
 {
   solver_.restore(chosen_.starts);
   record_.accuracy = chosen_.accuracy;
+  record_.steps = chosen_.steps;
   record_.critical_friction = critical_friction_;
-  if (parameters.mesh.backend == BodyBackend::multigrid)
+  if (parameters_.mesh.backend == BodyBackend::multigrid)
     record_.stretch = scene_.body().mesh().stretch();
   record_.seconds = scene_.seconds();
-  // The search built the model, too.
-  if (chosen_.accuracy)
-    record_.seconds.mesh_search = chosen_.search_seconds - scene_.seconds().sum();
+  // The search for a mesh built the model, too.
+  record_.seconds.mesh_search = chosen_.search_seconds - (chosen_.accuracy ? scene_.seconds().sum() : 0);
   seconds_before_ = chosen_.search_seconds;
   log_.line(describe(critical_friction_));
   for (const std::string &warning : model_warnings(record_))
     log_.line("warning: " + warning);
 }
 
-ChosenMesh QuasiStaticProblem::with_scene(ChosenMesh chosen, const ModelChoice &choice) const
+ChosenModel QuasiStaticProblem::with_scene(ChosenModel chosen, const ModelChoice &choice) const
 {
   if (chosen.scene)
     announce(choice, chosen.scene->body().mesh());
@@ -64,7 +64,7 @@ ChosenMesh QuasiStaticProblem::with_scene(ChosenMesh chosen, const ModelChoice &
 /// Tells what is going to be computed, and with what, before the long work begins.
 void QuasiStaticProblem::announce(const ModelChoice &choice, const Body &body) const
 {
-  log_.line(describe_model(parameters_, choice, body.unknowns(), steps_.size()));
+  log_.line(describe_model(parameters_, choice, body.unknowns()));
   tell_versions_and_warnings(parameters_, log_);
 }
 
@@ -167,10 +167,8 @@ void QuasiStaticProblem::save_checkpoint()
   const Stopwatch watch;
   take_stock();
   output_.flush();
-  Parameters given = parameters_;
-  given.mesh = chosen_.requested;
   write_checkpoint(folder_,
-                   {entry_values(given), entry_values(parameters_), gap_file_, program_version(),
+                   {entry_values(chosen_.given), entry_values(parameters_), gap_file_, program_version(),
                     folder_.tables(), output_.fields(), state_, solver_.memory(), cycles_.memory(), record_});
   since_checkpoint_ = Stopwatch();
   record_.seconds.output += watch.seconds();

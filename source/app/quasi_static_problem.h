@@ -24,16 +24,15 @@ public:
   };
 
   /// Builds, factorizes and condenses the body, unless `chosen` brings it; nothing is written but the log.
-  /// `parameters` have the chosen mesh. Throws InputError or FileError. `folder` must outlive the problem.
-  QuasiStaticProblem(const Parameters &parameters, const ModelChoice &choice, const RunFolder &folder,
-                     Log &log, ChosenMesh chosen);
+  /// Throws InputError or FileError. `folder` must outlive the problem.
+  QuasiStaticProblem(ChosenModel chosen, const ModelChoice &choice, const RunFolder &folder, Log &log);
 
   /// Solves all steps and writes the run folder, from the start or from a checkpoint on. The files of solved
   /// steps stay if one fails. `on_resumed` is called once the files are what they were at the checkpoint.
   Outcome run(const std::optional<Checkpoint> &checkpoint, const std::function<void()> &on_resumed = {});
 
 private:
-  ChosenMesh with_scene(ChosenMesh chosen, const ModelChoice &choice) const;
+  ChosenModel with_scene(ChosenModel chosen, const ModelChoice &choice) const;
   void announce(const ModelChoice &choice, const Body &body) const;
   CriticalFrictionRecord critical_friction_of_model() const;
   void begin(const std::optional<Checkpoint> &checkpoint);
@@ -56,7 +55,7 @@ private:
   Log &log_;
   const std::vector<LoadStep> steps_;
   Stopwatch total_;
-  const ChosenMesh chosen_;
+  const ChosenModel chosen_;
   const Scene &scene_; ///< owned by chosen_
   StepSolver solver_;
   const ContactFieldEvaluator evaluator_;

@@ -128,15 +128,14 @@ QuasiStaticProblem::Outcome solve(Assignment &task, const RunFolder &folder)
   folder.require_own(probe_files(given.output.probes));
   const auto checkpoint =
       task.line.resume ? find_checkpoint(folder, given, shown_path(task.line.parameter_file)) : std::nullopt;
-  // A search for a mesh may take minutes: what is wrong with the folder is told before, and an older run in
-  // it is no longer there to be resumed.
-  if (given.mesh.accuracy != 0 && !task.line.resume)
+  // A search may take minutes: what is wrong with the folder is told before, and an older run in it is no
+  // longer there to be resumed.
+  if ((given.mesh.accuracy != 0 || given.load.accuracy != 0) && !task.line.resume)
     keep_parameters(folder, task, given);
-  ChosenMesh chosen = checkpoint
-                          ? ChosenMesh{given.mesh, mesh_of(*checkpoint, given)}
-                          : choose_mesh(given, task.model, [&](const std::string &text) { task.tell(text); });
-  Parameters parameters = given;
-  parameters.mesh = chosen.mesh;
+  ChosenModel chosen = checkpoint ? ChosenModel{given, chosen_by(*checkpoint, given)}
+                                  : choose_mesh_and_steps(given, task.model,
+                                                          [&](const std::string &text) { task.tell(text); });
+  const Parameters parameters = chosen.parameters;
   if (task.line.resume && !checkpoint)
     require_nothing_to_lose(folder, parameters);
   if (!checkpoint)
@@ -146,7 +145,7 @@ QuasiStaticProblem::Outcome solve(Assignment &task, const RunFolder &folder)
     log.line("no checkpoint in " + folder.path() + ": starts with the first load step");
   if (!task.lines.empty())
     folder.append("log.txt", task.lines);
-  QuasiStaticProblem problem(parameters, task.model, folder, log, std::move(chosen));
+  QuasiStaticProblem problem(std::move(chosen), task.model, folder, log);
   if (checkpoint)
     folder.mark(path_of(task.line), probe_files(parameters.output.probes));
   return problem.run(checkpoint, [&] { update_parameters(folder, task, parameters); });

@@ -4,6 +4,7 @@
 
 #include <orthocone/base/stopwatch.h>
 
+#include <optional>
 #include <utility>
 
 namespace orthocone
@@ -18,6 +19,8 @@ MarchEnd march(const std::vector<LoadStep> &steps, StepSolver &solver, ContactSt
     if (!observer.goes_on(step))
       return MarchEnd::stopped;
     ContactState next = state;
+    // Parts are accepted as they are solved.
+    const auto starts = step.parts.empty() ? std::nullopt : std::optional(solver.memory());
     double seconds = 0;
     const SolverReport report = timed(seconds, [&] { return solver.solve(next, step); });
     if (!report.converged)
@@ -26,7 +29,11 @@ MarchEnd march(const std::vector<LoadStep> &steps, StepSolver &solver, ContactSt
       return MarchEnd::unsolved;
     }
     if (!observer.accepts({step, state, next, report, seconds}))
+    {
+      if (starts)
+        solver.restore(*starts);
       return MarchEnd::refused;
+    }
     solver.accept(state, next, step);
     state = std::move(next);
     observer.accepted(state);

@@ -24,6 +24,16 @@ FaceTarget on_the_way(const FaceState &from, const FaceTarget &target, const dou
   return middle;
 }
 
+/// Adds what solving a part before told to the report of the one behind it.
+void add_earlier(SolverReport &report, const SolverReport &earlier)
+{
+  report.iterations += earlier.iterations;
+  report.n_parts += earlier.n_parts;
+  report.law.merge(earlier.law);
+  report.residual = std::max(report.residual, earlier.residual);
+  report.penetration = std::max(report.penetration, earlier.penetration);
+}
+
 /// The least motion along the normal that leaves no node under pressure, where nothing presses.
 double opening_motion(const NodeVector &free_gap)
 {
@@ -60,7 +70,32 @@ StepSolver::Attempt StepSolver::attempt(const ContactState &state, const FaceTar
           scene_.free_components(target)};
 }
 
-SolverReport StepSolver::solve(ContactState &state, const LoadStep &step) const
+SolverReport StepSolver::solve(ContactState &state, const LoadStep &step)
+{
+  if (step.parts.empty())
+    return solve_in_one(state, step);
+  const ContactState before = state;
+  const StartMemory starts = memory();
+  SolverReport report;
+  for (const LoadStep &part : step.parts)
+  {
+    const ContactState here = state;
+    SolverReport of_part = solve_in_one(state, part);
+    if (&part != &step.parts.front())
+      add_earlier(of_part, report);
+    report = std::move(of_part);
+    if (!report.converged)
+    {
+      state = before;
+      restore(starts);
+      break;
+    }
+    accept_undivided(here, state, part);
+  }
+  return report;
+}
+
+SolverReport StepSolver::solve_in_one(ContactState &state, const LoadStep &step) const
 {
   constexpr unsigned int most_halvings = 3;
   const ContactState before = state;
@@ -122,6 +157,12 @@ double StepSolver::carried_share(const ContactState &before, const LoadStep &ste
 
 void StepSolver::accept(const ContactState &before, const ContactState &after, const LoadStep &step)
 {
+  if (step.parts.empty())
+    accept_undivided(before, after, step);
+}
+
+void StepSolver::accept_undivided(const ContactState &before, const ContactState &after, const LoadStep &step)
+{
   starts_.remember(before, after, step);
   std::vector<MarchMemory> coarser;
   if (coarser_ != nullptr)
@@ -160,7 +201,10 @@ void StepSolver::accept_unknowns(ContactState &state, const Attempt &attempt, co
       motion[i] = state.motion[i]; // of those that symmetry holds: zero
   for (std::size_t j = 0; j < attempt.components.size(); ++j)
     motion[attempt.components[j]] = motions[static_cast<Index>(j)];
+  const Wrench before = scene_.held_wrench(state.force);
+  const RigidMotion way{motion.components - state.motion.components};
   advance(state, attempt.problem, opening_, unknowns, motion);
+  state.work += 0.5 * (before.work(way) + scene_.held_wrench(state.force).work(way));
 }
 
 SolverReport StepSolver::solve_to(ContactState &state, const Attempt &attempt, VectorXd unknowns,
@@ -189,11 +233,9 @@ SolverReport StepSolver::solve_halves(ContactState &state, const FaceTarget &tar
     const Attempt rest = attempt(state, target);
     report = solve_to(state, rest, present_unknowns(state, rest), n_halvings);
   }
-  report.iterations += failure.iterations + (first.converged ? first.iterations : 0);
-  report.n_parts += first.n_parts;
-  report.law.merge(first.law);
-  report.residual = std::max(report.residual, first.residual);
-  report.penetration = std::max(report.penetration, first.penetration);
+  if (first.converged)
+    add_earlier(report, first);
+  report.iterations += failure.iterations;
   return report;
 }
 

@@ -100,9 +100,15 @@ std::uint32_t gap_file_checksum(const ObstacleOptions &options)
   return crc.checksum();
 }
 
-MeshOptions mesh_of(const Checkpoint &checkpoint, const Parameters &given)
+Parameters chosen_by(const Checkpoint &checkpoint, const Parameters &given)
 {
-  return with_section(given, "Mesh", checkpoint.mesh).mesh;
+  Parameters chosen = given;
+  chosen.mesh = with_section(given, "Mesh", checkpoint.chosen).mesh;
+  const LoadOptions load = with_section(given, "Load program", checkpoint.chosen).load;
+  chosen.load.preload = load.preload;
+  chosen.load.legs = load.legs;
+  chosen.load.accuracy = load.accuracy;
+  return chosen;
 }
 
 void write_checkpoint(const RunFolder &folder, const Checkpoint &checkpoint)

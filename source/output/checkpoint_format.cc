@@ -80,14 +80,26 @@ CycleMemory cycles_from(const Json &json, const ContactState &state)
 
 Json accuracy_json(const std::optional<AccuracyEstimate> &accuracy)
 {
-  return accuracy ? Json{accuracy->wanted, accuracy->values, accuracy->errors} : Json();
+  return accuracy ? Json{accuracy->wanted, accuracy->values, accuracy->errors, accuracy->taken} : Json();
 }
 
 std::optional<AccuracyEstimate> accuracy_from(const Json &json)
 {
   if (json.is_null())
     return std::nullopt;
-  return AccuracyEstimate{json.at(0), json.at(1), json.at(2)};
+  return AccuracyEstimate{json.at(0), json.at(1), json.at(2), json.at(3)};
+}
+
+Json steps_json(const std::optional<StepAccuracy> &steps)
+{
+  return steps ? Json{accuracy_json(steps->estimate), steps->solver} : Json();
+}
+
+std::optional<StepAccuracy> step_accuracy_from(const Json &json)
+{
+  if (json.is_null())
+    return std::nullopt;
+  return StepAccuracy{accuracy_from(json.at(0)).value(), json.at(1)};
 }
 
 Json record_json(const RunRecord &record)
@@ -104,6 +116,7 @@ Json record_json(const RunRecord &record)
           {"energies", {record.work, record.dissipation, record.missing}},
           {"peaks", {record.peaks.slip, record.peaks.pressure, record.peaks.force_z}},
           {"accuracy", accuracy_json(record.accuracy)},
+          {"step_accuracy", steps_json(record.steps)},
           {"seconds", std::move(seconds)}};
 }
 
@@ -123,6 +136,7 @@ RunRecord record_from(const Json &json)
   const Json &peaks = json.at("peaks");
   record.peaks = {peaks.at(0), peaks.at(1), peaks.at(2)};
   record.accuracy = accuracy_from(json.at("accuracy"));
+  record.steps = step_accuracy_from(json.at("step_accuracy"));
   const Json &seconds = json.at("seconds");
   for (const auto &[name, phase] : phases)
     record.seconds.*phase = seconds.at(name);
@@ -134,7 +148,7 @@ Checkpoint from_json(const Json &json)
 {
   Checkpoint checkpoint;
   json.at("parameters").get_to(checkpoint.parameters);
-  json.at("mesh").get_to(checkpoint.mesh);
+  json.at("chosen").get_to(checkpoint.chosen);
   checkpoint.gap_file = count_from(json.at("gap_file"));
   json.at("program").get_to(checkpoint.program);
   checkpoint.tables = tables_from(json.at("tables"));
@@ -150,7 +164,7 @@ Checkpoint from_json(const Json &json)
 std::string encode(const Checkpoint &checkpoint)
 {
   const Json json{{"parameters", checkpoint.parameters},
-                  {"mesh", checkpoint.mesh},
+                  {"chosen", checkpoint.chosen},
                   {"gap_file", checkpoint.gap_file},
                   {"program", checkpoint.program},
                   {"tables", tables_json(checkpoint.tables)},

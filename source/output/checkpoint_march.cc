@@ -12,6 +12,7 @@ Json state_json(const ContactState &state)
 {
   return {{"step", state.step},
           {"motion", array_json(state.motion.components)},
+          {"work", state.work},
           {"leg_motion", array_json(state.leg_begin.motion.components)},
           {"leg_wrench", array_json(state.leg_begin.wrench.components)},
           {"n_nodes", state.n_nodes()},
@@ -29,6 +30,7 @@ ContactState state_from(const Json &json)
   ContactState state(0);
   state.step = count_from(json.at("step"));
   state.motion.components = array_from(json.at("motion"), n_rigid_components);
+  state.work = number_from(json.at("work"));
   state.leg_begin.motion.components = array_from(json.at("leg_motion"), n_rigid_components);
   state.leg_begin.wrench.components = array_from(json.at("leg_wrench"), n_rigid_components);
   state.accumulated_slip = array_from(json.at("accumulated_slip"), n);

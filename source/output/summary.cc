@@ -102,6 +102,9 @@ std::vector<std::string> all_warnings(const Parameters &parameters, const RunRec
   if (record.accuracy && !record.accuracy->is_reached())
     warnings.push_back("Mesh/Accuracy = " + to_text(record.accuracy->wanted) +
                        " % is not reached on the finest mesh: " + describe(*record.accuracy));
+  if (record.steps && !record.steps->estimate.is_reached())
+    warnings.push_back("Load program/Accuracy: 64 parts a step do not reach it: " +
+                       describe(record.steps->estimate));
   return warnings;
 }
 
@@ -135,6 +138,17 @@ std::string describe_obstacle(const ObstacleOptions &obstacle)
          (obstacle.gap_file.empty() ? "" : " and that of " + shown_path(obstacle.gap_file)) + "\n";
 }
 
+std::string describe_steps(const LoadOptions &load)
+{
+  const std::size_t n_steps = load_steps(load).size();
+  std::string line = "load steps     " + std::to_string(n_steps);
+  if (const unsigned int n_parts = n_solved_parts(load); n_parts != n_steps)
+    line += " in " + std::to_string(n_parts) + " parts";
+  if (load.accuracy != 0)
+    line += ", divided by the run for errors of " + to_text(load.accuracy) + " %";
+  return line + "\n";
+}
+
 std::string describe_model(const ModelChoice &model)
 {
   return "model          " + model.symmetry.name() + " (" + model.reason + ")\n";
@@ -165,7 +179,7 @@ std::string describe_friction(const Parameters &parameters)
 }
 
 std::string describe_model(const Parameters &parameters, const ModelChoice &model,
-                           const BodyUnknowns &unknowns, const unsigned int n_steps)
+                           const BodyUnknowns &unknowns)
 {
   const ContactSolverOptions &solver = parameters.contact_solver;
   std::ostringstream text;
@@ -180,7 +194,7 @@ std::string describe_model(const Parameters &parameters, const ModelChoice &mode
        << describe_obstacle(parameters.obstacle) << "contact nodes  "
        << unknowns.contact_surface().nodes.size() << (model.symmetry.is_axisymmetric() ? " (rings)" : "")
        << "\n"
-       << describe_friction(parameters) << "load steps     " << n_steps << "\n"
+       << describe_friction(parameters) << describe_steps(parameters.load)
        << (parameters.mesh.backend == BodyBackend::multigrid ? "elastic body   multigrid\n" : "")
        << "contact solver " << solver.method << ", tolerance " << to_text(solver.tolerance);
   return text.str();

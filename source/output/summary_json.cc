@@ -66,6 +66,20 @@ Json accuracy_json(const AccuracyEstimate &accuracy)
   return json;
 }
 
+/// Errors of each quantity by what makes them; null where nothing is known.
+Json errors_json(const RunRecord &record)
+{
+  Json json;
+  for (unsigned int i = 0; i < n_quantities; ++i)
+  {
+    Json &errors = json[quantity_names[i]];
+    errors["mesh"] = record.accuracy ? Json(record.accuracy->errors[i]) : Json();
+    errors["steps"] = record.steps ? Json(record.steps->estimate.errors[i]) : Json();
+    errors["solver"] = record.steps ? Json(record.steps->solver[i]) : Json();
+  }
+  return json;
+}
+
 std::string entry_of(const Parameters &parameters, const std::string &name)
 {
   for (const auto &[entry, value] : entry_values(parameters))
@@ -156,6 +170,10 @@ std::string summary_json(const Summary &summary)
   json["critical_friction"] = critical_friction_json(summary.record.critical_friction);
   if (summary.record.accuracy)
     json["accuracy"] = accuracy_json(*summary.record.accuracy);
+  if (summary.record.steps)
+    json["step_accuracy"] = accuracy_json(summary.record.steps->estimate);
+  if (summary.record.accuracy || summary.record.steps)
+    json["estimated_errors_percent"] = errors_json(summary.record);
   json["warnings"] = all_warnings(summary.parameters, summary.record);
   json["total_dissipation_Nmm"] = summary.total_dissipation;
   for (const auto &[name, version] : versions())

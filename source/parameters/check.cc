@@ -85,13 +85,21 @@ void check_load(const LoadOptions &load)
         "Load program/Cycles = 0 and Load program/Preload is empty: allowed is at least one cycle or "
         "a preload");
   double n_steps = 0;
-  for (const Leg &leg : load.preload)
-    n_steps += leg.steps;
-  for (const Leg &leg : load.legs)
-    n_steps += static_cast<double>(load.cycles) * leg.steps;
+  bool has_parts = false;
+  const auto add = [&](const std::vector<Leg> &legs, const double times)
+  {
+    for (const Leg &leg : legs)
+    {
+      n_steps += times * leg.steps * leg.parts;
+      has_parts = has_parts || leg.parts > 1;
+    }
+  };
+  add(load.preload, 1);
+  add(load.legs, load.cycles);
   if (n_steps > most_steps)
     throw InputError("Load program: Preload, Legs and Cycles = " + std::to_string(load.cycles) + " make " +
-                     to_text(n_steps) + " load steps: allowed are 1000000");
+                     to_text(n_steps) + (has_parts ? " parts of load steps" : " load steps") +
+                     ": allowed are 1000000");
   if (load.stop_when_periodic > 0 && load.jump_when_periodic > 0)
     throw InputError("Load program/Stop when periodic = " + to_text(load.stop_when_periodic) +
                      " and Load program/Jump when periodic = " + to_text(load.jump_when_periodic) +

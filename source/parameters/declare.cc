@@ -110,10 +110,18 @@ void declare_obstacle(ObstacleOptions &obstacle, EntryTable &table)
 void declare_load(LoadOptions &load, EntryTable &table)
 {
   add_legs(table, "Preload", load.preload, "Legs passed through once, before the cycles.");
-  add_legs(table, "Legs", load.legs,
-           "Legs of a cycle: the upper face moves to (ux, uy, uz) in equal steps, from where it was. Named "
-           "components, as in 'Fz -2e5 rz 0.5 : 10', are driven by a motion or by a force; the others keep "
-           "what they have.");
+  add_legs(
+      table, "Legs", load.legs,
+      "Legs of a cycle: the upper face moves to (ux, uy, uz) in equal steps, from where it was. Named "
+      "components, as in 'Fz -2e5 rz 0.5 : 10', are driven by a motion or by a force; the others keep "
+      "what they have. ': 10 * 4' solves each of 10 steps in 4 parts, of which only the last is written.");
+  add_percentage(
+      table, "Accuracy", load.accuracy, Range{0.01, 50, true, true},
+      "Largest wanted error by the size of the load steps, of the quantities of Mesh/Accuracy and of the "
+      "work "
+      "of the upper face in the first cycle: the program divides the steps of each leg into as many parts as "
+      "it estimates to need. States are written at the steps of the legs. 0 = the legs are taken as they "
+      "are.");
   add_count(table, "Cycles", load.cycles, 0, 1000000, "How many times the legs are passed through.");
   const Range share{0, 1, true, false};
   add_number(

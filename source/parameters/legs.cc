@@ -16,7 +16,8 @@ namespace
 constexpr const char *leg_form =
     "legs \"ux uy uz : steps\" (numbers in mm, at least one step) or \"NAME value ... : steps\" (ux, uy, uz "
     "in "
-    "mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N mm), separated by ';'";
+    "mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N mm), separated by ';'; \"steps * parts\" "
+    "solves each step in so many parts";
 
 const std::vector<std::string> &component_names()
 {
@@ -66,7 +67,7 @@ std::string parse_targets(const std::string &text, Leg &leg)
 {
   if (const auto position = parse_numbers(text, 3, ' '))
   {
-    leg = move_to((*position)[0], (*position)[1], (*position)[2], leg.steps);
+    leg.targets = move_to((*position)[0], (*position)[1], (*position)[2], leg.steps).targets;
     return {};
   }
   std::istringstream stream(text);
@@ -84,15 +85,27 @@ std::string parse_targets(const std::string &text, Leg &leg)
   return {};
 }
 
+/// Reads "steps" or "steps * parts", neither of them 0. Returns whether that is what the text says.
+bool parse_steps(const std::string &text, Leg &leg)
+{
+  const std::size_t times = text.find('*');
+  const auto steps = parse_count(trimmed(text.substr(0, times)));
+  const auto parts = times == std::string::npos ? std::optional<unsigned int>(1)
+                                                : parse_count(trimmed(text.substr(times + 1)));
+  if (!steps || !parts || *steps == 0 || *parts == 0)
+    return false;
+  leg.steps = *steps;
+  leg.parts = *parts;
+  return true;
+}
+
 /// Reads a leg. Returns what is allowed instead, or "".
 std::string parse_leg(const std::string &text, Leg &leg)
 {
-  const auto parts = split(text, ':');
-  const auto steps = parts.size() == 2 ? parse_count(parts[1]) : std::nullopt;
-  if (!steps || *steps == 0)
+  const auto halves = split(text, ':');
+  if (halves.size() != 2 || !parse_steps(halves[1], leg))
     return leg_form;
-  leg.steps = *steps;
-  return parse_targets(parts[0], leg);
+  return parse_targets(halves[0], leg);
 }
 
 /// Whether the leg is one of three plain numbers.
@@ -140,6 +153,8 @@ std::string legs_text(const std::vector<Leg> &legs)
                                  : std::string((target->by_force ? wrench_names : motion_names)[i]) + " ") +
             to_text(target->value) + " ";
     text += ": " + std::to_string(leg.steps);
+    if (leg.parts > 1)
+      text += " * " + std::to_string(leg.parts);
   }
   return text;
 }

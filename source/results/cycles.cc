@@ -61,6 +61,7 @@ void jump(ContactState &state, const ContactState &start, const unsigned int n, 
 {
   state.accumulated_slip += n * (state.accumulated_slip - start.accumulated_slip);
   state.dissipated_energy += n * (state.dissipated_energy - start.dissipated_energy);
+  state.work += n * (state.work - start.work);
   state.step += n * n_steps;
 }
 

@@ -40,25 +40,45 @@ void set_component(LoadStep &step, const unsigned int i, const Drive &before, co
   const Drive target = leg.targets[i].value_or(before);
   step.by_force[i] = target.by_force;
   step.from_present[i] = target.by_force != before.by_force;
-  const bool is_end = step.step_of_leg == leg.steps || step.from_present[i];
+  const bool is_end = step.share == 1 || step.from_present[i];
   const double value = is_end ? target.value : between(before.value, target.value, step.share);
   (target.by_force ? step.force[i] : step.motion[i]) = unit_of(target, i) * value;
+}
+
+/// Where a step or a part stands.
+struct Place
+{
+  unsigned int number;
+  unsigned int cycle;
+  unsigned int phase;
+};
+
+/// Step k of n equal ones of a leg.
+LoadStep step_of(const Leg &leg, const Drives &drives, const unsigned int k, const unsigned int n,
+                 const Place &place)
+{
+  LoadStep step{{}, place.number, k, place.cycle, place.phase};
+  step.share = static_cast<double>(k) / n;
+  for (unsigned int i = 0; i < n_rigid_components; ++i)
+    set_component(step, i, drives[i], leg);
+  return step;
 }
 
 /// Appends the steps of `legs`, the first of which starts where `drives` say, which follow.
 void append(const std::vector<Leg> &legs, const unsigned int cycle, Drives &drives,
             std::vector<LoadStep> &steps)
 {
-  unsigned int phase = 0;
+  unsigned int phase = 0, phase_of_part = 0;
   for (const Leg &leg : legs)
   {
     for (unsigned int k = 1; k <= leg.steps; ++k)
     {
-      LoadStep step{{}, static_cast<unsigned int>(steps.size()) + 1, k, cycle, phase++};
-      step.share = static_cast<double>(k) / leg.steps;
-      for (unsigned int i = 0; i < n_rigid_components; ++i)
-        set_component(step, i, drives[i], leg);
-      steps.push_back(step);
+      const auto number = static_cast<unsigned int>(steps.size()) + 1;
+      steps.push_back(step_of(leg, drives, k, leg.steps, {number, cycle, phase++}));
+      for (unsigned int part = 1; leg.parts > 1 && part <= leg.parts; ++part)
+        steps.back().parts.push_back(step_of(leg, drives, (k - 1) * leg.parts + part, leg.steps * leg.parts,
+                                             {number, cycle, phase_of_part + part - 1}));
+      phase_of_part += leg.parts;
     }
     for (unsigned int i = 0; i < n_rigid_components; ++i)
       drives[i] = leg.targets[i].value_or(drives[i]);
@@ -133,6 +153,16 @@ std::vector<LoadStep> load_steps(const LoadOptions &load)
   for (unsigned int cycle = 1; cycle <= load.cycles; ++cycle)
     append(load.legs, cycle, drives, steps);
   return steps;
+}
+
+unsigned int n_solved_parts(const LoadOptions &load)
+{
+  unsigned int n = 0;
+  for (const Leg &leg : load.preload)
+    n += leg.steps * leg.parts;
+  for (const Leg &leg : load.legs)
+    n += load.cycles * leg.steps * leg.parts;
+  return n;
 }
 
 double largest_motion(const LoadOptions &load, const unsigned int direction)

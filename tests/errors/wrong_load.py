@@ -3,6 +3,8 @@
 """Values of friction, load program and output that are not allowed: name of the file, its text without the message, the message."""
 FOLDER = "values"
 ROWS = [
+    ("accuracy_of_steps_a_number", "subsection Load program\n  set Cycles = 1\n  set Accuracy = 1\nend\n",
+     "{file}:4: Load program/Accuracy = 1: allowed is 0, or a percentage >= 0.01 and <= 50 such as 1 %"),
     ("after_continuation",
      "subsection Load program\n  set Legs   = 0 0 -0.1 : 5 ; \\\n               0 0 0    : 10\n  set Cycles = -3\n"
      "end\n",
@@ -44,11 +46,13 @@ ROWS = [
      "end\n",
      '{file}:3: Load program/Legs = 0 0 -0.1 : 5 ; 0 0 -0.2 : 5 ; 0 0 0: allowed is legs "ux uy uz : steps" '
      '(numbers in mm, at least one step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, '
-     "Fy, Fz in N, Mx, My, Mz in N mm), separated by ';'"),
+     "Fy, Fz in N, Mx, My, Mz in N mm), separated by ';'; "
+     '"steps * parts" solves each step in so many parts'),
     ("continued_into_end", "subsection Load program\n  set Legs = 0 0 -0.1 : 5 ; \\\nend\n",
      '{file}:3: Load program/Legs = 0 0 -0.1 : 5 ; end: allowed is legs "ux uy uz : steps" (numbers in mm, at '
      'least one step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, '
-     "My, Mz in N mm), separated by ';'"),
+     "My, Mz in N mm), separated by ';'; "
+     '"steps * parts" solves each step in so many parts'),
     ("cycles_exponent", "subsection Load program\n  set Legs = 0 0 -0.1 : 5 ; 0 0 0 : 10\n  set Cycles = 1e3\nend\n",
      "{file}:4: Load program/Cycles = 1e3: allowed is a whole number from 0 to 1000000"),
     ("cycles_negative", "subsection Load program\n  set Legs = 0 0 -0.1 : 5 ; 0 0 0 : 10\n  set Cycles = -1\nend\n",
@@ -56,6 +60,11 @@ ROWS = [
     ("cycles_too_many",
      "subsection Load program\n  set Legs = 0 0 -0.1 : 5 ; 0 0 0 : 10\n  set Cycles = 1000001\nend\n",
      "{file}:4: Load program/Cycles = 1000001: allowed is a whole number from 0 to 1000000"),
+    ("legs_of_no_parts", "subsection Load program\n  set Cycles = 1\n  set Legs = 0 0 -0.1 : 5 * 0\nend\n",
+     '{file}:4: Load program/Legs = 0 0 -0.1 : 5 * 0: allowed is legs "ux uy uz : steps" (numbers in mm, at least one '
+     'step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N '
+     "mm), separated by ';'; "
+     '"steps * parts" solves each step in so many parts'),
     ("jump_cycles_zero", "subsection Load program\n  set Jump when periodic = 1e-8\n  set Jump cycles = 0\nend\n",
      "{file}:4: Load program/Jump cycles = 0: allowed is a whole number from 1 to 1000000"),
     ("jump_when_periodic_negative", "subsection Load program\n  set Jump when periodic = -1e-8\nend\n",
@@ -65,52 +74,64 @@ ROWS = [
     ("legs_comma_between", "subsection Load program\n  set Cycles = 3\n  set Legs = 0 0 -0.1 : 5, 0 0 0 : 10\nend\n",
      '{file}:4: Load program/Legs = 0 0 -0.1 : 5, 0 0 0 : 10: allowed is legs "ux uy uz : steps" (numbers in mm, '
      'at least one step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, '
-     "Mx, My, Mz in N mm), separated by ';'"),
+     "Mx, My, Mz in N mm), separated by ';'; "
+     '"steps * parts" solves each step in so many parts'),
     ("legs_commas", "subsection Load program\n  set Cycles = 3\n  set Legs = 0, 0, -0.1 : 5\nend\n",
      '{file}:4: Load program/Legs = 0, 0, -0.1 : 5: allowed is legs "ux uy uz : steps" (numbers in mm, at least '
      'one step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz '
-     "in N mm), separated by ';'"),
+     "in N mm), separated by ';'; "
+     '"steps * parts" solves each step in so many parts'),
     ("legs_decimal_comma", "subsection Load program\n  set Cycles = 3\n  set Legs = 0 0 -0,1 : 5\nend\n",
      '{file}:4: Load program/Legs = 0 0 -0,1 : 5: allowed is legs "ux uy uz : steps" (numbers in mm, at least one '
      'step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N '
-     "mm), separated by ';'"),
+     "mm), separated by ';'; "
+     '"steps * parts" solves each step in so many parts'),
     ("legs_negative_steps", "subsection Load program\n  set Cycles = 3\n  set Legs = 0 0 -0.1 : -5\nend\n",
      '{file}:4: Load program/Legs = 0 0 -0.1 : -5: allowed is legs "ux uy uz : steps" (numbers in mm, at least one '
      'step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N '
-     "mm), separated by ';'"),
+     "mm), separated by ';'; "
+     '"steps * parts" solves each step in so many parts'),
     ("legs_nothing_between", "subsection Load program\n  set Cycles = 3\n  set Legs = 0 0 -0.1 : 5 0 0 0 : 10\nend\n",
      '{file}:4: Load program/Legs = 0 0 -0.1 : 5 0 0 0 : 10: allowed is legs "ux uy uz : steps" (numbers in mm, at '
      'least one step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, '
-     "My, Mz in N mm), separated by ';'"),
+     "My, Mz in N mm), separated by ';'; "
+     '"steps * parts" solves each step in so many parts'),
     ("legs_second", "subsection Load program\n  set Cycles = 3\n  set Legs = 0 0 -0.1 : 5 ; 0 0 : 10\nend\n",
      '{file}:4: Load program/Legs = 0 0 -0.1 : 5 ; 0 0 : 10: allowed is legs "ux uy uz : steps" (numbers in mm, at '
      'least one step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, '
-     "My, Mz in N mm), separated by ';'"),
+     "My, Mz in N mm), separated by ';'; "
+     '"steps * parts" solves each step in so many parts'),
     ("legs_semicolon_in_front", "subsection Load program\n  set Cycles = 3\n  set Legs = ; 0 0 -0.1 : 5\nend\n",
      '{file}:4: Load program/Legs = ; 0 0 -0.1 : 5: allowed is legs "ux uy uz : steps" (numbers in mm, at least '
      'one step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz '
-     "in N mm), separated by ';'"),
+     "in N mm), separated by ';'; "
+     '"steps * parts" solves each step in so many parts'),
     ("legs_third",
      "subsection Load program\n  set Cycles = 3\n  set Legs = 0 0 -0.1 : 5 ; 0.01 0 -0.1 : 5 ; 0 0 0 : ten\nend\n",
      '{file}:4: Load program/Legs = 0 0 -0.1 : 5 ; 0.01 0 -0.1 : 5 ; 0 0 0 : ten: allowed is legs "ux uy uz : '
      'steps" (numbers in mm, at least one step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in '
-     "degrees, Fx, Fy, Fz in N, Mx, My, Mz in N mm), separated by ';'"),
+     "degrees, Fx, Fy, Fz in N, Mx, My, Mz in N mm), separated by ';'; "
+     '"steps * parts" solves each step in so many parts'),
     ("legs_two_coordinates", "subsection Load program\n  set Cycles = 3\n  set Legs = 0 -0.1 : 5\nend\n",
      '{file}:4: Load program/Legs = 0 -0.1 : 5: allowed is legs "ux uy uz : steps" (numbers in mm, at least one '
      'step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N '
-     "mm), separated by ';'"),
+     "mm), separated by ';'; "
+     '"steps * parts" solves each step in so many parts'),
     ("legs_unit", "subsection Load program\n  set Cycles = 3\n  set Legs = 0 0 -0.1 mm : 5\nend\n",
      '{file}:4: Load program/Legs = 0 0 -0.1 mm : 5: allowed is legs "ux uy uz : steps" (numbers in mm, at least '
      'one step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz '
-     "in N mm), separated by ';'"),
+     "in N mm), separated by ';'; "
+     '"steps * parts" solves each step in so many parts'),
     ("legs_without_steps", "subsection Load program\n  set Cycles = 3\n  set Legs = 0 0 -0.1\nend\n",
      '{file}:4: Load program/Legs = 0 0 -0.1: allowed is legs "ux uy uz : steps" (numbers in mm, at least one '
      'step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N '
-     "mm), separated by ';'"),
+     "mm), separated by ';'; "
+     '"steps * parts" solves each step in so many parts'),
     ("legs_zero_steps", "subsection Load program\n  set Cycles = 3\n  set Legs = 0 0 -0.1 : 0\nend\n",
      '{file}:4: Load program/Legs = 0 0 -0.1 : 0: allowed is legs "ux uy uz : steps" (numbers in mm, at least one '
      'step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N '
-     "mm), separated by ';'"),
+     "mm), separated by ';'; "
+     '"steps * parts" solves each step in so many parts'),
     ("long_list",
      "subsection Output\n  set Probes = P1: 1 0; P2: 2 0; P3: 3 0; P4: 4 0; P5: 5 0; P6: 6 0; P7: 7 0; P8: 8 0; "
      "P9: 9 0; P10: 0 0; P11: 1 0; P12: 2 0; P13: 3 0; P14: 4 0; P15: 5 0; P16: 6 0; P17: 7 0; P18: 8 0; P19: 9 0; "
@@ -158,12 +179,14 @@ ROWS = [
     ("preload_none", "subsection Load program\n  set Legs = 0 0 -0.1 : 5 ; 0 0 0 : 10\n  set Preload = none\nend\n",
      '{file}:4: Load program/Preload = none: allowed is legs "ux uy uz : steps" (numbers in mm, at least one step) '
      'or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N mm), '
-     "separated by ';'"),
+     "separated by ';'; "
+     '"steps * parts" solves each step in so many parts'),
     ("preload_without_steps",
      "subsection Load program\n  set Legs = 0 0 -0.1 : 5 ; 0 0 0 : 10\n  set Preload = 0 0 -0.05\nend\n",
      '{file}:4: Load program/Preload = 0 0 -0.05: allowed is legs "ux uy uz : steps" (numbers in mm, at least one '
      'step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N '
-     "mm), separated by ';'"),
+     "mm), separated by ';'; "
+     '"steps * parts" solves each step in so many parts'),
     ("probes_blank_in_name", "subsection Output\n  set Contact fields = 1\n  set Probes = near rim: 9 0\nend\n",
      '{file}:4: Output/Probes = near rim: 9 0: allowed is probes "name: x y" (numbers in mm; name of up to 100 '
      "letters, digits, '-', '_', used once), separated by ';'"),

@@ -46,7 +46,7 @@ TEST(ExampleObstacle, CarriesTheBodyOnItsBars)
   const SurfaceSample sample = surface_sample(parameters);
   EXPECT_EQ(bars.asymmetry(SymmetryPlanes{true, true}, sample), "");
   const Scene scene(parameters, choose_model(parameters), bars);
-  const StepSolver solver(scene);
+  StepSolver solver(scene);
   ContactState state(scene.gaps());
   const LoadStep step = load_steps(parameters.load).front();
   ASSERT_TRUE(solver.solve(state, step).converged);

@@ -12,6 +12,7 @@ REFUSED = {
     "Geometry/Height": ["-1e-300", "1,000.5", "e5", ".", "+", "-", "10d0"],
     "Geometry/Top face": ["Clamped", "clamped | guided", "0"],
     "Mesh/Model": ["AUTO", "quarter half", "1/4"], "Mesh/Resolution": ["Coarse", "medium,fine"],
+    "Load program/Accuracy": ["1 % %", "%", "nan %", "0.009 %", "50.1 %", "1e-2", "-0 %x", "1 percent"],
     "Mesh/Accuracy": ["1 % %", "%", "nan %", "0.009 %", "50.1 %", "1e-2", "-0 %x", "1 percent"],
     "Mesh/Core cells": ["+5", "0x8", "8 cells", "1e1", "4294967304", "-4294967288", "2 2"],
     "Mesh/Rings": ["-0", "1e2", "1.0"],
@@ -30,7 +31,7 @@ REFUSED = {
     "Load program/Preload": ["0 0 -0.1 : 1 : 1", "0 0 -0.1 : +1", "0 0 -0.1 : 0x1"],
     "Load program/Legs": ["0 0 -0.1 : 4294967297", "0 0 -0.1 : 1e3", "0 0 -1e400 : 1", "0 0 inf : 1", ";", ":",
                           "0 0 -0.1 5", "0 0 0 0 : 1",
-                          "(0 0 -0.1) : 1", "0 0 -0.1 : 1 ; 0 0", "0 0 0x1 : 1", "uz -0.1 mm : 1"],
+                          "0 0 -0.1 : 1 * 4294967297", "0 0 -0.1 : 1 ** 2", "0 0 -0.1 : 2 * -1", "(0 0 -0.1) : 1", "0 0 -0.1 : 1 ; 0 0", "0 0 0x1 : 1", "uz -0.1 mm : 1"],
     "Load program/Cycles": ["+1", "1.5", "1e6", ""],
     "Load program/Stop when periodic": ["-1e-300", "1.0", "nan", "never"],
     "Load program/Jump when periodic": ["1", "inf", ""], "Load program/Jump cycles": ["-1", "1000001", "1.5"],
@@ -78,7 +79,9 @@ DONE_WITH = [
      "Output/Probes=A: 0 0; B: 0 0; C: 10 0; D: 0 -10; E: -0 -0"],
     ["Geometry/Top face=guided"], ["Geometry/Top face=guided", "Friction/Coefficients=1,1",
                                    "Friction/Slip potential=1,1"],
-    ["Load program/Legs=0 0 0 : 2"], ["Load program/Legs=0 0 0.1 : 2 ; 0 0 0 : 2"],
+    ["Load program/Legs=0 0 0 : 2"], ["Load program/Accuracy=50 %"], ["Load program/Legs=0 0 -0.1 : 1 * 3 ; 0 0 0 : 2"],
+    ["Load program/Legs=0 0 0 : 1 * 2", "Load program/Accuracy=0.01 %"],
+    ["Load program/Legs=0 0 0.1 : 2 ; 0 0 0 : 2"],
     ["Load program/Legs=0.1 0 0 : 2 ; 0 0 0 : 2"],
     ["Load program/Legs=0 0 -0.1 : 1 ; 0 0 -0.1 : 3 ; 0 0 -0.1 : 1"], ["Load program/Legs=0 0 1e10 : 1 ; 0 0 -0.1 : 1"],
     ["Load program/Legs=0 0 -1e-15 : 2"],
@@ -122,6 +125,7 @@ UNSOLVED_WITH = [
     (["Checks/Equilibrium=1e-300"], "Checks/Equilibrium: .* exceeds the bound 1e-300"),
     (["Checks/Energy identity=1e-300", "Checks/Energy defect=1e-300"], "Checks/Energy"),
     (["Mesh/Accuracy=50 %", "Contact solver/Maximum iterations=1"], "Mesh/Accuracy: load step 1"),
+    (["Load program/Accuracy=50 %", "Contact solver/Maximum iterations=1"], "Load program/Accuracy: load step 1"),
 ]
 DEFAULT_MESH = ["Mesh/Core cells=8", "Mesh/Layers=4", "Mesh/Degree=2"]  # where the program chooses the mesh
 

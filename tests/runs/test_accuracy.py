@@ -115,5 +115,68 @@ class AccuracyTest(RunTest):
         self.assertEqual(paper, custom)
 
 
+class StepAccuracyTest(RunTest):
+    """Load program/Accuracy. What it promises of the true errors is in tests/unit/accuracy/step_search.cc."""
+    SETTINGS = ["Load program/Legs=0 0 -0.1 : 1; 0 0 0 : 4", "Load program/Cycles=2", "Output/Volume fields=0",
+                "Output/Checkpoint=0"]
+    ACCURACY = [*SETTINGS, "Load program/Accuracy=1 %"]
+
+    def summary(self, output):
+        return json.loads((self.folder / output / "summary.json").read_text())
+
+    def assert_done(self, output, *arguments, **options):
+        result = self.run_program(output, *arguments, **options)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        return result
+
+    def test_states_are_written_at_the_steps_of_the_legs(self):
+        self.assert_done("run", settings=self.ACCURACY)
+        self.assert_done("given", settings=self.SETTINGS)
+        rows, given = self.rows("run"), self.rows("given")
+        self.assertEqual([row["uz"] for row in rows], [row["uz"] for row in given])
+        self.assertEqual(len(rows), 10)
+        legs = self.summary("run")["scene"]["legs"]
+        self.assertRegex(legs, r"^0 0 -0\.1 : 1; 0 0 0 : 4 \* \d+$", "nothing errs while all is proportional")
+        accuracy = self.summary("run")["step_accuracy"]
+        self.assertEqual((accuracy["wanted_percent"], accuracy["reached"]), (1, True))
+        error = abs(float(given[-1]["total_dissipation"]) / float(rows[-1]["total_dissipation"]) - 1)
+        self.assertGreater(error, 0.01, "given steps are not good enough")
+        log = (self.folder / "run/log.txt").read_text()
+        self.assertRegex(log, r"load steps +10 in \d+ parts\n")
+
+    def test_divided_legs_are_those_of_the_parameters_kept(self):
+        self.assert_done("run", settings=self.ACCURACY)
+        self.assert_done("again", file=self.folder / "run/parameters.prm")
+        self.assert_same_files("run", "again", ["history.csv", "cycles.csv", "checks.csv", "parameters.prm"])
+
+    def test_both_accuracies_share_the_error(self):
+        self.assert_done("run", settings=[*self.SETTINGS, "Mesh/Accuracy=10 %", "Load program/Accuracy=4 %"])
+        summary = self.summary("run")
+        self.assertEqual(summary["step_accuracy"]["wanted_percent"], 3)
+        self.assertTrue(summary["accuracy"]["reached"])
+        for name, errors in summary["estimated_errors_percent"].items():
+            self.assertLessEqual(errors["mesh"] + errors["steps"], 10, name)
+            self.assertLess(errors["solver"], 1e-3, name)
+
+    def test_resumes_with_the_same_parts_without_a_search(self):
+        self.assert_done("whole", settings=self.ACCURACY)
+        run = subprocess.Popen(self.command("stopped", settings=self.ACCURACY), cwd=self.folder, stderr=subprocess.PIPE)
+        while run.poll() is None and not (self.folder / "stopped/checkpoint/state").exists():
+            time.sleep(0.001)
+        run.kill()
+        run.communicate()
+        (self.folder / "stopped/log.txt").write_text("")
+        self.assert_done("stopped", "--resume", settings=self.ACCURACY)
+        self.assertNotIn("accuracy  ", (self.folder / "stopped/log.txt").read_text())
+        self.assert_same_files("whole", "stopped", ["history.csv", "checks.csv", "cycles.csv", "parameters.prm"])
+        self.assertEqual(self.summary("stopped")["step_accuracy"], self.summary("whole")["step_accuracy"])
+
+    def test_check_says_who_divides_the_steps(self):
+        result = self.run_program("none", "--check", settings=self.ACCURACY)
+        self.assertIn("load steps     10, divided by the run for errors of 1 %\n", result.stdout)
+        result = self.run_program("none", "--check", settings=["Load program/Legs=0 0 -0.1 : 2 * 3; 0 0 0 : 4"])
+        self.assertIn("load steps     18 in 30 parts\n", result.stdout)
+
+
 if __name__ == "__main__":
     main()

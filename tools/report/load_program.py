@@ -42,6 +42,7 @@ def parse_legs(text):
     legs = []
     for leg in filter(str.strip, text.split(";")):
         target, steps = leg.split(":")
+        steps, _, _parts = steps.partition("*")
         legs.append((parse_target(target.split()), int(steps)))
     return legs
 

@@ -6,38 +6,34 @@
 #pragma once
 
 #include <orthocone/accuracy/accuracy.h>
+#include <orthocone/accuracy/step_search.h>
 #include <orthocone/march/step_solver.h>
 
-#include <functional>
 #include <memory>
 #include <optional>
 
 namespace orthocone
 {
-/// The quantities of the load program of a scene, by a solver of it. Throws std::runtime_error if a step is
-/// not solved.
-Quantities march_first_cycle(const Scene &scene, StepSolver &solver);
-
-/// The mesh of a run, and what is known from choosing it.
-struct ChosenMesh
+/// Mesh and load steps of a run, and what is known from choosing them.
+struct ChosenModel
 {
-  MeshOptions requested; ///< as given
-  MeshOptions mesh;      ///< as meshed: Resolution = custom, Accuracy = 0
-  std::optional<AccuracyEstimate> accuracy{};
-  double search_seconds = 0;      ///< wall time
-  std::unique_ptr<Scene> scene{}; ///< on that mesh, if there is one yet
-  StartMemory starts{};           ///< of the first cycle on it
+  Parameters given;
+  Parameters parameters; ///< as solved: Resolution = custom, both Accuracies 0, steps in their parts
+  std::optional<AccuracyEstimate> accuracy{}; ///< of the mesh, if a search chose it
+  std::optional<StepAccuracy> steps{};        ///< of the load steps, if a search divided them
+  double search_seconds = 0;                  ///< wall time
+  std::unique_ptr<Scene> scene{};             ///< with these parameters, if there is one yet
+  StartMemory starts{};                       ///< of the first cycle in it
 };
-
-/// Takes lines for screen and log.
-using Teller = std::function<void(const std::string &)>;
 
 /// Finds the mesh for Mesh/Accuracy: solves level after level of the mesh ladder, at least three, until the
 /// estimated errors of all quantities are as wanted, or there is no finer one, or the next one is likely to
-/// need more memory than `gigabytes`. Throws std::runtime_error.
-ChosenMesh find_mesh(const Parameters &parameters, const ModelChoice &choice, const Teller &tell,
-                     double gigabytes);
+/// need more memory than `gigabytes`. `taken`: AccuracyEstimate::taken. Throws std::runtime_error.
+ChosenModel find_mesh(const Parameters &parameters, const ModelChoice &choice, const Teller &tell,
+                      double gigabytes, const Quantities &taken = {});
 
-/// The mesh that the parameters ask for, whichever way.
-ChosenMesh choose_mesh(const Parameters &parameters, const ModelChoice &choice, const Teller &tell);
+/// Mesh and load steps that the parameters ask for, whichever way. Where both have an accuracy, 0.3 times the
+/// larger one is left to the steps, and the errors of both together are as small as that.
+ChosenModel choose_mesh_and_steps(const Parameters &parameters, const ModelChoice &choice,
+                                  const Teller &tell);
 } // namespace orthocone

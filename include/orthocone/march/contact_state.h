@@ -27,6 +27,7 @@ struct ContactState
 
   unsigned int step = 0;
   RigidMotion motion{};              ///< of the held face
+  double work = 0;                   ///< of it, by the trapezoidal rule over all that was solved, N mm
   FaceState leg_begin{};             ///< of it when the present leg began
   NodeVector force;                  ///< of the plane on the body, N
   NodeVector displacement;           ///< relative to the plane (gap, slip), mm

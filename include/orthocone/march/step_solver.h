@@ -84,8 +84,9 @@ public:
   StepSolver(StepSolver &&other) noexcept;
   ~StepSolver();
 
-  /// Advances `state` to the end of `step`. On failure (report.converged is false) `state` is as before.
-  SolverReport solve(ContactState &state, const LoadStep &step) const;
+  /// Advances `state` to the end of `step`, in its parts if it has any. On failure (report.converged is
+  /// false) `state` is as before.
+  SolverReport solve(ContactState &state, const LoadStep &step);
 
   /// The held face when the leg of a step began; `before`: the state before the step.
   FaceState leg_begin(const ContactState &before, const LoadStep &step) const;
@@ -95,6 +96,7 @@ public:
   double carried_share(const ContactState &before, const LoadStep &step) const;
 
   /// To be called with the states before and after every step that is accepted: later steps start from it.
+  /// The parts of a step are accepted while it is solved.
   void accept(const ContactState &before, const ContactState &after, const LoadStep &step);
 
   /// What a solver of the same problem needs to go on as this one would.
@@ -110,6 +112,8 @@ private:
     std::vector<unsigned int> components; ///< of its free face
   };
 
+  SolverReport solve_in_one(ContactState &state, const LoadStep &step) const;
+  void accept_undivided(const ContactState &before, const ContactState &after, const LoadStep &step);
   Eigen::VectorXd start_of(const Attempt &attempt, const ContactState &state, const LoadStep &step) const;
   Attempt attempt(const ContactState &state, const FaceTarget &target) const;
   SolverReport solve_to(ContactState &state, const Attempt &attempt, Eigen::VectorXd unknowns,

@@ -19,7 +19,8 @@ namespace orthocone
 struct Checkpoint
 {
   std::vector<std::pair<std::string, std::string>> parameters; ///< entry_values() as given
-  std::vector<std::pair<std::string, std::string>> mesh;       ///< entry_values() of the mesh that was chosen
+  std::vector<std::pair<std::string, std::string>> chosen;     ///< those with the mesh and the parts of steps
+                                                               ///< that were chosen
   std::uint32_t gap_file = 0;                                  ///< gap_file_checksum()
   std::string program;                                         ///< version and revision that wrote it
   TableMarks tables;                                           ///< the CSV files
@@ -37,7 +38,7 @@ struct CheckpointError : std::runtime_error
 };
 
 /// Version of the bytes; another one is refused.
-constexpr unsigned int checkpoint_format = 7;
+constexpr unsigned int checkpoint_format = 8;
 
 /// Checksum of the gaps in the file that the options name; 0 if they name none. Throws as read_gap_file().
 std::uint32_t gap_file_checksum(const ObstacleOptions &options);
@@ -48,8 +49,9 @@ std::string encode(const Checkpoint &checkpoint);
 /// Throws CheckpointError.
 Checkpoint decode(const std::string &bytes);
 
-/// The mesh of the run that wrote the checkpoint, whose parameters were `given`.
-MeshOptions mesh_of(const Checkpoint &checkpoint, const Parameters &given);
+/// `given`, which are those of the checkpoint as far as they must be, with the mesh and the parts of the
+/// steps that were chosen.
+Parameters chosen_by(const Checkpoint &checkpoint, const Parameters &given);
 
 /// Replaces the run folder's checkpoint. Before it, all other files of the run are brought to the disk.
 void write_checkpoint(const RunFolder &folder, const Checkpoint &checkpoint);

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
-#include <orthocone/accuracy/accuracy.h>
+#include <orthocone/accuracy/step_search.h>
 #include <orthocone/base/phases.h>
 #include <orthocone/contact/solvers/contact_solver.h>
 #include <orthocone/results/cycles.h>
@@ -54,6 +54,7 @@ struct RunRecord
   double dissipation = 0;                               ///< in all computed steps, N mm
   double missing = 0; ///< sum of |work - change of elastic energy - dissipation| of all computed steps, N mm
   std::optional<AccuracyEstimate> accuracy{}; ///< where Mesh/Accuracy chose the mesh
+  std::optional<StepAccuracy> steps{};        ///< where Load program/Accuracy divided the steps
   CriticalFrictionRecord critical_friction{}; ///< of the model, not kept in checkpoints
   double stretch = 1; ///< Body::stretch() where multigrid solves the body; not kept in checkpoints
   PhaseSeconds seconds{};
@@ -99,6 +100,9 @@ std::vector<std::string> all_warnings(const Parameters &parameters, const RunRec
 /// Wall times of the phases in a line.
 std::string describe_seconds(const RunRecord &record);
 
+/// The line of the load steps, and of the parts in which they are solved.
+std::string describe_steps(const LoadOptions &load);
+
 /// "model          quarter (why)" the line of friction: "associated", "collinear", both or neither, and its
 /// angle, or its expressions; and that of the gap, if there is one.
 std::string describe_model(const ModelChoice &model);
@@ -107,5 +111,5 @@ std::string describe_obstacle(const ObstacleOptions &obstacle);
 
 /// The resolved model in a few lines: kind, cells, unknowns, contact nodes, steps.
 std::string describe_model(const Parameters &parameters, const ModelChoice &model,
-                           const BodyUnknowns &unknowns, unsigned int n_steps);
+                           const BodyUnknowns &unknowns);
 } // namespace orthocone

@@ -176,6 +176,7 @@ struct Leg
 {
   std::array<std::optional<Drive>, n_rigid_components> targets{};
   unsigned int steps = 1;
+  unsigned int parts = 1; ///< in which each of them is solved; only its end is checked and written
 
   /// Where the leg moves the component to (mm or degrees), if it does.
   std::optional<double> motion(const unsigned int component) const
@@ -183,7 +184,10 @@ struct Leg
     const auto &target = targets[component];
     return target && !target->by_force ? std::optional<double>(target->value) : std::nullopt;
   }
-  bool operator==(const Leg &other) const { return targets == other.targets && steps == other.steps; }
+  bool operator==(const Leg &other) const
+  {
+    return targets == other.targets && steps == other.steps && parts == other.parts;
+  }
 };
 
 /// A leg that moves the held face to (ux, uy, uz), mm.
@@ -198,6 +202,7 @@ struct LoadOptions
   std::vector<Leg> preload;
   std::vector<Leg> legs{move_to(0, 0, -0.1, 5), move_to(0, 0, 0, 10)}; ///< the paper's cycle
   unsigned int cycles = 1;
+  double accuracy = 0; ///< wanted of what users look at, as far as load steps err, percent; 0: as given
   double stop_when_periodic = 0;  ///< bound of the change of state in a cycle; 0 = never
   double jump_when_periodic = 0;  ///< bound of the change of state in a cycle; 0 = never
   unsigned int jump_cycles = 100; ///< most cycles that are jumped before another one is computed

@@ -17,7 +17,7 @@ struct StepChecks
 {
   double equilibrium = 0; ///< of the body under the final forces, and of the contact displacements with it
   LawErrors law;          ///< of the contact law
-  double work = 0;        ///< of the held face in the step by the trapezoidal rule, N mm
+  double work = 0;        ///< of the held face by the trapezoidal rule over what was solved in the step, N mm
   double energy = 0; ///< the largest so far, stored or work in a step with either of its end forces, N mm
   double energy_identity = 0; ///< error of what holds for any forces, and dissipation that no force can do
   double energy_defect = 0;   ///< work - change of elastic energy - dissipation, relative to `energy`

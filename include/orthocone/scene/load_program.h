@@ -45,6 +45,9 @@ struct LoadStep
   /// leg begins, and `motion` or `force` has the target of the leg.
   std::array<bool, n_rigid_components> from_present{};
   double share = 1; ///< of the leg that is done at the end of the step
+  /// In which the step is solved, the last of which ends as it does; none: in one. Their `step_of_leg` and
+  /// `phase` count parts.
+  std::vector<LoadStep> parts{};
 
   /// What drives the face at the end of the step, in a leg that began with the face as `begin` says.
   FaceTarget target(const FaceState &begin) const;
@@ -58,6 +61,9 @@ struct LoadStep
 
 /// All steps of a load program, in order. Cycles repeat the same positions to the last bit.
 std::vector<LoadStep> load_steps(const LoadOptions &load);
+
+/// How many problems these steps are: a step in parts is as many as these.
+unsigned int n_solved_parts(const LoadOptions &load);
 
 /// Largest |u| over the corners of the program in a direction (0: x, 1: y, 2: z), where motions drive it.
 double largest_motion(const LoadOptions &load, unsigned int direction);

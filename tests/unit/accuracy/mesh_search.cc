@@ -13,16 +13,17 @@ namespace orthocone::test
 {
 namespace
 {
-constexpr double contact_area = 314;
+constexpr double area = 314;   ///< of the contact, mm^2
+constexpr double motion = 0.1; ///< of the top, mm
 
-/// Quantities that approach 1, 2, 3 and 40 with errors that fall by `ratio` from level to level.
+/// Quantities that approach 1, 2, 3, 40 and 5 with errors that fall by `ratio` from level to level.
 std::vector<Quantities> converging(const unsigned int n_levels, const double ratio)
 {
   std::vector<Quantities> levels;
   for (unsigned int level = 0; level < n_levels; ++level)
   {
     const double error = 0.1 * std::pow(ratio, level);
-    levels.push_back({{1 + error, 2 - error, 3 * (1 + error), 40 * (1 - error)}});
+    levels.push_back({{1 + error, 2 - error, 3 * (1 + error), 40 * (1 - error), 5 + error}});
   }
   return levels;
 }
@@ -82,8 +83,8 @@ TEST(EstimatedErrors, BoundThoseOfGeometricConvergence)
     for (const unsigned int n_levels : {3U, 4U, 5U})
     {
       const auto levels = converging(n_levels, ratio);
-      const Quantities errors = estimated_errors(levels, contact_area);
-      const std::array<double, 4> limits{{1, 2, 3, 40}};
+      const Quantities errors = estimated_errors(levels, area, motion);
+      const Quantities limits{{1, 2, 3, 40, 5}};
       for (unsigned int i = 0; i < n_quantities; ++i)
       {
         const double error = 100 * std::abs(levels.back()[i] - limits[i]) / levels.back()[i];
@@ -97,7 +98,7 @@ TEST(EstimatedErrors, BoundThoseOfGeometricConvergence)
 TEST(EstimatedErrors, DoNotBelieveADifferenceThatIsSmallByChance)
 {
   const std::vector<Quantities> levels{{{1, 1, 1, 100}}, {{1.1, 1, 1, 100}}, {{1.1, 1, 1, 100}}};
-  const Quantities errors = estimated_errors(levels, contact_area);
+  const Quantities errors = estimated_errors(levels, area, motion);
   EXPECT_GT(errors[0], 3);
   EXPECT_EQ(errors[1], 0);
 }
@@ -105,9 +106,9 @@ TEST(EstimatedErrors, DoNotBelieveADifferenceThatIsSmallByChance)
 TEST(EstimatedErrors, OfATinyStickZoneAreRelativeToATenthOfTheContact)
 {
   const std::vector<Quantities> levels{{{1, 1, 1, 1}}, {{1, 1, 1, 0.5}}, {{1, 1, 1, 0.25}}};
-  EXPECT_NEAR(estimated_errors(levels, contact_area)[3], 100 * 0.25 / (0.1 * contact_area), 1e-9);
+  EXPECT_NEAR(estimated_errors(levels, area, motion)[3], 100 * 0.25 / (0.1 * area), 1e-9);
   const std::vector<Quantities> none{{{0, 0, 0, 0}}, {{0, 0, 0, 0}}};
-  for (const double error : estimated_errors(none, contact_area))
+  for (const double error : estimated_errors(none, area, motion))
     EXPECT_EQ(error, 0);
 }
 
@@ -198,13 +199,13 @@ TEST(MeshSearch, StopsWhereTheEstimatesAreAsWantedAndItsModelRemembersTheCycle)
   parameters.load.legs = {move_to(0, 0, -0.1, 1), move_to(0, 0, -0.05, 1)};
   parameters.mesh.accuracy = 10;
   unsigned int n_lines = 0;
-  const ChosenMesh chosen =
-      choose_mesh(parameters, choose_model(parameters), [&](const std::string &) { ++n_lines; });
+  const ChosenModel chosen =
+      choose_mesh_and_steps(parameters, choose_model(parameters), [&](const std::string &) { ++n_lines; });
   EXPECT_EQ(n_lines, 4U); // three levels and the result
   ASSERT_TRUE(chosen.accuracy);
   EXPECT_TRUE(chosen.accuracy->is_reached());
-  EXPECT_EQ(chosen.requested.accuracy, 10);
-  EXPECT_EQ(chosen.mesh.accuracy, 0);
+  EXPECT_EQ(chosen.given.mesh.accuracy, 10);
+  EXPECT_EQ(chosen.parameters.mesh.accuracy, 0);
   // A second march begins every step with its solution.
   StepSolver solver(*chosen.scene);
   solver.restore(chosen.starts);
@@ -226,12 +227,12 @@ TEST(MeshSearch, DoesNotTryAMeshThatDoesNotFitIntoTheMemory)
   parameters.mesh.accuracy = 10;
   std::string told;
   constexpr double gigabytes = 1e-3; // less than any model needs
-  const ChosenMesh chosen = find_mesh(
+  const ChosenModel chosen = find_mesh(
       parameters, choose_model(parameters), [&](const std::string &line) { told += line + "\n"; }, gigabytes);
   ASSERT_TRUE(chosen.accuracy);
   EXPECT_FALSE(chosen.accuracy->is_reached());
   ASSERT_TRUE(chosen.scene);
-  EXPECT_EQ(chosen.mesh.core_cells, ladder_mesh({}, parameters.mesh, false, 0).core_cells);
+  EXPECT_EQ(chosen.parameters.mesh.core_cells, ladder_mesh({}, parameters.mesh, false, 0).core_cells);
   EXPECT_NE(told.find("level 1 would need more memory"), std::string::npos) << told;
   EXPECT_NE(told.find("NOT reached"), std::string::npos) << told;
 }

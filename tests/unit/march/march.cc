@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 namespace orthocone::test
 {
 namespace
@@ -104,5 +106,76 @@ TEST(March, EndsAtAStepThatIsNotSolved)
   EXPECT_EQ(marched(parameters, recorder, last), MarchEnd::unsolved);
   EXPECT_EQ(last, 0u);
   EXPECT_EQ(recorder.told, "next 1, failed 1");
+}
+
+/// Case B on few cells, pressed, moved and released.
+Parameters moved()
+{
+  Parameters parameters = small();
+  parameters.load.legs = {move_to(0, 0, -0.1, 1), move_to(0.02, 0.01, -0.05, 2)};
+  return parameters;
+}
+
+TEST(March, SolvesPartsAsSmallerSteps)
+{
+  Parameters divided = moved(), smaller = moved();
+  divided.load.legs[1].parts = 3;
+  smaller.load.legs[1].steps = 6;
+  const Scene scene(smaller, choose_model(smaller));
+  StepSolver by_parts(scene), by_steps(scene);
+  ContactState state(scene.gaps()), other(scene.gaps());
+  Recorder recorder;
+  EXPECT_EQ(march(load_steps(divided.load), by_parts, state, recorder), MarchEnd::done);
+  EXPECT_EQ(recorder.told, "next 1, solved 1, accepted 1, next 2, solved 2, accepted 2, next 3, solved 3, "
+                           "accepted 3, ");
+  MarchObserver silent;
+  EXPECT_EQ(march(load_steps(smaller.load), by_steps, other, silent), MarchEnd::done);
+  EXPECT_EQ(state.step, 3u);
+  EXPECT_EQ(state.force, other.force); // to the last bit: all that a part starts from is the same
+  EXPECT_EQ(state.displacement, other.displacement);
+  EXPECT_EQ(state.dissipated_energy, other.dissipated_energy);
+  EXPECT_EQ(state.work, other.work);
+  EXPECT_EQ(by_parts.memory().change, by_steps.memory().change);
+}
+
+/// Two of three parts of the second step are carried, the third is not.
+TEST(March, LeavesNothingOfAStepWhosePartIsNotSolved)
+{
+  Parameters parameters = moved();
+  parameters.load.legs[1] = Leg();
+  parameters.load.legs[1].targets[0] = Drive{true, 1};
+  parameters.load.legs[1].parts = 3;
+  const Scene scene(parameters, choose_model(parameters));
+  StepSolver solver(scene);
+  ContactState state(scene.gaps());
+  MarchObserver silent;
+  const LoadOptions pressed{{}, {parameters.load.legs[0]}};
+  ASSERT_EQ(march(load_steps(pressed), solver, state, silent), MarchEnd::done);
+  const double carried = parameters.friction.mu[0] * scene.held_wrench(state.force)[2];
+  parameters.load.legs[1].targets[0] = Drive{true, 1.2 * std::abs(carried)};
+  Recorder recorder;
+  const ContactState before = state;
+  const StartMemory starts = solver.memory();
+  EXPECT_EQ(march(load_steps(parameters.load), solver, state, recorder), MarchEnd::unsolved);
+  EXPECT_EQ(recorder.told, "next 2, failed 2");
+  EXPECT_EQ(state.step, 1u);
+  EXPECT_EQ(state.force, before.force);
+  EXPECT_EQ(state.work, before.work);
+  EXPECT_EQ(solver.memory().change, starts.change);
+  EXPECT_EQ(solver.memory().of_phase.size(), starts.of_phase.size());
+}
+
+TEST(March, ForgetsThePartsOfAStepThatIsRefused)
+{
+  Parameters parameters = moved();
+  parameters.load.legs[1].parts = 2;
+  const Scene scene(parameters, choose_model(parameters));
+  StepSolver solver(scene);
+  ContactState state(scene.gaps());
+  Recorder judge;
+  judge.wrong_step = 2;
+  EXPECT_EQ(march(load_steps(parameters.load), solver, state, judge), MarchEnd::refused);
+  EXPECT_EQ(state.step, 1u);
+  EXPECT_EQ(solver.memory().of_phase.size(), 1u);
 }
 } // namespace orthocone::test

@@ -18,6 +18,22 @@ namespace orthocone::test
 {
 namespace
 {
+CycleMemory cycles_after(const ContactState &state)
+{
+  CycleMemory cycles(state.n_nodes());
+  cycles.start = state;
+  cycles.start_dissipation = 1. / 3;
+  cycles.largest_nodal_force = 2. / 7;
+  cycles.largest_force = 3. / 7;
+  cycles.row.cycle = 3;
+  cycles.row.work = 0.1;
+  cycles.n_completed = 2;
+  cycles.change = 1. / 9;
+  cycles.periodic_since = 1;
+  cycles.jumped = {{16, 30}, {46, 60}};
+  return cycles;
+}
+
 /// The checkpoint that a run of a scene would write after its step `number`.
 Checkpoint checkpoint_after(const unsigned int number, const Parameters &parameters = small_scene())
 {
@@ -35,24 +51,16 @@ Checkpoint checkpoint_after(const unsigned int number, const Parameters &paramet
       checkpoint.record.add_step(step.number, totals, scene.totals(), report, {});
     }
   checkpoint.parameters = entry_values(parameters);
-  checkpoint.mesh = entry_values(parameters);
-  checkpoint.record.accuracy = AccuracyEstimate{1, {{1, 2, 3, 4}}, {{0.1, 0.2, 0.3, 0.4}}};
+  checkpoint.chosen = entry_values(parameters);
+  checkpoint.record.accuracy =
+      AccuracyEstimate{1, {{1, 2, 3, 4, 5}}, {{0.1, 0.2, 0.3, 0.4, 0.5}}, {{0, 0, 0.1}}};
+  checkpoint.record.steps = StepAccuracy{{2, {{5, 4, 3, 2, 1}}, {{0.5}}, {}}, {{1e-6, 1e-7}}};
   checkpoint.program = "1.2.3 (abc)";
   checkpoint.tables = {{"history.csv", {1234, 0xfedcba98}}, {"probe-P.csv", {5, 7}}};
   checkpoint.fields = {{1, 2, 3, 5, 10, 15, 16}, {}};
   checkpoint.state = scene.state;
   checkpoint.starts = solver.memory();
-  checkpoint.cycles = CycleMemory(scene.state.n_nodes());
-  checkpoint.cycles.start = scene.state;
-  checkpoint.cycles.start_dissipation = 1. / 3;
-  checkpoint.cycles.largest_nodal_force = 2. / 7;
-  checkpoint.cycles.largest_force = 3. / 7;
-  checkpoint.cycles.row.cycle = 3;
-  checkpoint.cycles.row.work = 0.1;
-  checkpoint.cycles.n_completed = 2;
-  checkpoint.cycles.change = 1. / 9;
-  checkpoint.cycles.periodic_since = 1;
-  checkpoint.cycles.jumped = {{16, 30}, {46, 60}};
+  checkpoint.cycles = cycles_after(scene.state);
   checkpoint.record.energy_defect = {0.7, 2};
   checkpoint.record.missing = 1. / 11;
   checkpoint.record.seconds.contact = 0.1;

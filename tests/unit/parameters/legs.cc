@@ -42,6 +42,20 @@ TEST(Legs, ReadBackAsTheyArePrinted)
   EXPECT_EQ(legs_text(*parse_legs("uz 3 ux 1 uy 2 : 1")), "1 2 3 : 1") << "three motions are three numbers";
 }
 
+TEST(Legs, MayBeSolvedInParts)
+{
+  const std::string text = "0 0 -0.1 : 5; uz 0 : 10 * 4";
+  const auto legs = parse_legs(text);
+  ASSERT_TRUE(legs.has_value());
+  EXPECT_EQ((*legs)[0].parts, 1u);
+  EXPECT_EQ((*legs)[1].steps, 10u);
+  EXPECT_EQ((*legs)[1].parts, 4u);
+  EXPECT_EQ(legs_text(*legs), text);
+  EXPECT_EQ(parse_legs("1 2 3 : 5 * 2")->front().parts, 2u);
+  for (const char *const wrong : {"5 * 0", "0 * 5", "5 *", "* 5", "5 * 2 * 2", "5 * 2.5", "5 * x", "5 2"})
+    EXPECT_EQ(allowed_instead_of(std::string("0 0 0 : ") + wrong), allowed_legs()) << wrong;
+}
+
 TEST(Legs, NameAComponentOnce)
 {
   EXPECT_EQ(allowed_instead_of("uz -0.1 ux 1 uz 2 : 1"), "a component once in a leg; uz is named twice");

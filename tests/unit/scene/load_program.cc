@@ -47,6 +47,41 @@ TEST(LoadProgram, PassesThroughPreloadAndCycles)
   }
 }
 
+TEST(LoadProgram, HasThePartsThatSmallerStepsWouldBe)
+{
+  LoadOptions load, smaller;
+  Leg pressed = move_to(0, 0.003, -0.1, 2), pushed;
+  pushed.targets[0] = Drive{true, 1000};
+  pushed.steps = 3;
+  load.preload = smaller.preload = {pressed};
+  load.legs = smaller.legs = {pushed, pressed};
+  load.cycles = smaller.cycles = 2;
+  load.preload[0].parts = 2;
+  load.legs[0].parts = 5;
+  smaller.preload[0].steps *= 2;
+  smaller.legs[0].steps *= 5;
+  std::vector<LoadStep> parts;
+  for (const LoadStep &step : load_steps(load))
+  {
+    if (step.parts.empty())
+      parts.push_back(step);
+    else
+      EXPECT_EQ(step.parts.back().motion, step.motion);
+    parts.insert(parts.end(), step.parts.begin(), step.parts.end());
+  }
+  const auto steps = load_steps(smaller);
+  EXPECT_EQ(n_solved_parts(load), steps.size());
+  ASSERT_EQ(parts.size(), steps.size());
+  for (std::size_t i = 0; i < steps.size(); ++i)
+  {
+    EXPECT_EQ(parts[i].motion, steps[i].motion) << i; // to the last bit
+    EXPECT_EQ(parts[i].force.components, steps[i].force.components) << i;
+    EXPECT_EQ(parts[i].share, steps[i].share) << i;
+    EXPECT_EQ(parts[i].cycle, steps[i].cycle) << i;
+    EXPECT_EQ(parts[i].from_present, steps[i].from_present) << i;
+  }
+}
+
 TEST(LoadProgram, WritesPositionsAsUsersWould)
 {
   const auto steps = load_steps(scene().load);

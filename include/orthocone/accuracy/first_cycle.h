@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// What a search for a mesh or for the size of load steps looks at: a march through the first cycle.
+#pragma once
+
+#include <orthocone/accuracy/accuracy.h>
+#include <orthocone/march/step_solver.h>
+
+namespace orthocone
+{
+/// The program up to the end of the first cycle.
+LoadOptions first_cycle(LoadOptions load);
+
+/// The quantities of `load` in a scene, by a solver of it, up to the end of the first cycle. Throws
+/// std::runtime_error if a step is not solved; `entry` asked for the march.
+Quantities march_first_cycle(const Scene &scene, const LoadOptions &load, StepSolver &solver,
+                             const char *entry);
+
+/// Area of the contact surface of the model, mm^2.
+double contact_area(const Scene &scene);
+} // namespace orthocone

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/accuracy/first_cycle.h>
+
+#include <orthocone/base/blas_threads.h>
+#include <orthocone/march/march.h>
+#include <orthocone/results/totals.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace orthocone
+{
+namespace
+{
+/// Number of the first step in which the top stands lowest.
+unsigned int peak(const std::vector<LoadStep> &steps)
+{
+  return std::min_element(steps.begin(), steps.end(),
+                          [](const LoadStep &a, const LoadStep &b)
+                          { return a.motion[2] + a.force[2] < b.motion[2] + b.force[2]; })
+      ->number;
+}
+
+/// Measures the quantities on the way.
+class QuantityWatch : public MarchObserver
+{
+public:
+  QuantityWatch(const Scene &scene, const unsigned int peak_step)
+      : evaluator_(scene),
+        peak_step_(peak_step)
+  {
+  }
+
+  bool accepts(const MarchedStep &solved) override
+  {
+    if (solved.step.cycle == 1 && solved.step.phase == 0)
+      work_before_ = solved.before.work;
+    is_in_cycle_ = solved.step.cycle > 0;
+    return true;
+  }
+
+  void accepted(ContactState &state) override
+  {
+    const Totals totals = compute_totals(evaluator_, state);
+    values_[0] = std::max(values_[0], totals.max_slip);
+    if (state.step == peak_step_)
+    {
+      values_[1] = totals.force.norm();
+      values_[stick_area_index] = totals.stick_area;
+    }
+    values_[2] = totals.total_dissipation;
+    if (is_in_cycle_)
+      values_[loop_area_index] = state.work - work_before_;
+  }
+
+  const Quantities &values() const { return values_; }
+
+private:
+  const ContactFieldEvaluator evaluator_;
+  unsigned int peak_step_;
+  bool is_in_cycle_ = false;
+  double work_before_ = 0; ///< the cycle, N mm
+  Quantities values_{};
+};
+} // namespace
+
+LoadOptions first_cycle(LoadOptions load)
+{
+  load.cycles = std::min(1U, load.cycles);
+  return load;
+}
+
+Quantities march_first_cycle(const Scene &scene, const LoadOptions &load, StepSolver &solver,
+                             const char *const entry)
+{
+  const std::vector<LoadStep> steps = load_steps(first_cycle(load));
+  QuantityWatch watch(scene, peak(steps));
+  ContactState state(scene.gaps());
+  const BlasThreads threads(state.force.size());
+  if (march(steps, solver, state, watch) == MarchEnd::unsolved)
+    throw std::runtime_error(std::string(entry) + ": load step " + std::to_string(state.step + 1) +
+                             " is not solved on a mesh of " + std::to_string(scene.surface().nodes.size()) +
+                             " contact nodes; " + entry + " = 0 goes without this search");
+  return watch.values();
+}
+
+double contact_area(const Scene &scene)
+{
+  double area = 0;
+  for (const ContactNode &node : scene.surface().nodes)
+    area += node.area;
+  return scene.symmetry().n_copies() * area;
+}
+} // namespace orthocone

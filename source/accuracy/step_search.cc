@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/accuracy/step_search.h>
+
+#include <orthocone/accuracy/backend_choice.h>
+#include <orthocone/accuracy/estimate.h>
+#include <orthocone/accuracy/first_cycle.h>
+#include <orthocone/base/memory.h>
+#include <orthocone/body/shapes/mesh_ladder.h>
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace orthocone
+{
+namespace
+{
+constexpr const char *entry = "Load program/Accuracy";
+constexpr unsigned int most_parts = 64;
+
+/// A mesh on which load steps err as on that of the run, and that costs less if there is one: what they do is
+/// a matter of the path, not of the singular edges. A gap needs cells that resolve the contact.
+MeshOptions search_mesh(const Parameters &parameters, const ModelChoice &choice)
+{
+  const GeometryOptions &geometry = parameters.geometry;
+  const bool is_axisymmetric = choice.symmetry.is_axisymmetric();
+  const bool is_plain = parameters.obstacle.is_plane() && !parameters.friction.varies();
+  const MeshOptions ladder = ladder_mesh(geometry, parameters.mesh, is_axisymmetric, is_plain ? 1 : 3);
+  if (parameters.mesh.accuracy != 0)
+    return ladder;
+  Parameters given = parameters, coarser = parameters;
+  given.mesh = resolved_mesh(geometry, parameters.mesh, is_axisymmetric);
+  coarser.mesh = ladder;
+  const auto dofs = [&](const Parameters &of) { return model_size(of, choice.symmetry).dofs; };
+  if (geometry.shape == BodyShape::cylinder && is_plain && dofs(coarser) < dofs(given))
+    return ladder;
+  given.mesh.refinements -= std::min(1U, given.mesh.refinements);
+  return given.mesh;
+}
+
+/// The legs of a program, those of the preload first.
+std::vector<Leg *> legs_of(LoadOptions &load)
+{
+  std::vector<Leg *> legs;
+  for (Leg &leg : load.preload)
+    legs.push_back(&leg);
+  for (Leg &leg : load.legs)
+    legs.push_back(&leg);
+  return legs;
+}
+
+/// What is known of a leg.
+struct LegError
+{
+  Quantities change{};        ///< what halving its parts changes
+  Quantities change_before{}; ///< what halving them before changed
+  bool was_halved = false;    ///< in the round before
+  Quantities error{};         ///< of the parts as they are, percent
+
+  double largest() const { return *std::max_element(error.begin(), error.end()); }
+};
+
+class StepSearch
+{
+public:
+  StepSearch(const Parameters &parameters, const ModelChoice &choice, const double wanted)
+      : scene_(parameters, choice),
+        load_(first_cycle(parameters.load)),
+        errors_(legs_of(load_).size()),
+        motion_(largest_motion(parameters.load, 2)),
+        area_(contact_area(scene_))
+  {
+    estimate_.wanted = wanted;
+  }
+
+  /// Estimates the errors of the parts as they are.
+  void measure()
+  {
+    estimate_.values = march(load_, scene_.parameters().contact_solver);
+    estimate_.errors = {};
+    for (std::size_t i = 0; i < errors_.size(); ++i)
+    {
+      if (is_first_ || errors_[i].was_halved || errors_[i].largest() > negligible * estimate_.wanted)
+        measure_leg(i);
+      for (unsigned int quantity = 0; quantity < n_quantities; ++quantity)
+        estimate_.errors[quantity] += errors_[i].error[quantity];
+    }
+    is_first_ = false;
+  }
+
+  /// Halves the parts of the legs that err most in what is not reached. Whether there is such a leg.
+  bool divide()
+  {
+    bool has_divided = false;
+    const std::vector<Leg *> legs = legs_of(load_);
+    for (std::size_t i = 0; i < errors_.size(); ++i)
+    {
+      errors_[i].was_halved = legs[i]->parts < most_parts && is_to_halve(errors_[i]);
+      if (errors_[i].was_halved)
+        legs[i]->parts *= 2;
+      has_divided = has_divided || errors_[i].was_halved;
+    }
+    return has_divided;
+  }
+
+  /// What ten times the tolerance changes, percent.
+  Quantities solver_errors() const
+  {
+    constexpr double looser = 10, most = 0.1;
+    ContactSolverOptions options = scene_.parameters().contact_solver;
+    options.tolerance = std::max(options.tolerance, std::min(most, looser * options.tolerance));
+    return relative_errors(changes(march(load_, options)), estimate_.values, area_, motion_);
+  }
+
+  const AccuracyEstimate &estimate() const { return estimate_; }
+  const LoadOptions &load() const { return load_; }
+  std::size_t n_nodes() const { return scene_.surface().nodes.size(); }
+
+private:
+  static constexpr double negligible = 0.05; ///< share of what is wanted
+
+  Quantities march(const LoadOptions &load, const ContactSolverOptions &options) const
+  {
+    StepSolver solver(scene_, options);
+    return march_first_cycle(scene_, load, solver, entry);
+  }
+
+  Quantities changes(const Quantities &values) const
+  {
+    Quantities change{};
+    for (unsigned int quantity = 0; quantity < n_quantities; ++quantity)
+      change[quantity] = std::abs(values[quantity] - estimate_.values[quantity]);
+    return change;
+  }
+
+  void measure_leg(const std::size_t i)
+  {
+    LegError &leg = errors_[i];
+    LoadOptions halved = load_;
+    legs_of(halved)[i]->parts *= 2;
+    leg.change_before = leg.change;
+    leg.change = changes(march(halved, scene_.parameters().contact_solver));
+    Quantities error{};
+    for (unsigned int quantity = 0; quantity < n_quantities; ++quantity)
+      error[quantity] =
+          first_order_error(leg.change[quantity], leg.was_halved ? leg.change_before[quantity] : 0);
+    leg.error = relative_errors(error, estimate_.values, area_, motion_);
+  }
+
+  bool is_to_halve(const LegError &leg) const
+  {
+    constexpr double large = 0.5; // relative to the leg that errs most
+    for (unsigned int quantity = 0; quantity < n_quantities; ++quantity)
+    {
+      double most = 0;
+      for (const LegError &other : errors_)
+        most = std::max(most, other.error[quantity]);
+      if (estimate_.errors[quantity] > estimate_.wanted && leg.error[quantity] >= large * most)
+        return true;
+    }
+    return false;
+  }
+
+  const Scene scene_;
+  LoadOptions load_;
+  std::vector<LegError> errors_;
+  const double motion_; ///< largest of the top along z, mm
+  const double area_;
+  AccuracyEstimate estimate_{};
+  bool is_first_ = true;
+};
+
+std::string line_of(const StepSearch &search)
+{
+  std::string parts;
+  LoadOptions load = search.load();
+  for (const Leg *leg : legs_of(load))
+    parts += (parts.empty() ? "" : ", ") + std::to_string(leg->parts);
+  return "accuracy       steps in " + parts + " parts, " + std::to_string(search.n_nodes()) +
+         " contact nodes: " + describe_quantities(search.estimate());
+}
+} // namespace
+
+DividedSteps find_steps(const Parameters &parameters, const ModelChoice &choice, const double wanted,
+                        const Teller &tell)
+{
+  Parameters searched = parameters;
+  searched.mesh = search_mesh(parameters, choice);
+  searched.mesh.backend = choose_backend(searched, choice.symmetry, memory_limit().gigabytes).backend;
+  StepSearch search(searched, choice, wanted);
+  do
+  {
+    search.measure();
+    tell(line_of(search));
+  } while (!search.estimate().is_reached() && search.divide());
+  DividedSteps divided{search.load(), {search.estimate(), search.solver_errors()}};
+  divided.load.cycles = parameters.load.cycles;
+  divided.load.accuracy = 0;
+  tell("accuracy       of the steps " + describe(divided.accuracy.estimate));
+  return divided;
+}
+} // namespace orthocone
