@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/accuracy/first_cycle.h>
 
-#include <orthocone/base/blas_threads.h>
+#include <orthocone/base/threads.h>
 #include <orthocone/march/march.h>
 #include <orthocone/results/totals.h>
 

@@ -23,11 +23,23 @@ po::options_description visible_options()
       "output,o", po::value<std::string>(), "run folder (default: output/<parameter file's stem>)")(
       "check", "read everything, print the resolved model, compute nothing")(
       "resume", "continue from the checkpoint in the run folder")(
+      "threads", po::value<std::string>(),
+      "threads of BLAS (default: one for each core that nobody else is busy on)")(
       "insist", "run even if the memory is likely not to suffice")(
       "defaults", "print a complete commented parameter file and stop")("quiet,q", "print errors only")(
       "help,h", "print this text and stop")("version",
                                             "print the versions of program and libraries and stop");
   return options;
+}
+
+unsigned int threads_from(const std::string &text)
+{
+  constexpr unsigned int most = 1024;
+  const auto number = parse_count(text);
+  if (!number || *number < 1 || *number > most)
+    throw InputError("command line: --threads = " + shown(text) + ": allowed is a whole number from 1 to " +
+                     std::to_string(most));
+  return *number;
 }
 
 CommandLine from(const po::variables_map &values)
@@ -39,6 +51,8 @@ CommandLine from(const po::variables_map &values)
     line.output_folder = values["output"].as<std::string>();
   if (values.count("file") != 0)
     line.parameter_file = values["file"].as<std::string>();
+  if (values.count("threads") != 0)
+    line.threads = threads_from(values["threads"].as<std::string>());
   line.check = values.count("check") != 0;
   line.resume = values.count("resume") != 0;
   line.insist = values.count("insist") != 0;

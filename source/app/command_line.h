@@ -13,6 +13,7 @@ struct CommandLine
   std::string parameter_file;
   std::vector<std::string> overrides;
   std::string output_folder; ///< empty: output/<stem of the parameter file>
+  unsigned int threads = 0;  ///< 0: the program chooses
   bool check = false;
   bool resume = false;
   bool insist = false; ///< runs even where memory is likely not to suffice

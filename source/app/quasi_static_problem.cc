@@ -4,8 +4,8 @@
 
 #include "step_messages.h"
 
-#include <orthocone/base/blas_threads.h>
 #include <orthocone/base/text.h>
+#include <orthocone/base/threads.h>
 #include <orthocone/base/version.h>
 #include <orthocone/contact/problem/critical_friction.h>
 #include <orthocone/parameters/parameters.h>
@@ -18,11 +18,12 @@
 namespace orthocone
 {
 QuasiStaticProblem::QuasiStaticProblem(ChosenModel chosen, const ModelChoice &choice, const RunFolder &folder,
-                                       Log &log)
+                                       Log &log, ThreadChooser &threads)
     : parameters_(chosen.parameters),
       folder_(folder),
       log_(log),
       steps_(load_steps(parameters_.load)),
+      threads_(threads),
       chosen_(with_scene(std::move(chosen), choice)),
       scene_(*chosen_.scene),
       solver_(scene_),
@@ -37,6 +38,7 @@ QuasiStaticProblem::QuasiStaticProblem(ChosenModel chosen, const ModelChoice &ch
       checkpoint_pause_(parameters_.output.checkpoint_seconds)
 {
   solver_.restore(chosen_.starts);
+  record_.threads = threads_.chosen();
   record_.accuracy = chosen_.accuracy;
   record_.steps = chosen_.steps;
   record_.critical_friction = critical_friction_;
@@ -65,6 +67,8 @@ ChosenModel QuasiStaticProblem::with_scene(ChosenModel chosen, const ModelChoice
 void QuasiStaticProblem::announce(const ModelChoice &choice, const Body &body) const
 {
   log_.line(describe_model(parameters_, choice, body.unknowns()));
+  const ThreadChoice &threads = threads_.choose(body.unknowns().n_dofs());
+  log_.line("threads        " + std::to_string(threads.number) + " (" + threads.reason + ")");
   tell_versions_and_warnings(parameters_, log_);
 }
 
@@ -136,6 +140,7 @@ void QuasiStaticProblem::begin(const std::optional<Checkpoint> &checkpoint)
   const double stretch = record_.stretch;
   record_ = checkpoint->record;
   record_.stretch = stretch;
+  record_.threads = threads_.chosen();
   record_.critical_friction = critical_friction_;
   record_.seconds.add(scene_.seconds());
   seconds_before_ = record_.total_seconds;

@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
+#include "thread_chooser.h"
+
 #include <orthocone/accuracy/mesh_search.h>
 #include <orthocone/base/errors.h>
 #include <orthocone/march/march.h>
@@ -24,8 +26,9 @@ public:
   };
 
   /// Builds, factorizes and condenses the body, unless `chosen` brings it; nothing is written but the log.
-  /// Throws InputError or FileError. `folder` must outlive the problem.
-  QuasiStaticProblem(ChosenModel chosen, const ModelChoice &choice, const RunFolder &folder, Log &log);
+  /// Throws InputError or FileError. `folder`, `log` and `threads` must outlive the problem.
+  QuasiStaticProblem(ChosenModel chosen, const ModelChoice &choice, const RunFolder &folder, Log &log,
+                     ThreadChooser &threads);
 
   /// Solves all steps and writes the run folder, from the start or from a checkpoint on. The files of solved
   /// steps stay if one fails. `on_resumed` is called once the files are what they were at the checkpoint.
@@ -55,6 +58,7 @@ private:
   Log &log_;
   const std::vector<LoadStep> steps_;
   Stopwatch total_;
+  ThreadChooser &threads_;
   const ChosenModel chosen_;
   const Scene &scene_; ///< owned by chosen_
   StepSolver solver_;

@@ -2,8 +2,10 @@
 // Copyright (C) 2026 the orthocone authors
 #include "commands.h"
 #include "quasi_static_problem.h"
+#include "thread_chooser.h"
 
 #include <orthocone/accuracy/backend_choice.h>
+#include <orthocone/accuracy/estimate.h>
 #include <orthocone/accuracy/memory_need.h>
 #include <orthocone/base/text.h>
 #include <orthocone/body/backends/stiffness_factor.h>
@@ -34,6 +36,7 @@ struct Assignment
   const CommandLine &line;
   const ParameterFile &file;
   const ModelChoice model;
+  ThreadChooser threads;
   std::string lines{}; ///< for log.txt, which begins when it is known that the run does
 
   void tell(const std::string &text)
@@ -121,6 +124,18 @@ void require_memory_for(const Assignment &task)
   }
 }
 
+/// Unknowns of the finest mesh that a search usually comes to.
+double unknowns_of_search(const Assignment &task)
+{
+  constexpr unsigned int level = 2;
+  Parameters parameters = task.file.parameters;
+  const bool is_axisymmetric = task.model.symmetry.is_axisymmetric();
+  parameters.mesh = parameters.mesh.accuracy != 0
+                        ? ladder_mesh(parameters.geometry, parameters.mesh, is_axisymmetric, level)
+                        : resolved_mesh(parameters.geometry, parameters.mesh, is_axisymmetric);
+  return model_size(parameters, task.model.symmetry).dofs;
+}
+
 /// The mesh, the folder, and the steps. Throws what the libraries throw.
 QuasiStaticProblem::Outcome solve(Assignment &task, const RunFolder &folder)
 {
@@ -128,10 +143,15 @@ QuasiStaticProblem::Outcome solve(Assignment &task, const RunFolder &folder)
   folder.require_own(probe_files(given.output.probes));
   const auto checkpoint =
       task.line.resume ? find_checkpoint(folder, given, shown_path(task.line.parameter_file)) : std::nullopt;
+  if (checkpoint)
+    task.threads.go_on_with(checkpoint->record.threads.number);
   // A search may take minutes: what is wrong with the folder is told before, and an older run in it is no
   // longer there to be resumed.
   if ((given.mesh.accuracy != 0 || given.load.accuracy != 0) && !task.line.resume)
+  {
     keep_parameters(folder, task, given);
+    task.threads.choose(unknowns_of_search(task));
+  }
   ChosenModel chosen = checkpoint ? ChosenModel{given, chosen_by(*checkpoint, given)}
                                   : choose_mesh_and_steps(given, task.model,
                                                           [&](const std::string &text) { task.tell(text); });
@@ -145,7 +165,7 @@ QuasiStaticProblem::Outcome solve(Assignment &task, const RunFolder &folder)
     log.line("no checkpoint in " + folder.path() + ": starts with the first load step");
   if (!task.lines.empty())
     folder.append("log.txt", task.lines);
-  QuasiStaticProblem problem(std::move(chosen), task.model, folder, log);
+  QuasiStaticProblem problem(std::move(chosen), task.model, folder, log, task.threads);
   if (checkpoint)
     folder.mark(path_of(task.line), probe_files(parameters.output.probes));
   return problem.run(checkpoint, [&] { update_parameters(folder, task, parameters); });
@@ -170,7 +190,7 @@ QuasiStaticProblem::Outcome out_of_memory()
 
 int run(const CommandLine &line, const ParameterFile &file)
 {
-  Assignment task{line, file, resolve(line, file.parameters)};
+  Assignment task{line, file, resolve(line, file.parameters), ThreadChooser(line)};
   require_memory_for(task);
   const RunFolder folder(run_folder_of(line));
   QuasiStaticProblem::Outcome outcome;

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/base/memory.h>
 
+#include <orthocone/base/control_group.h>
 #include <orthocone/base/errors.h>
 
 #include <sys/resource.h>
@@ -39,28 +40,10 @@ double number_in(const std::string &file)
   return stream >> value ? value : infinity;
 }
 
-/// The limit of this process' control group and of those above it, bytes.
-double control_group_limit()
+/// The limit of a control group, bytes.
+double memory_of_group(const std::string &folder, const bool is_unified)
 {
-  double limit = infinity;
-  std::ifstream groups("/proc/self/cgroup");
-  for (std::string line; std::getline(groups, line);)
-  {
-    const bool is_unified = line.compare(0, 3, "0::") == 0;
-    if (!is_unified && line.find(":memory:") == std::string::npos)
-      continue;
-    const std::string root = is_unified ? "/sys/fs/cgroup" : "/sys/fs/cgroup/memory";
-    const std::string file = is_unified ? "/memory.max" : "/memory.limit_in_bytes";
-    std::string path = line.substr(line.rfind(':') + 1);
-    // Within a container the path may be that of the host, and the root is the container's own group.
-    for (;; path.erase(path.rfind('/')))
-    {
-      limit = std::min(limit, number_in(root + path + file));
-      if (path.find('/') == std::string::npos)
-        break;
-    }
-  }
-  return limit;
+  return number_in(folder + (is_unified ? "/memory.max" : "/memory.limit_in_bytes"));
 }
 
 /// What is left of the address space, bytes.
@@ -83,7 +66,7 @@ MemoryLimit memory_limit()
     if (bytes / gigabyte < limit.gigabytes)
       limit = {bytes / gigabyte, source};
   };
-  consider(control_group_limit(), "the control group allows");
+  consider(least_in_control_groups("memory", memory_of_group), "the control group allows");
   consider(std::max(0., free_address_space() - least_address_space) + program, "'ulimit -v' leaves");
   return limit;
 }

@@ -109,6 +109,7 @@ Json record_json(const RunRecord &record)
     seconds[name] = record.seconds.*phase;
   return {{"n_iterations", record.n_iterations},
           {"n_v_cycles", record.n_v_cycles},
+          {"n_threads", record.threads.number},
           {"largest_residual", record.largest_residual},
           {"largest_energy", record.largest_energy},
           {"energy_defect", record.energy_defect},
@@ -125,6 +126,7 @@ RunRecord record_from(const Json &json)
   RunRecord record;
   record.n_iterations = count_from(json.at("n_iterations"));
   record.n_v_cycles = count_from(json.at("n_v_cycles"));
+  record.threads.number = count_from(json.at("n_threads"));
   record.largest_residual = number_from(json.at("largest_residual"));
   record.largest_energy = number_from(json.at("largest_energy"));
   record.energy_defect = json.at("energy_defect");

@@ -178,6 +178,7 @@ std::string summary_json(const Summary &summary)
   json["total_dissipation_Nmm"] = summary.total_dissipation;
   for (const auto &[name, version] : versions())
     json["versions"][name] = version;
+  json["threads"] = {{"number", summary.record.threads.number}, {"reason", summary.record.threads.reason}};
   json["seconds"] = seconds_json(summary.record);
   // Names of folders need not be UTF-8.
   return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";

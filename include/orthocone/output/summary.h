@@ -4,6 +4,7 @@
 
 #include <orthocone/accuracy/step_search.h>
 #include <orthocone/base/phases.h>
+#include <orthocone/base/threads.h>
 #include <orthocone/contact/solvers/contact_solver.h>
 #include <orthocone/results/cycles.h>
 #include <orthocone/results/step_checks.h>
@@ -56,6 +57,7 @@ struct RunRecord
   std::optional<AccuracyEstimate> accuracy{}; ///< where Mesh/Accuracy chose the mesh
   std::optional<StepAccuracy> steps{};        ///< where Load program/Accuracy divided the steps
   CriticalFrictionRecord critical_friction{}; ///< of the model, not kept in checkpoints
+  ThreadChoice threads{};                     ///< of the present run
   double stretch = 1; ///< Body::stretch() where multigrid solves the body; not kept in checkpoints
   PhaseSeconds seconds{};
   double total_seconds = 0;

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// What a container or a batch system allows this process.
+#pragma once
+
+#include <functional>
+#include <string>
+
+namespace orthocone
+{
+/// The least that `limit_in` tells of the directories of this process' control group and of those above it,
+/// for `controller` ("memory", "cpu"); infinite where there is no limit. `limit_in` takes the directory and
+/// whether it is one of version 2.
+double least_in_control_groups(const std::string &controller,
+                               const std::function<double(const std::string &, bool)> &limit_in);
+} // namespace orthocone

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <optional>
+#include <string>
+
+namespace orthocone
+{
+/// How many threads a run computes with, and the words that say why.
+struct ThreadChoice
+{
+  unsigned int number = 1;
+  std::string reason{};
+};
+
+/// Cores that this process may use: of its affinity, and of what its control group allows.
+unsigned int usable_cores();
+
+/// One thread for each of the cores that nobody else is busy on: threads of BLAS wait for each other at work,
+/// and those that have to share a core make a factorization several times as long. One where the model is so
+/// small that a second thread gains nothing. `unknowns`: of the model; `n_busy`: cores that others are busy
+/// on, on average.
+ThreadChoice choose_threads(double unknowns, unsigned int n_cores, double n_busy);
+
+/// Whether choose_threads() needs to know of others.
+bool depends_on_load(double unknowns, unsigned int n_cores);
+
+/// The number of threads that OpenBLAS computes with: of cores, or what the environment says, until it is
+/// told otherwise. One with another BLAS.
+unsigned int blas_threads();
+
+/// The number that a variable of the environment gives, such as OPENBLAS_NUM_THREADS, if there is one.
+std::optional<ThreadChoice> threads_of_environment();
+
+/// Tells OpenBLAS to compute with so many threads from now on. Does nothing with another BLAS.
+void set_blas_threads(unsigned int number);
+
+/// While this lives, OpenBLAS runs on one thread if the matrices that the work is done with are small: their
+/// products take microseconds, and a second thread that waits for them takes a core from those who write
+/// files and from other programs.
+class BlasThreads
+{
+public:
+  /// `n`: rows of the compliance.
+  explicit BlasThreads(long n);
+  ~BlasThreads();
+  BlasThreads(const BlasThreads &) = delete;
+  BlasThreads &operator=(const BlasThreads &) = delete;
+
+private:
+  unsigned int n_before_ = 0; ///< 0 if nothing was changed
+};
+} // namespace orthocone

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "thread_chooser.h"
+
+#include <deal.II/base/multithread_info.h>
+
+namespace orthocone
+{
+ThreadChoice ThreadChooser::decide(const double unknowns) const
+{
+  if (on_command_line_ > 0)
+    return {on_command_line_, "--threads"};
+  if (of_run_before_ > 0)
+    return {of_run_before_, "as in the run before"};
+  if (auto given = threads_of_environment())
+    return *given;
+  const unsigned int n_cores = usable_cores();
+  return choose_threads(unknowns, n_cores, depends_on_load(unknowns, n_cores) ? load_.busy_cores() : 0);
+}
+
+const ThreadChoice &ThreadChooser::choose(const double unknowns)
+{
+  if (!chosen_)
+  {
+    chosen_ = decide(unknowns);
+    set_blas_threads(chosen_->number);
+    dealii::MultithreadInfo::set_thread_limit(chosen_->number);
+  }
+  return *chosen_;
+}
+} // namespace orthocone

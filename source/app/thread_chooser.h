@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include "command_line.h"
+
+#include <orthocone/base/machine_load.h>
+#include <orthocone/base/threads.h>
+
+#include <optional>
+
+namespace orthocone
+{
+/// Decides once how many threads a run computes with. From its construction on it watches what others do.
+class ThreadChooser
+{
+public:
+  explicit ThreadChooser(const CommandLine &line)
+      : on_command_line_(line.threads)
+  {
+  }
+
+  /// To be called before choose() if the run goes on with the bytes of an earlier one.
+  void go_on_with(unsigned int n_threads) { of_run_before_ = n_threads; }
+
+  /// The first call decides and tells the libraries. `unknowns`: of the model.
+  const ThreadChoice &choose(double unknowns);
+
+  /// What was chosen.
+  const ThreadChoice &chosen() const { return chosen_.value(); }
+
+private:
+  ThreadChoice decide(double unknowns) const;
+
+  const MachineLoad load_;
+  const unsigned int on_command_line_;
+  unsigned int of_run_before_ = 0;
+  std::optional<ThreadChoice> chosen_{};
+};
+} // namespace orthocone

@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/base/threads.h>
+
+#include <orthocone/base/control_group.h>
+
+#include <dlfcn.h>
+#include <sched.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+#include <fstream>
+#include <limits>
+
+namespace orthocone
+{
+namespace
+{
+/// Cores' worth of time that a control group allows in "quota period" or, in version 1, in two files;
+/// infinite for "max" and -1.
+double cores_of_group(const std::string &folder, const bool is_unified)
+{
+  double quota = -1, period = 0;
+  if (is_unified)
+    std::ifstream(folder + "/cpu.max") >> quota >> period;
+  else
+  {
+    std::ifstream(folder + "/cpu.cfs_quota_us") >> quota;
+    std::ifstream(folder + "/cpu.cfs_period_us") >> period;
+  }
+  return quota > 0 && period > 0 ? quota / period : std::numeric_limits<double>::infinity();
+}
+
+} // namespace
+
+unsigned int usable_cores()
+{
+  cpu_set_t cores;
+  CPU_ZERO(&cores);
+  const double allowed = sched_getaffinity(0, sizeof cores, &cores) == 0
+                             ? CPU_COUNT(&cores)
+                             : static_cast<double>(sysconf(_SC_NPROCESSORS_ONLN));
+  const double granted = std::ceil(least_in_control_groups("cpu", cores_of_group));
+  return static_cast<unsigned int>(std::max(1., std::min(allowed, granted)));
+}
+
+bool depends_on_load(const double unknowns, const unsigned int n_cores)
+{
+  constexpr double small = 3000; // docs/performance.md, "Threads"
+  return n_cores > 1 && unknowns >= small;
+}
+
+ThreadChoice choose_threads(const double unknowns, const unsigned int n_cores, const double n_busy)
+{
+  if (!depends_on_load(unknowns, n_cores))
+    return {1, n_cores == 1 ? "there is one core" : "the model is small"};
+  const auto n_others = static_cast<unsigned int>(std::lround(n_busy));
+  return {n_cores > n_others ? n_cores - n_others : 1,
+          std::to_string(n_cores) + " cores, others busy on " + std::to_string(n_others)};
+}
+
+void set_blas_threads(const unsigned int number)
+{
+  // Debian's alternatives decide at run time which BLAS is there.
+  if (auto *const set = reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads")))
+    set(static_cast<int>(number));
+}
+
+unsigned int blas_threads()
+{
+  auto *const get = reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, "openblas_get_num_threads"));
+  return get == nullptr ? 1 : static_cast<unsigned int>(std::max(1, get()));
+}
+
+std::optional<ThreadChoice> threads_of_environment()
+{
+  for (const char *const name : {"OPENBLAS_NUM_THREADS", "GOTO_NUM_THREADS", "OMP_NUM_THREADS"})
+    if (std::getenv(name) != nullptr)
+      return ThreadChoice{blas_threads(), name};
+  return std::nullopt;
+}
+
+BlasThreads::BlasThreads(const long n)
+{
+  constexpr long large = 8000; // in single precision half of the matrix fills no cache any more
+  if (n >= large || blas_threads() == 1)
+    return;
+  n_before_ = blas_threads();
+  set_blas_threads(1);
+}
+
+BlasThreads::~BlasThreads()
+{
+  if (n_before_ > 0)
+    set_blas_threads(n_before_);
+}
+} // namespace orthocone
