@@ -26,9 +26,11 @@ po::options_description visible_options()
       "threads", po::value<std::string>(),
       "threads of BLAS (default: one for each core that nobody else is busy on)")(
       "insist", "run even if the memory is likely not to suffice")(
-      "defaults", "print a complete commented parameter file and stop")("quiet,q", "print errors only")(
-      "help,h", "print this text and stop")("version",
-                                            "print the versions of program and libraries and stop");
+      "batch",
+      "run command lines from standard input, each a line such as [\"FILE.prm\", \"--quiet\"], without the "
+      "time of a start (tools/sweep does)")("defaults", "print a complete commented parameter file and stop")(
+      "quiet,q", "print errors only")("help,h", "print this text and stop")(
+      "version", "print the versions of program and libraries and stop");
   return options;
 }
 
@@ -53,6 +55,7 @@ CommandLine from(const po::variables_map &values)
     line.parameter_file = values["file"].as<std::string>();
   if (values.count("threads") != 0)
     line.threads = threads_from(values["threads"].as<std::string>());
+  line.batch = values.count("batch") != 0;
   line.check = values.count("check") != 0;
   line.resume = values.count("resume") != 0;
   line.insist = values.count("insist") != 0;
@@ -99,7 +102,9 @@ CommandLine parse_command_line(const int argc, const char *const *const argv)
     throw InputError(
         "command line: --output = '" + shown(line.output_folder) +
         "': allowed is the name of a folder (one that begins with '-' is written behind '--output=')");
-  if (line.parameter_file.empty() && !line.defaults && !line.help && !line.version)
+  if (line.batch && argc > 2)
+    throw InputError("command line: --batch stands alone; files and options come from standard input");
+  if (line.parameter_file.empty() && !line.batch && !line.defaults && !line.help && !line.version)
     throw InputError(
         "command line: a parameter file is missing, as in 'orthocone prm/paper/case_b.prm'; 'orthocone "
         "--help' lists the options");

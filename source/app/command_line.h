@@ -14,6 +14,7 @@ struct CommandLine
   std::vector<std::string> overrides;
   std::string output_folder; ///< empty: output/<stem of the parameter file>
   unsigned int threads = 0;  ///< 0: the program chooses
+  bool batch = false;        ///< command lines come from standard input
   bool check = false;
   bool resume = false;
   bool insist = false; ///< runs even where memory is likely not to suffice

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
+#include "batch.h"
 #include "commands.h"
 #include "interrupt.h"
 
@@ -15,6 +16,8 @@
 #include <iostream>
 #include <new>
 #include <sstream>
+#include <string>
+#include <vector>
 
 namespace orthocone
 {
@@ -44,10 +47,23 @@ void print_defaults()
   write_parameters(Parameters(), std::cout);
 }
 
+int guarded_dispatch(int argc, const char *const *argv);
+
+/// A command line of --batch, in a process of its own.
+int run_words(const std::vector<std::string> &words)
+{
+  std::vector<const char *> argv{"orthocone"};
+  for (const std::string &word : words)
+    argv.push_back(word.c_str());
+  return guarded_dispatch(static_cast<int>(argv.size()), argv.data());
+}
+
 int dispatch(const int argc, const char *const *const argv)
 {
   const CommandLine line = parse_command_line(argc, argv);
-  if (line.help)
+  if (line.batch)
+    run_batch(std::cin, std::cout, run_words);
+  else if (line.help)
     std::cout << usage();
   else if (line.version)
     for (const auto &[name, version] : versions())

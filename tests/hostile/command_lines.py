@@ -20,6 +20,7 @@ WRONG = [
     ("threads without value", ["s.prm", "--threads"], "threads"),
     ("threads twice", ["s.prm", "--threads", "1", "--threads", "1"], OPTIONS),
     ("threads in hexadecimal", ["s.prm", "--threads", "0x2"], "--threads = 0x2: allowed is a whole number from 1 to 1024"),
+    ("batch and a file", ["--batch", "s.prm"], "--batch stands alone"), ("batch twice", ["--batch", "--batch"], OPTIONS),
     ("no threads", ["s.prm", "--threads", "0"], "--threads = 0: allowed is a whole number from 1 to 1024"),
     ("set without value", ["s.prm", "--set="], "set"),
     ("empty set", ["s.prm", "--set", ""], "allowed is .Section/Entry=value"),

@@ -1,0 +1,143 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""Parameter studies: --batch of the program, and tools/sweep around it.
+
+Usage: test_sweep.py PROGRAM [unittest options]"""
+import csv
+import json
+import os
+import shutil
+import subprocess
+import sys
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+from program import PROGRAM, ROOT, SCENE, RunTest, main  # noqa: E402
+
+SWEEP = ROOT / "tools/sweeps/sweep.py"
+
+
+class BatchTest(RunTest):
+    def answers(self, *lines):
+        text = "".join(line if isinstance(line, str) else json.dumps(line) + "\n" for line in lines)
+        result = subprocess.run([PROGRAM, "--batch"], input=text, text=True, capture_output=True, cwd=self.folder, timeout=600,
+                                check=False)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        return [json.loads(line) for line in result.stdout.splitlines()]
+
+    def setUp(self):
+        super().setUp()
+        (self.folder / "s.prm").write_text(SCENE)
+
+    def test_runs_are_those_of_the_program_alone(self):
+        self.run_program("alone", file="s.prm")
+        first, second = self.answers(["s.prm", "-o", "one"], ["s.prm", "--quiet", "--output", "two"])
+        for answer in (first, second):
+            self.assertEqual((answer["exit"], answer["message"]), (0, ""))
+            self.assertGreater(answer["cpu_seconds"], 0)
+        for folder in ("one", "two"):
+            self.assert_same_files("alone", folder, ["history.csv", "checks.csv", "parameters.prm"])
+
+    def test_every_line_gets_an_answer(self):
+        answers = self.answers(["none.prm"], "not JSON\n", ["s.prm", 3], "{}\n", ["s.prm", "--set", "Mesh/Degree=9"], [],
+                               ["s.prm", "--quiet", "--set", "Contact solver/Maximum iterations=1"], ["s.prm"])
+        self.assertEqual([answer["exit"] for answer in answers], [4, 2, 2, 2, 2, 2, 3, 0])
+        self.assertIn("none.prm: cannot be read", answers[0]["message"])
+        self.assertIn("allowed is a JSON array of words", answers[1]["message"])
+        self.assertIn("Mesh/Degree = 9: allowed is", answers[4]["message"])
+
+    def test_a_run_that_dies_leaves_the_others(self):
+        slow = ["s.prm", "-o", "slow", "--set", "Load program/Legs=0 0 -0.1 : 100000"]
+        process = subprocess.Popen([PROGRAM, "--batch"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
+                                   cwd=self.folder)
+        process.stdin.write(json.dumps(slow) + "\n" + json.dumps(["s.prm"]) + "\n")
+        process.stdin.close()
+        while not (self.folder / "slow/history.csv").exists():
+            pass
+        subprocess.run(["pkill", "-KILL", "-P", str(process.pid)], check=True)
+        answers = [json.loads(line) for line in process.stdout]
+        process.wait()
+        process.stdout.close()
+        self.assertEqual([answer["exit"] for answer in answers], [137, 0])
+
+    def test_stands_alone(self):
+        result = subprocess.run([PROGRAM, "--batch", "s.prm"], capture_output=True, text=True, check=False, cwd=self.folder)
+        self.assertEqual(result.returncode, 2)
+        self.assertIn("--batch stands alone", result.stderr)
+
+
+class SweepTest(RunTest):
+    def sweep(self, *words, code=0):
+        result = subprocess.run(["/usr/bin/python3", SWEEP, "s.prm", "--program", PROGRAM, *words], capture_output=True,
+                                text=True, check=False, cwd=self.folder, timeout=600)
+        self.assertEqual(result.returncode, code, result.stderr)
+        return result
+
+    def table(self, folder="output/sweep-s"):
+        with open(self.folder / folder / "sweep.csv", encoding="utf-8", newline="") as file:
+            return list(csv.DictReader(file))
+
+    def setUp(self):
+        super().setUp()
+        (self.folder / "s.prm").write_text(SCENE)
+
+    GRID = ("--vary", "mu=0.1:0.3:3", "--vary", "Material/Poisson ratio=0.2,0.4", "--set",
+            "Friction/Coefficients={mu}, 0.1")
+
+    def test_a_row_is_the_run_of_its_point(self):
+        self.sweep(*self.GRID)
+        rows = self.table()
+        self.assertEqual([(row["mu"], row["Material/Poisson ratio"]) for row in rows],
+                         [(mu, nu) for mu in ("0.1", "0.2", "0.3") for nu in ("0.2", "0.4")])
+        result = self.run_program("alone", file="s.prm", settings=["Friction/Coefficients=0.3, 0.1", "Material/Poisson ratio=0.4"])
+        self.assertEqual(result.returncode, 0)
+        summary = json.loads((self.folder / "alone/summary.json").read_text())
+        self.assertEqual(float(rows[-1]["max_slip"]), summary["peaks"]["slip_mm"]["value"])
+        self.assertEqual(float(rows[-1]["total_dissipation"]), summary["total_dissipation_Nmm"])
+        page = (self.folder / "output/sweep-s/sweep.html").read_text()
+        self.assertEqual(page.count("<tr"), 7)
+        self.assertIn("largest slip", page)
+        self.assertEqual(page.count("<svg"), 1)
+
+    def test_goes_on_with_what_is_missing(self):
+        self.sweep(*self.GRID)
+        before = {path: os.stat(path).st_mtime_ns for path in self.folder.glob("output/sweep-s/runs/*/history.csv")}
+        self.assertEqual(len(before), 6)
+        lost = self.folder / "output/sweep-s/runs/mu=0.2,Poisson ratio=0.4"
+        shutil.rmtree(lost)
+        table = self.table()
+        self.assertIn("6 points, 1 to run", self.sweep(*self.GRID).stdout)
+        for path, time in before.items():
+            self.assertEqual(os.stat(path).st_mtime_ns == time, path.parent != lost, path)
+        for row, earlier in zip(self.table(), table):
+            self.assertEqual(row["max_slip"], earlier["max_slip"])
+        finer = ("--vary", "mu=0.1:0.3:5", *self.GRID[2:])
+        self.assertIn("10 points, 4 to run", self.sweep(*finer).stdout)
+
+    def test_a_run_that_fails_is_a_row(self):
+        result = self.sweep("--vary", "Contact solver/Maximum iterations=1,1000", code=3)
+        self.assertIn("Maximum iterations=1: exit code 3", result.stderr)
+        failed, solved = self.table()
+        self.assertEqual((failed["exit"], solved["exit"]), ("3", "0"))
+        self.assertIn("Maximum iterations", failed["status"])
+        self.assertIn("1 of 2 runs are not complete", (self.folder / "output/sweep-s/sweep.html").read_text())
+
+    def test_wrong_studies_are_told_in_a_line(self):
+        for words, says in ((("--vary", "mu=1:2:3"), r"mu stands in no --set"), (("--vary", "mu"), r"allowed is NAME=VALUES"),
+                            (("--vary", "a=1:2:1", "--set", "{a}"), r"FIRST:LAST:NUMBER"),
+                            (("--vary", "a=1,,2", "--set", "{a}"), r"words separated by commas"),
+                            (("--vary", "a=1,1", "--set", "{a}"), r"each of them once"),
+                            (("--vary", "a=1,2", "--set", "{a}{b}"), r"\{b\} is not varied; allowed are a"),
+                            (("--vary", "Mesh/Degree=1,2", "--jobs", "0"), r"--jobs = 0")):
+            error = self.sweep(*words, code=2).stderr
+            self.assertRegex(error, r"^sweep: .*\n$")
+            self.assertRegex(error, says)
+        self.assertFalse((self.folder / "output").exists())
+
+    def test_a_folder_holds_one_study(self):
+        self.sweep("--vary", "Mesh/Degree=1,2")
+        error = self.sweep("--vary", "Mesh/Degree=1,2", "--set", "Load program/Cycles=2", code=2).stderr
+        self.assertRegex(error, r"^sweep: output/sweep-s: holds a study of other runs .*--output DIR takes another folder\n$")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,153 @@
+#!/usr/bin/python3
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""A parameter study: see tools/sweep."""
+import argparse
+import itertools
+import json
+import os
+import pathlib
+import re
+import sys
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+import sweep_page  # noqa: E402
+import sweep_runs  # noqa: E402
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+MOST_RUNS = 100000
+
+
+class WrongInput(Exception):
+    """One line for the user."""
+
+
+def values_of(text):
+    """The values, as the words that files have, of "0.1:0.5:9" or "0.1, 0.3, coarse"."""
+    parts = text.split(":")
+    if len(parts) == 3:
+        try:
+            first, last, number = float(parts[0]), float(parts[1]), int(parts[2])
+        except ValueError:
+            number = 0
+        if number < 2:
+            raise WrongInput(f"--vary: '{text}': allowed is FIRST:LAST:NUMBER with two numbers and a count from 2 on, or "
+                             "words separated by commas")
+        return [f"{first + (last - first) * i / (number - 1):.10g}" for i in range(number)]
+    words = [word.strip() for word in text.split(",")]
+    if not all(words) or len(set(words)) < len(words):
+        raise WrongInput(f"--vary: '{text}': allowed are words separated by commas, each of them once")
+    return words
+
+
+def grid_of(variables):
+    """[(name, values), ...] of the words NAME=VALUES."""
+    grid = []
+    for words in variables:
+        name, equals, values = words.partition("=")
+        name = name.strip()
+        if not equals or not name or name in dict(grid):
+            raise WrongInput(f"--vary: '{words}': allowed is NAME=VALUES, each name once")
+        grid.append((name, values_of(values)))
+    return grid
+
+
+def settings_of(point, templates):
+    """What --set gets at a point {name: value}: the templates with its values in their places, and entries it names."""
+    def filled(text):
+        for name, value in point.items():
+            text = text.replace("{" + name + "}", value)
+        return text
+
+    settings = [filled(text) for text in templates]
+    return settings + [f"{name}={value}" for name, value in point.items() if "/" in name]
+
+
+def check_use(grid, templates):
+    """Every name must stand somewhere, and every brace must be of a name."""
+    for name, _ in grid:
+        if "/" not in name and not any("{" + name + "}" in text for text in templates):
+            raise WrongInput(f"--vary: {name} stands in no --set: allowed is a name that stands there as {{{name}}}, or an "
+                             "entry such as 'Material/Poisson ratio'")
+    names = {name for name, _ in grid}
+    for text in templates:
+        for name in re.findall(r"{([^{}]*)}", text):
+            if name not in names:
+                raise WrongInput(f"--set: '{text}': {{{name}}} is not varied; allowed are {', '.join(sorted(names))}")
+
+
+def folder_name(point):
+    """Such as "mu=0.1,Poisson ratio=0.3", without what a name of a folder cannot have."""
+    words = ",".join(f"{name.rpartition('/')[2]}={value}" for name, value in point.items())
+    return re.sub(r"[^\w.,=+ -]", "_", words)
+
+
+def parse(arguments):
+    parser = argparse.ArgumentParser(prog="tools/sweep", description="A parameter study.")
+    parser.add_argument("file", type=pathlib.Path, metavar="FILE.prm")
+    parser.add_argument("--vary", action="append", required=True, metavar="NAME=VALUES",
+                        help="FIRST:LAST:NUMBER, or words separated by commas; may be repeated: a grid")
+    parser.add_argument("--set", action="append", default=[], metavar="Section/Entry=TEXT",
+                        help="of every run; {NAME} in it is the value of the point")
+    parser.add_argument("--output", "-o", type=pathlib.Path, help="folder (default: output/sweep-FILE)")
+    parser.add_argument("--jobs", "-j", type=int, default=len(os.sched_getaffinity(0)), help="runs at a time")
+    parser.add_argument("--fields", action="store_true", help="write the field files that FILE asks for")
+    parser.add_argument("--anew", action="store_true", help="run complete points again")
+    parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/orthocone", help=argparse.SUPPRESS)
+    return parser.parse_args(arguments)
+
+
+def require_same_study(folder, study):
+    """A folder holds one study: runs of others would stand in its table."""
+    path = folder / "sweep.json"
+    if path.exists():
+        earlier = json.loads(path.read_text(encoding="utf-8"))
+        if earlier != study:
+            raise WrongInput(f"{folder}: holds a study of other runs ({earlier['file']}, {'; '.join(earlier['set']) or 'no --set'}"
+                             "); --output DIR takes another folder")
+    elif folder.exists() and any(folder.iterdir()):
+        raise WrongInput(f"{folder}: is not empty, and holds no study; --output DIR takes another folder")
+    folder.mkdir(parents=True, exist_ok=True)
+    path.write_text(json.dumps(study, indent=2) + "\n", encoding="utf-8")
+
+
+def run_study(options):
+    grid = grid_of(options.vary)
+    check_use(grid, options.set)
+    if not options.file.is_file():
+        raise WrongInput(f"{options.file}: cannot be read")
+    if options.jobs < 1:
+        raise WrongInput(f"--jobs = {options.jobs}: allowed is a whole number from 1 on")
+    names = [name for name, _ in grid]
+    points = [dict(zip(names, values)) for values in itertools.product(*(values for _, values in grid))]
+    folders = [folder_name(point) for point in points]
+    if len(points) > MOST_RUNS or len(set(folders)) < len(points):
+        raise WrongInput(f"--vary: makes {len(points)} runs, {len(set(folders))} of them with names of their own: allowed are "
+                         f"{MOST_RUNS}, each with its own")
+    output = options.output or pathlib.Path("output") / f"sweep-{options.file.stem}"
+    fixed = [] if options.fields else ["Output/Contact fields=0", "Output/Volume fields=0"]
+    require_same_study(output, {"file": str(options.file.resolve()), "set": options.set, "names": names,
+                                "fields": options.fields})
+    runs = [sweep_runs.Run(point, output / "runs" / name, [*fixed, *settings_of(point, options.set)])
+            for point, name in zip(points, folders)]
+    sweep_runs.run_all(runs, options)
+    rows = sweep_runs.write_table(runs, output / "sweep.csv")
+    sweep_page.write_page(output / "sweep.html", options.file, options.set, grid, rows)
+    failed = [run for run in runs if run.exit != 0]
+    print(f"{len(runs)} points, {len(failed)} of them not complete; {output / 'sweep.csv'}, {output / 'sweep.html'}")
+    return 3 if failed else 0
+
+
+def main():
+    try:
+        return run_study(parse(sys.argv[1:]))
+    except WrongInput as error:
+        print(f"sweep: {error}", file=sys.stderr)
+        return 2
+    except OSError as error:
+        print(f"sweep: {error.filename}: {error.strerror}", file=sys.stderr)
+        return 4
+
+
+if __name__ == "__main__":
+    sys.exit(main())
