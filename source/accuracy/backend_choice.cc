@@ -36,7 +36,7 @@ BackendChoice choose_backend(const Parameters &parameters, const ModelSymmetry &
   const ModelSize size = model_size(parameters, symmetry);
   const Estimate condensed = usual_estimate(parameters, size, symmetry);
   const Estimate multigrid = multigrid_estimate(parameters, size, symmetry);
-  const auto n_steps = static_cast<double>(load_steps(parameters.load).size());
+  const double n_steps = n_solved_parts(parameters.load);
   const double seconds_condensed = condensed.set_up_seconds + n_steps * condensed.step_seconds;
   const double seconds_multigrid = multigrid.set_up_seconds + n_steps * multigrid.step_seconds;
   const std::string line = "backend        ";

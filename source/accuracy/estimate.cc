@@ -60,7 +60,7 @@ double drawn_nodes(const ContactSurface &surface, const ModelSymmetry &symmetry)
 
 double step_gigabytes(const LoadOptions &load, const double contact_nodes)
 {
-  const auto n_steps = static_cast<double>(n_solved_parts(load));
+  const double n_steps = n_solved_parts(load);
   const double starts = 2 * n_steps / std::max(1U, load.cycles) * 3 * contact_nodes * bytes_per_number;
   // Kept, and once more as text of a checkpoint.
   return (bytes_per_step * n_steps + 3 * std::min(starts, static_cast<double>(StartMemory::most_bytes))) /

@@ -7,6 +7,7 @@
 #include <orthocone/results/totals.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace orthocone
@@ -52,9 +53,10 @@ public:
     values_[2] = totals.total_dissipation;
     if (is_in_cycle_)
       values_[loop_area_index] = state.work - work_before_;
+    motion_ = std::max(motion_, std::abs(state.motion[2]));
   }
 
-  const Quantities &values() const { return values_; }
+  FirstCycle measured() const { return {values_, motion_}; }
 
 private:
   const ContactFieldEvaluator evaluator_;
@@ -62,6 +64,7 @@ private:
   bool is_in_cycle_ = false;
   double work_before_ = 0; ///< the cycle, N mm
   Quantities values_{};
+  double motion_ = 0; ///< largest of the top along z, mm
 };
 } // namespace
 
@@ -71,7 +74,7 @@ LoadOptions first_cycle(LoadOptions load)
   return load;
 }
 
-Quantities march_first_cycle(const Scene &scene, const LoadOptions &load, StepSolver &solver,
+FirstCycle march_first_cycle(const Scene &scene, const LoadOptions &load, StepSolver &solver,
                              const char *const entry)
 {
   const std::vector<LoadStep> steps = load_steps(first_cycle(load));
@@ -82,7 +85,7 @@ Quantities march_first_cycle(const Scene &scene, const LoadOptions &load, StepSo
     throw std::runtime_error(std::string(entry) + ": load step " + std::to_string(state.step + 1) +
                              " is not solved on a mesh of " + std::to_string(scene.surface().nodes.size()) +
                              " contact nodes; " + entry + " = 0 goes without this search");
-  return watch.values();
+  return watch.measured();
 }
 
 double contact_area(const Scene &scene)

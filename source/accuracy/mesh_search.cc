@@ -45,11 +45,11 @@ ChosenModel find_mesh(const Parameters &parameters, const ModelChoice &choice, c
     found.scene = nullptr; // two at a time would need twice the memory
     found.scene = std::make_unique<Scene>(finer, choice);
     StepSolver solver(*found.scene);
-    levels.push_back(march_first_cycle(*found.scene, finer.load, solver, "Mesh/Accuracy"));
+    const FirstCycle cycle = march_first_cycle(*found.scene, finer.load, solver, "Mesh/Accuracy");
+    levels.push_back(cycle.quantities);
     found.starts = solver.memory();
     accuracy.values = levels.back();
-    accuracy.errors =
-        estimated_errors(levels, contact_area(*found.scene), largest_motion(parameters.load, 2));
+    accuracy.errors = estimated_errors(levels, contact_area(*found.scene), cycle.motion);
     tell(line_of(level, *found.scene, describe_quantities(accuracy)));
     if (levels.size() >= least_levels && accuracy.is_reached())
       break;
@@ -78,20 +78,21 @@ ChosenModel choose_mesh(const Parameters &parameters, const ModelChoice &choice,
   return chosen;
 }
 
+constexpr double share_of_steps = 0.3; ///< of the larger accuracy
+
 /// What steps that err by `errors` leave less than the mesh may err by anyway, where both together may err by
-/// the larger of both accuracies.
+/// the larger of both accuracies. No finer mesh makes up for steps that take more than their share.
 Quantities taken_by_steps(const Quantities &errors, const double larger, const double of_mesh)
 {
   Quantities taken{};
   for (unsigned int i = 0; i < n_quantities; ++i)
-    taken[i] = std::max(0., errors[i] - (larger - of_mesh));
+    taken[i] = std::max(0., std::min(errors[i], share_of_steps * larger) - (larger - of_mesh));
   return taken;
 }
 } // namespace
 
 ChosenModel choose_mesh_and_steps(const Parameters &given, const ModelChoice &choice, const Teller &tell)
 {
-  constexpr double share_of_steps = 0.3;
   if (given.load.accuracy == 0)
     return choose_mesh(given, choice, tell, {});
   const Stopwatch watch;

@@ -26,7 +26,10 @@ MeshOptions search_mesh(const Parameters &parameters, const ModelChoice &choice)
   const GeometryOptions &geometry = parameters.geometry;
   const bool is_axisymmetric = choice.symmetry.is_axisymmetric();
   const bool is_plain = parameters.obstacle.is_plane() && !parameters.friction.varies();
-  const MeshOptions ladder = ladder_mesh(geometry, parameters.mesh, is_axisymmetric, is_plain ? 1 : 3);
+  MeshOptions plain = parameters.mesh; // what a single mesh is given with, a ladder is not
+  plain.quadrature_points = plain.refinements = 0;
+  plain.backend = BodyBackend::automatic;
+  const MeshOptions ladder = ladder_mesh(geometry, plain, is_axisymmetric, is_plain ? 1 : 3);
   if (parameters.mesh.accuracy != 0)
     return ladder;
   Parameters given = parameters, coarser = parameters;
@@ -67,8 +70,8 @@ public:
   StepSearch(const Parameters &parameters, const ModelChoice &choice, const double wanted)
       : scene_(parameters, choice),
         load_(first_cycle(parameters.load)),
+        n_cycles_(parameters.load.cycles),
         errors_(legs_of(load_).size()),
-        motion_(largest_motion(parameters.load, 2)),
         area_(contact_area(scene_))
   {
     estimate_.wanted = wanted;
@@ -77,7 +80,9 @@ public:
   /// Estimates the errors of the parts as they are.
   void measure()
   {
-    estimate_.values = march(load_, scene_.parameters().contact_solver);
+    const FirstCycle cycle = march(load_, scene_.parameters().contact_solver);
+    estimate_.values = cycle.quantities;
+    motion_ = cycle.motion;
     estimate_.errors = {};
     for (std::size_t i = 0; i < errors_.size(); ++i)
     {
@@ -96,7 +101,7 @@ public:
     const std::vector<Leg *> legs = legs_of(load_);
     for (std::size_t i = 0; i < errors_.size(); ++i)
     {
-      errors_[i].was_halved = legs[i]->parts < most_parts && is_to_halve(errors_[i]);
+      errors_[i].was_halved = is_to_halve(errors_[i]) && may_halve(i);
       if (errors_[i].was_halved)
         legs[i]->parts *= 2;
       has_divided = has_divided || errors_[i].was_halved;
@@ -110,7 +115,7 @@ public:
     constexpr double looser = 10, most = 0.1;
     ContactSolverOptions options = scene_.parameters().contact_solver;
     options.tolerance = std::max(options.tolerance, std::min(most, looser * options.tolerance));
-    return relative_errors(changes(march(load_, options)), estimate_.values, area_, motion_);
+    return relative_errors(changes(march(load_, options).quantities), estimate_.values, area_, motion_);
   }
 
   const AccuracyEstimate &estimate() const { return estimate_; }
@@ -120,7 +125,7 @@ public:
 private:
   static constexpr double negligible = 0.05; ///< share of what is wanted
 
-  Quantities march(const LoadOptions &load, const ContactSolverOptions &options) const
+  FirstCycle march(const LoadOptions &load, const ContactSolverOptions &options) const
   {
     StepSolver solver(scene_, options);
     return march_first_cycle(scene_, load, solver, entry);
@@ -140,12 +145,22 @@ private:
     LoadOptions halved = load_;
     legs_of(halved)[i]->parts *= 2;
     leg.change_before = leg.change;
-    leg.change = changes(march(halved, scene_.parameters().contact_solver));
+    leg.change = changes(march(halved, scene_.parameters().contact_solver).quantities);
     Quantities error{};
     for (unsigned int quantity = 0; quantity < n_quantities; ++quantity)
       error[quantity] =
           first_order_error(leg.change[quantity], leg.was_halved ? leg.change_before[quantity] : 0);
     leg.error = relative_errors(error, estimate_.values, area_, motion_);
+  }
+
+  /// Whether the program with all its cycles stays one that a parameter file may have.
+  bool may_halve(const std::size_t i) const
+  {
+    LoadOptions halved = load_;
+    halved.cycles = n_cycles_;
+    Leg &leg = *legs_of(halved)[i];
+    leg.parts *= 2;
+    return leg.parts <= most_parts && n_solved_parts(halved) <= most_solved_parts;
   }
 
   bool is_to_halve(const LegError &leg) const
@@ -164,9 +179,10 @@ private:
 
   const Scene scene_;
   LoadOptions load_;
+  const unsigned int n_cycles_; ///< of the whole program
   std::vector<LegError> errors_;
-  const double motion_; ///< largest of the top along z, mm
   const double area_;
+  double motion_ = 0; ///< largest of the top along z, mm
   AccuracyEstimate estimate_{};
   bool is_first_ = true;
 };

@@ -14,6 +14,7 @@
 
 #include <array>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
 #include <istream>
 #include <optional>
@@ -24,6 +25,23 @@ namespace orthocone
 namespace
 {
 using Json = nlohmann::ordered_json;
+
+volatile std::sig_atomic_t is_interrupted = 0;
+
+void on_interrupt(int)
+{
+  is_interrupted = 1;
+}
+
+/// The run that is going on gets the signal, too, and finishes its step; its answer is the last one.
+void end_on_interrupt()
+{
+  struct sigaction action
+  {
+  };
+  action.sa_handler = on_interrupt; // without SA_RESTART: waiting for a line ends
+  sigaction(SIGINT, &action, nullptr);
+}
 
 double seconds(const timeval &time)
 {
@@ -57,6 +75,7 @@ std::optional<std::vector<std::string>> words_of(const std::string &line)
   ::dup2(nothing, STDIN_FILENO);
   ::dup2(nothing, STDOUT_FILENO);
   ::dup2(errors, STDERR_FILENO);
+  std::signal(SIGINT, SIG_DFL);
   ::_exit(run(words));
 }
 
@@ -106,7 +125,8 @@ Json run_line(const std::vector<std::string> &words, const Runner &run)
 
 void run_batch(std::istream &lines, std::ostream &answers, const Runner &run)
 {
-  for (std::string line; std::getline(lines, line);)
+  end_on_interrupt();
+  for (std::string line; is_interrupted == 0 && std::getline(lines, line);)
   {
     const auto words = words_of(line);
     const Json json =

@@ -55,7 +55,7 @@ std::string why_too_large(const ModelSize &size, const std::string &lack)
 /// A mesh of so many unknowns that it takes longer than somebody who checks waits.
 void print_large_model(const Parameters &parameters, const ModelChoice &model, const ModelSize &size)
 {
-  const unsigned int n_steps = n_solved_parts(parameters.load);
+  const auto n_steps = static_cast<unsigned int>(n_solved_parts(parameters.load));
   const MemoryLimit limit = memory_limit();
   const bool is_condensed = parameters.mesh.backend != BodyBackend::multigrid;
   const Estimate cost =
@@ -69,7 +69,7 @@ void print_large_model(const Parameters &parameters, const ModelChoice &model, c
 
 void print_model(const Parameters &parameters, const ModelChoice &model)
 {
-  const unsigned int n_steps = n_solved_parts(parameters.load);
+  const auto n_steps = static_cast<unsigned int>(n_solved_parts(parameters.load));
   const MemoryLimit limit = memory_limit();
   const Body body(parameters, model.symmetry);
   std::cout << describe_model(parameters, model, body.unknowns()) << "\n";

@@ -147,9 +147,10 @@ QuasiStaticProblem::Outcome solve(Assignment &task, const RunFolder &folder)
     task.threads.go_on_with(checkpoint->record.threads.number);
   // A search may take minutes: what is wrong with the folder is told before, and an older run in it is no
   // longer there to be resumed.
-  if ((given.mesh.accuracy != 0 || given.load.accuracy != 0) && !task.line.resume)
+  if ((given.mesh.accuracy != 0 || given.load.accuracy != 0) && !checkpoint)
   {
-    keep_parameters(folder, task, given);
+    if (!task.line.resume)
+      keep_parameters(folder, task, given);
     task.threads.choose(unknowns_of_search(task));
   }
   ChosenModel chosen = checkpoint ? ChosenModel{given, chosen_by(*checkpoint, given)}

@@ -14,8 +14,8 @@ ThreadChoice ThreadChooser::decide(const double unknowns) const
     return {of_run_before_, "as in the run before"};
   if (auto given = threads_of_environment())
     return *given;
-  const unsigned int n_cores = usable_cores();
-  return choose_threads(unknowns, n_cores, depends_on_load(unknowns, n_cores) ? load_.busy_cores() : 0);
+  const UsableCores cores = usable_cores();
+  return choose_threads(unknowns, cores, depends_on_load(unknowns, cores) ? load_.busy_cores() : 0);
 }
 
 const ThreadChoice &ThreadChooser::choose(const double unknowns)

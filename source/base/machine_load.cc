@@ -2,12 +2,16 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/base/machine_load.h>
 
+#include <orthocone/base/text.h>
+
+#include <sched.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <fstream>
+#include <sstream>
 #include <string>
 #include <thread>
 
@@ -15,20 +19,32 @@ namespace orthocone
 {
 namespace
 {
-/// Seconds that all cores were busy since the machine was started; negative where nothing is known.
+/// Seconds that the cores of this process' affinity were busy since the machine was started; negative where
+/// nothing is known.
 double busy_seconds()
 {
-  // "cpu user nice system idle iowait irq softirq ...", in ticks
+  cpu_set_t mask;
+  CPU_ZERO(&mask);
+  if (sched_getaffinity(0, sizeof mask, &mask) != 0)
+    return -1;
   std::ifstream file("/proc/stat");
-  std::string word;
-  std::array<double, 7> ticks{};
-  file >> word;
-  for (double &tick : ticks)
-    file >> tick;
-  const auto [user, nice, system, idle, iowait, irq, softirq] = ticks;
-  return file && word == "cpu"
-             ? (user + nice + system + irq + softirq) / static_cast<double>(sysconf(_SC_CLK_TCK))
-             : -1;
+  double all = -1;
+  for (std::string line; std::getline(file, line) && line.compare(0, 3, "cpu") == 0;)
+  {
+    // "cpu3 user nice system idle iowait irq softirq ...", in ticks; the first line is of all cores
+    std::istringstream words(line);
+    std::string name;
+    std::array<double, 7> ticks{};
+    words >> name;
+    for (double &tick : ticks)
+      words >> tick;
+    const auto core = parse_count(name.substr(3));
+    if (!words || !core || *core >= CPU_SETSIZE || !CPU_ISSET(*core, &mask))
+      continue;
+    const auto [user, nice, system, idle, iowait, irq, softirq] = ticks;
+    all = std::max(all, 0.) + user + nice + system + irq + softirq;
+  }
+  return all / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
 double own_seconds()

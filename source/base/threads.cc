@@ -35,30 +35,30 @@ double cores_of_group(const std::string &folder, const bool is_unified)
 
 } // namespace
 
-unsigned int usable_cores()
+UsableCores usable_cores()
 {
-  cpu_set_t cores;
-  CPU_ZERO(&cores);
-  const double allowed = sched_getaffinity(0, sizeof cores, &cores) == 0
-                             ? CPU_COUNT(&cores)
-                             : static_cast<double>(sysconf(_SC_NPROCESSORS_ONLN));
+  cpu_set_t mask;
+  CPU_ZERO(&mask);
+  const auto allowed = static_cast<unsigned int>(std::max(
+      1L, sched_getaffinity(0, sizeof mask, &mask) == 0 ? CPU_COUNT(&mask) : sysconf(_SC_NPROCESSORS_ONLN)));
   const double granted = std::ceil(least_in_control_groups("cpu", cores_of_group));
-  return static_cast<unsigned int>(std::max(1., std::min(allowed, granted)));
+  return {allowed, granted < allowed ? static_cast<unsigned int>(std::max(1., granted)) : allowed};
 }
 
-bool depends_on_load(const double unknowns, const unsigned int n_cores)
+bool depends_on_load(const double unknowns, const UsableCores &cores)
 {
   constexpr double small = 3000; // docs/performance.md, "Threads"
-  return n_cores > 1 && unknowns >= small;
+  return cores.granted > 1 && unknowns >= small;
 }
 
-ThreadChoice choose_threads(const double unknowns, const unsigned int n_cores, const double n_busy)
+ThreadChoice choose_threads(const double unknowns, const UsableCores &cores, const double n_busy)
 {
-  if (!depends_on_load(unknowns, n_cores))
-    return {1, n_cores == 1 ? "there is one core" : "the model is small"};
+  if (!depends_on_load(unknowns, cores))
+    return {1, cores.granted == 1 ? "there is one core" : "the model is small"};
   const auto n_others = static_cast<unsigned int>(std::lround(n_busy));
-  return {n_cores > n_others ? n_cores - n_others : 1,
-          std::to_string(n_cores) + " cores, others busy on " + std::to_string(n_others)};
+  const unsigned int n_free = cores.allowed > n_others ? cores.allowed - n_others : 1;
+  return {std::min(cores.granted, n_free),
+          std::to_string(cores.granted) + " cores, others busy on " + std::to_string(n_others)};
 }
 
 void set_blas_threads(const unsigned int number)

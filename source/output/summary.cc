@@ -103,7 +103,7 @@ std::vector<std::string> all_warnings(const Parameters &parameters, const RunRec
     warnings.push_back("Mesh/Accuracy = " + to_text(record.accuracy->wanted) +
                        " % is not reached on the finest mesh: " + describe(*record.accuracy));
   if (record.steps && !record.steps->estimate.is_reached())
-    warnings.push_back("Load program/Accuracy: 64 parts a step do not reach it: " +
+    warnings.push_back("Load program/Accuracy: 64 parts a step, or 1000000 in all, do not reach it: " +
                        describe(record.steps->estimate));
   return warnings;
 }
@@ -142,7 +142,7 @@ std::string describe_steps(const LoadOptions &load)
 {
   const std::size_t n_steps = load_steps(load).size();
   std::string line = "load steps     " + std::to_string(n_steps);
-  if (const unsigned int n_parts = n_solved_parts(load); n_parts != n_steps)
+  if (const auto n_parts = static_cast<std::size_t>(n_solved_parts(load)); n_parts != n_steps)
     line += " in " + std::to_string(n_parts) + " parts";
   if (load.accuracy != 0)
     line += ", divided by the run for errors of " + to_text(load.accuracy) + " %";

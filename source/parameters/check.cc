@@ -75,7 +75,6 @@ void check_backend(const Parameters &parameters)
 
 void check_load(const LoadOptions &load)
 {
-  constexpr double most_steps = 1e6;
   if (load.preload.empty() && load.legs.empty())
     throw InputError(
         "Load program/Legs is empty and Load program/Preload is empty: allowed is at least one leg, "
@@ -96,7 +95,7 @@ void check_load(const LoadOptions &load)
   };
   add(load.preload, 1);
   add(load.legs, load.cycles);
-  if (n_steps > most_steps)
+  if (n_steps > most_solved_parts)
     throw InputError("Load program: Preload, Legs and Cycles = " + std::to_string(load.cycles) + " make " +
                      to_text(n_steps) + (has_parts ? " parts of load steps" : " load steps") +
                      ": allowed are 1000000");

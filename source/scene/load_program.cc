@@ -68,7 +68,10 @@ LoadStep step_of(const Leg &leg, const Drives &drives, const unsigned int k, con
 void append(const std::vector<Leg> &legs, const unsigned int cycle, Drives &drives,
             std::vector<LoadStep> &steps)
 {
-  unsigned int phase = 0, phase_of_part = 0;
+  unsigned int phase = 0;
+  unsigned int phase_of_part = 0; // behind those of all steps: StartForces tells both apart
+  for (const Leg &leg : legs)
+    phase_of_part += leg.steps;
   for (const Leg &leg : legs)
   {
     for (unsigned int k = 1; k <= leg.steps; ++k)
@@ -155,13 +158,13 @@ std::vector<LoadStep> load_steps(const LoadOptions &load)
   return steps;
 }
 
-unsigned int n_solved_parts(const LoadOptions &load)
+double n_solved_parts(const LoadOptions &load)
 {
-  unsigned int n = 0;
+  double n = 0;
   for (const Leg &leg : load.preload)
-    n += leg.steps * leg.parts;
+    n += static_cast<double>(leg.steps) * leg.parts;
   for (const Leg &leg : load.legs)
-    n += load.cycles * leg.steps * leg.parts;
+    n += static_cast<double>(load.cycles) * leg.steps * leg.parts;
   return n;
 }
 

@@ -7,8 +7,10 @@ import csv
 import json
 import os
 import shutil
+import signal
 import subprocess
 import sys
+import time
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from program import PROGRAM, ROOT, SCENE, RunTest, main  # noqa: E402
@@ -121,8 +123,33 @@ class SweepTest(RunTest):
         self.assertIn("Maximum iterations", failed["status"])
         self.assertIn("1 of 2 runs are not complete", (self.folder / "output/sweep-s/sweep.html").read_text())
 
+    def test_interrupted_studies_go_on(self):
+        words = ["/usr/bin/python3", SWEEP, "s.prm", "--program", PROGRAM, "--jobs", "1", "--vary", "Material/Poisson ratio=0.2,0.3",
+                 "--set", "Load program/Legs=0 0 -0.1 : 400", "--set", "Output/Checkpoint=0"]
+        process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=self.folder,
+                                   start_new_session=True)
+        while not list(self.folder.glob("output/sweep-s/runs/*/checkpoint/state")):
+            time.sleep(0.01)
+        os.killpg(process.pid, signal.SIGINT)  # as a terminal does
+        _, error = process.communicate(timeout=120)
+        self.assertEqual(process.returncode, 130, error)
+        first, second = self.table()
+        self.assertEqual((first["exit"], second["status"]), ("130", "not run"))
+        done = int(json.loads((self.folder / "output/sweep-s" / first["folder"] / "summary.json").read_text())["steps"]["solved"])
+        self.assertGreater(done, 0)
+        subprocess.run(words, check=True, capture_output=True, cwd=self.folder, timeout=600)
+        self.assertEqual([row["steps_solved"] for row in self.table()], ["400", "400"])
+        self.assertIn("resumed after load step", (self.folder / "output/sweep-s" / first["folder"] / "log.txt").read_text())
+
+    def test_a_changed_file_is_another_study(self):
+        self.sweep("--vary", "Mesh/Degree=1,2")
+        (self.folder / "s.prm").write_text(SCENE.replace("-0.1", "-0.2"))
+        error = self.sweep("--vary", "Mesh/Degree=1,2", code=2).stderr
+        self.assertRegex(error, r"^sweep: output/sweep-s: holds a study of \S*s\.prm as it was before it changed; --output DIR .*\n$")
+
     def test_wrong_studies_are_told_in_a_line(self):
-        for words, says in ((("--vary", "mu=1:2:3"), r"mu stands in no --set"), (("--vary", "mu"), r"allowed is NAME=VALUES"),
+        for words, says in ((("--vary", "iterations=1,2"), r"iterations is a column of the table"),
+                            (("--vary", "mu=1:2:3"), r"mu stands in no --set"), (("--vary", "mu"), r"allowed is NAME=VALUES"),
                             (("--vary", "a=1:2:1", "--set", "{a}"), r"FIRST:LAST:NUMBER"),
                             (("--vary", "a=1,,2", "--set", "{a}"), r"words separated by commas"),
                             (("--vary", "a=1,1", "--set", "{a}"), r"each of them once"),

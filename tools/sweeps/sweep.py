@@ -3,6 +3,7 @@
 # Copyright (C) 2026 the orthocone authors
 """A parameter study: see tools/sweep."""
 import argparse
+import hashlib
 import itertools
 import json
 import os
@@ -63,9 +64,23 @@ def settings_of(point, templates):
     return settings + [f"{name}={value}" for name, value in point.items() if "/" in name]
 
 
+def texts_of(path, seen=()):
+    """The bytes of a parameter file, and of all that it includes or names."""
+    content = path.read_bytes()
+    texts = [content]
+    for line in content.decode("utf-8", "replace").splitlines():
+        match = re.match(r"\s*(?:include\s+|set\s+Gap file\s*=\s*)(\S.*?)\s*(?:#.*)?$", line)
+        other = path.parent / match[1] if match else None
+        if other and other.is_file() and other.resolve() not in seen:
+            texts += texts_of(other, (*seen, path.resolve()))
+    return texts
+
+
 def check_use(grid, templates):
-    """Every name must stand somewhere, and every brace must be of a name."""
+    """Every name must stand somewhere, every brace must be of a name, and no name may be one of a column."""
     for name, _ in grid:
+        if name in sweep_runs.OWN_COLUMNS:
+            raise WrongInput(f"--vary: {name} is a column of the table: allowed is another name")
         if "/" not in name and not any("{" + name + "}" in text for text in templates):
             raise WrongInput(f"--vary: {name} stands in no --set: allowed is a name that stands there as {{{name}}}, or an "
                              "entry such as 'Material/Poisson ratio'")
@@ -103,8 +118,10 @@ def require_same_study(folder, study):
     if path.exists():
         earlier = json.loads(path.read_text(encoding="utf-8"))
         if earlier != study:
-            raise WrongInput(f"{folder}: holds a study of other runs ({earlier['file']}, {'; '.join(earlier['set']) or 'no --set'}"
-                             "); --output DIR takes another folder")
+            same = earlier | {"checksum": study["checksum"]} == study
+            what = f"of {study['file']} as it was before it changed" if same else \
+                f"of other runs ({earlier['file']}, {'; '.join(earlier['set']) or 'no --set'})"
+            raise WrongInput(f"{folder}: holds a study {what}; --output DIR takes another folder")
     elif folder.exists() and any(folder.iterdir()):
         raise WrongInput(f"{folder}: is not empty, and holds no study; --output DIR takes another folder")
     folder.mkdir(parents=True, exist_ok=True)
@@ -127,7 +144,8 @@ def run_study(options):
     output = options.output or pathlib.Path("output") / f"sweep-{options.file.stem}"
     fixed = [] if options.fields else ["Output/Contact fields=0", "Output/Volume fields=0"]
     require_same_study(output, {"file": str(options.file.resolve()), "set": options.set, "names": names,
-                                "fields": options.fields})
+                                "fields": options.fields,
+                                "checksum": hashlib.sha256(b"\0".join(texts_of(options.file))).hexdigest()})
     runs = [sweep_runs.Run(point, output / "runs" / name, [*fixed, *settings_of(point, options.set)])
             for point, name in zip(points, folders)]
     sweep_runs.run_all(runs, options)
@@ -135,6 +153,8 @@ def run_study(options):
     sweep_page.write_page(output / "sweep.html", options.file, options.set, grid, rows)
     failed = [run for run in runs if run.exit != 0]
     print(f"{len(runs)} points, {len(failed)} of them not complete; {output / 'sweep.csv'}, {output / 'sweep.html'}")
+    if options.is_interrupted:
+        return 130
     return 3 if failed else 0
 
 

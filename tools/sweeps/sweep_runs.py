@@ -5,6 +5,7 @@ import csv
 import json
 import os
 import queue
+import signal
 import subprocess
 import sys
 import threading
@@ -23,6 +24,7 @@ COLUMNS = [
     ("largest_residual", "", ("contact_solver", "largest_residual")),
     ("seconds", "s", ("seconds", "total")),
 ]
+OWN_COLUMNS = {"exit", "status", "cpu_seconds", "folder"} | {name for name, _, _ in COLUMNS}
 UNITS = {name: unit for name, unit, _ in COLUMNS}
 
 
@@ -68,21 +70,25 @@ class Worker:
             return None  # it was killed
 
     def end(self):
-        self.process.stdin.close()
+        try:
+            self.process.stdin.close()
+        except OSError:
+            pass  # it was killed
         self.process.wait()
 
 
 def work_off(todo, options, done):
     worker = Worker(options.program)
-    while True:
+    while not options.is_interrupted:
         try:
             run = todo.get_nowait()
         except queue.Empty:
             break
         answer = worker.answer(run.words(options.file, options.anew))
         if answer is None:
-            worker = Worker(options.program)
+            worker.end()
             answer = {"exit": 137, "message": "the worker was killed", "cpu_seconds": None}
+            worker = Worker(options.program)
         run.exit, run.message, run.cpu_seconds = answer["exit"], answer["message"].strip(), answer["cpu_seconds"]
         done(run)
     worker.end()
@@ -109,10 +115,17 @@ def run_all(runs, options):
                   file=sys.stdout if run.exit == 0 else sys.stderr)
 
     threads = [threading.Thread(target=work_off, args=(todo, options, done)) for _ in range(min(options.jobs, n_all))]
+    def stop(*_):
+        """The runs get the signal, too: each finishes its step, and the study can go on from there."""
+        options.is_interrupted = True
+
+    options.is_interrupted = False
+    before = signal.signal(signal.SIGINT, stop)
     for thread in threads:
         thread.start()
     for thread in threads:
         thread.join()
+    signal.signal(signal.SIGINT, before)
 
 
 def value_at(summary, path):
@@ -126,7 +139,7 @@ def write_table(runs, path):
     rows = []
     for run in runs:
         summary = run.summary() if run.exit in (0, 3) else {}
-        row = {**run.point, "exit": run.exit, "status": summary.get("status", run.message)}
+        row = {**run.point, "exit": run.exit, "status": summary.get("status", run.message or "not run")}
         row |= {name: value_at(summary, where) for name, _, where in COLUMNS}
         rows.append(row | {"cpu_seconds": run.cpu_seconds, "folder": f"runs/{run.folder.name}"})
     temporary = path.with_suffix(".part")

@@ -12,9 +12,16 @@ namespace orthocone
 /// The program up to the end of the first cycle.
 LoadOptions first_cycle(LoadOptions load);
 
-/// The quantities of `load` in a scene, by a solver of it, up to the end of the first cycle. Throws
-/// std::runtime_error if a step is not solved; `entry` asked for the march.
-Quantities march_first_cycle(const Scene &scene, const LoadOptions &load, StepSolver &solver,
+/// What a march through it tells.
+struct FirstCycle
+{
+  Quantities quantities{};
+  double motion = 0; ///< largest of the top along z, whatever drives it, mm
+};
+
+/// The first cycle of `load` in a scene, by a solver of it. Throws std::runtime_error if a step is not
+/// solved; `entry` asked for the march.
+FirstCycle march_first_cycle(const Scene &scene, const LoadOptions &load, StepSolver &solver,
                              const char *entry);
 
 /// Area of the contact surface of the model, mm^2.

@@ -6,8 +6,9 @@
 
 namespace orthocone
 {
-/// Measures, from its construction on, how many cores of the machine others keep busy: by the times of idling
-/// that the kernel counts, because its number of running tasks has phantoms on virtual machines.
+/// Measures, from its construction on, how many cores of those that this process may use others keep busy: by
+/// the times of idling that the kernel counts, because its number of running tasks has phantoms on virtual
+/// machines.
 class MachineLoad
 {
 public:
@@ -20,7 +21,7 @@ public:
 private:
   using Clock = std::chrono::steady_clock;
   Clock::time_point start_;
-  double busy_;   ///< of all cores since the machine was started, s; negative where nothing is known
+  double busy_;   ///< of these cores since the machine was started, s; negative where nothing is known
   double by_own_; ///< of this process, s
 };
 } // namespace orthocone

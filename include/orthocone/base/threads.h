@@ -14,17 +14,22 @@ struct ThreadChoice
   std::string reason{};
 };
 
-/// Cores that this process may use: of its affinity, and of what its control group allows.
-unsigned int usable_cores();
+/// Cores that this process may use.
+struct UsableCores
+{
+  unsigned int allowed = 1; ///< by its affinity
+  unsigned int granted = 1; ///< of these, as many at a time as its control group grants
+};
+UsableCores usable_cores();
 
 /// One thread for each of the cores that nobody else is busy on: threads of BLAS wait for each other at work,
 /// and those that have to share a core make a factorization several times as long. One where the model is so
-/// small that a second thread gains nothing. `unknowns`: of the model; `n_busy`: cores that others are busy
-/// on, on average.
-ThreadChoice choose_threads(double unknowns, unsigned int n_cores, double n_busy);
+/// small that a second thread gains nothing. `unknowns`: of the model; `n_busy`: cores allowed that others
+/// are busy on, on average.
+ThreadChoice choose_threads(double unknowns, const UsableCores &cores, double n_busy);
 
 /// Whether choose_threads() needs to know of others.
-bool depends_on_load(double unknowns, unsigned int n_cores);
+bool depends_on_load(double unknowns, const UsableCores &cores);
 
 /// The number of threads that OpenBLAS computes with: of cores, or what the environment says, until it is
 /// told otherwise. One with another BLAS.

@@ -196,6 +196,9 @@ inline Leg move_to(const double ux, const double uy, const double uz, const unsi
   return {{{Drive{false, ux}, Drive{false, uy}, Drive{false, uz}}}, steps};
 }
 
+/// Most steps of a load program, each with all its parts.
+constexpr double most_solved_parts = 1e6;
+
 /// Section Load program: the preload once, then the legs `cycles` times.
 struct LoadOptions
 {

@@ -63,7 +63,7 @@ struct LoadStep
 std::vector<LoadStep> load_steps(const LoadOptions &load);
 
 /// How many problems these steps are: a step in parts is as many as these.
-unsigned int n_solved_parts(const LoadOptions &load);
+double n_solved_parts(const LoadOptions &load);
 
 /// Largest |u| over the corners of the program in a direction (0: x, 1: y, 2: z), where motions drive it.
 double largest_motion(const LoadOptions &load, unsigned int direction);

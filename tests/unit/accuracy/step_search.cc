@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/accuracy/first_cycle.h>
 #include <orthocone/accuracy/step_search.h>
+#include <orthocone/parameters/parameters.h>
 
 #include <gtest/gtest.h>
 
@@ -19,7 +20,7 @@ Parameters turning()
   parameters.mesh.layers = 2;
   parameters.mesh.degree = 1;
   parameters.friction.mu = {{0.3, 0.15}};
-  parameters.friction.slip_potential = {{0.15, 0.3}};
+  parameters.friction.slip_potential = std::array<double, 2>{{0.15, 0.3}};
   parameters.load.legs = {move_to(0, 0, -0.1, 2), move_to(0.02, 0, -0.08, 2), move_to(0, 0.01, -0.05, 2)};
   return parameters;
 }
@@ -27,7 +28,7 @@ Parameters turning()
 Quantities marched(const Scene &scene, const LoadOptions &load)
 {
   StepSolver solver(scene);
-  return march_first_cycle(scene, load, solver, "test");
+  return march_first_cycle(scene, load, solver, "test").quantities;
 }
 
 void ignore(const std::string &) {}
@@ -72,6 +73,32 @@ TEST(StepSearch, DividesUntilTheTrueErrorsAreAsSmallAsWanted)
       EXPECT_LT(divided.accuracy.solver[i], 0.01) << quantity_names[i];
     }
   }
+}
+
+/// Nothing dissipates: the area of the loop is the solver's rounding, whatever the steps. Forces drive the
+/// top.
+TEST(StepSearch, DoesNotChaseALoopThatIsNone)
+{
+  Parameters parameters = turning();
+  parameters.friction.mu = {{0, 0}};
+  parameters.friction.slip_potential.reset();
+  parameters.load.legs = {Leg(), Leg()};
+  parameters.load.legs[0].targets[2] = Drive{true, -1e5};
+  parameters.load.legs[1].targets[2] = Drive{true, -1e4};
+  const DividedSteps divided = find_steps(parameters, choose_model(parameters), 1, ignore);
+  EXPECT_TRUE(divided.accuracy.estimate.is_reached());
+}
+
+/// A parameter file could not have more.
+TEST(StepSearch, KeepsWithinTheStepsOfAProgram)
+{
+  Parameters parameters = turning();
+  parameters.load.cycles = 50000; // of 6 steps
+  const DividedSteps divided = find_steps(parameters, choose_model(parameters), 0.1, ignore);
+  EXPECT_FALSE(divided.accuracy.estimate.is_reached());
+  EXPECT_LE(n_solved_parts(divided.load), most_solved_parts);
+  parameters.load = divided.load;
+  EXPECT_NO_THROW(check_parameters(parameters));
 }
 
 TEST(StepSearch, SaysSoWhereItDoesNotReachWhatIsWanted)

@@ -23,34 +23,46 @@ constexpr double large = 1e5; // unknowns
 
 TEST(Threads, LeaveCoresToOthers)
 {
-  EXPECT_EQ(choose_threads(large, 8, 0).number, 8u);
-  EXPECT_EQ(choose_threads(large, 8, 0.3).number, 8u) << "a task now and then";
-  EXPECT_EQ(choose_threads(large, 8, 3.1).number, 5u);
-  EXPECT_EQ(choose_threads(large, 2, 1.6).number, 1u);
-  EXPECT_EQ(choose_threads(large, 2, 4).number, 1u) << "as many as there are cores, and more";
-  EXPECT_EQ(choose_threads(large, 2, 4).reason, "2 cores, others busy on 4");
+  const UsableCores eight{8, 8}, two{2, 2};
+  EXPECT_EQ(choose_threads(large, eight, 0).number, 8u);
+  EXPECT_EQ(choose_threads(large, eight, 0.3).number, 8u) << "a task now and then";
+  EXPECT_EQ(choose_threads(large, eight, 3.1).number, 5u);
+  EXPECT_EQ(choose_threads(large, two, 1.6).number, 1u);
+  EXPECT_EQ(choose_threads(large, two, 4).number, 1u) << "as many as there are cores, and more";
+  EXPECT_EQ(choose_threads(large, two, 4).reason, "2 cores, others busy on 4");
+}
+
+/// Of a container on a large machine: others have their own cores.
+TEST(Threads, AreNoMoreThanAControlGroupGrants)
+{
+  EXPECT_EQ(choose_threads(large, {64, 4}, 20).number, 4u);
+  EXPECT_EQ(choose_threads(large, {64, 4}, 62).number, 2u);
+  EXPECT_EQ(choose_threads(large, {64, 4}, 80).number, 1u);
 }
 
 TEST(Threads, AreOneForASmallModelOrOneCore)
 {
-  EXPECT_EQ(choose_threads(1000, 8, 0).number, 1u);
-  EXPECT_FALSE(depends_on_load(1000, 8));
-  EXPECT_EQ(choose_threads(large, 1, 0).number, 1u);
-  EXPECT_FALSE(depends_on_load(large, 1));
-  EXPECT_TRUE(depends_on_load(large, 2));
+  EXPECT_EQ(choose_threads(1000, {8, 8}, 0).number, 1u);
+  EXPECT_FALSE(depends_on_load(1000, {8, 8}));
+  EXPECT_EQ(choose_threads(large, {1, 1}, 0).number, 1u);
+  EXPECT_FALSE(depends_on_load(large, {8, 1}));
+  EXPECT_TRUE(depends_on_load(large, {2, 2}));
 }
 
 TEST(Threads, AreNoMoreThanTheCoresOfTheProcess)
 {
   cpu_set_t before, one;
   ASSERT_EQ(sched_getaffinity(0, sizeof before, &before), 0);
-  EXPECT_LE(usable_cores(), static_cast<unsigned int>(CPU_COUNT(&before)));
+  const UsableCores all = usable_cores();
+  EXPECT_EQ(all.allowed, static_cast<unsigned int>(CPU_COUNT(&before)));
+  EXPECT_LE(all.granted, all.allowed);
   CPU_ZERO(&one);
   for (int core = 0; core < CPU_SETSIZE && CPU_COUNT(&one) == 0; ++core)
     if (CPU_ISSET(core, &before))
       CPU_SET(core, &one);
   ASSERT_EQ(sched_setaffinity(0, sizeof one, &one), 0);
-  EXPECT_EQ(usable_cores(), 1u);
+  EXPECT_EQ(usable_cores().allowed, 1u);
+  EXPECT_EQ(usable_cores().granted, 1u);
   ASSERT_EQ(sched_setaffinity(0, sizeof before, &before), 0);
 }
 

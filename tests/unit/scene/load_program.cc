@@ -7,6 +7,7 @@
 #include <gtest/gtest.h>
 
 #include <functional>
+#include <set>
 
 namespace orthocone::test
 {
@@ -80,6 +81,24 @@ TEST(LoadProgram, HasThePartsThatSmallerStepsWouldBe)
     EXPECT_EQ(parts[i].cycle, steps[i].cycle) << i;
     EXPECT_EQ(parts[i].from_present, steps[i].from_present) << i;
   }
+}
+
+/// Forces to start from are remembered by the phase.
+TEST(LoadProgram, TellsPartsFromStepsByTheirPhases)
+{
+  LoadOptions load;
+  load.legs = {move_to(0, 0, -0.1, 5), move_to(0.02, 0, -0.05, 10), move_to(0, 0, 0, 30)};
+  load.legs[1].parts = 4;
+  std::set<unsigned int> phases;
+  unsigned int n = 0;
+  for (const LoadStep &step : load_steps(load))
+    for (const LoadStep &solved : step.parts.empty() ? std::vector<LoadStep>{step} : step.parts)
+    {
+      phases.insert(solved.phase);
+      ++n;
+    }
+  EXPECT_EQ(n, 75u);
+  EXPECT_EQ(phases.size(), n);
 }
 
 TEST(LoadProgram, WritesPositionsAsUsersWould)
