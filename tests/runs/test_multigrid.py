@@ -27,6 +27,11 @@ SCENES = {
     "one level": ("paper/case_b.prm", [*ISOTROPIC, *ONE_CYCLE, "Mesh/Degree=1"]),
     "turned axes, full model": ("paper/case_c.prm", [*ISOTROPIC, *ONE_CYCLE, "Friction/Orthotropy angle=30",
                                                      "Mesh/Refinements=1"]),
+    "slip axes that differ 100-fold": ("paper/case_b.prm", [*ISOTROPIC, "Load program/Legs=0 0 -0.1 : 2 ; 0 0 -0.05 : 2",
+                                                            "Load program/Cycles=1", "Mesh/Refinements=1",
+                                                            "Friction/Slip potential=0.01, 1"]),
+    "slip axes that differ 100-fold the other way": ("paper/case_b.prm", [*ISOTROPIC, *ONE_CYCLE, "Mesh/Refinements=1",
+                                                                          "Friction/Slip potential=1, 0.01"]),
     "guided": ("paper/case_b.prm", [*ISOTROPIC, *ONE_CYCLE, "Geometry/Top face=guided", "Mesh/Refinements=1"]),
     "polar friction": ("verification/polar_friction.prm", [*ISOTROPIC, *ONE_CYCLE, "Mesh/Model=quarter",
                                                            "Mesh/Refinements=1"]),
@@ -107,8 +112,9 @@ class ResumedTest(ResumeTest):
 
 class UnsolvedTest(RunTest):
     def test_what_is_named_as_a_remedy_is_there(self):
-        """Slip axes that differ 100-fold are too much for Newton's method alone."""
-        settings = [*ISOTROPIC, *ONE_CYCLE, "Mesh/Refinements=1", "Friction/Slip potential=0.01, 1"]
+        """Slip axes that differ 10000-fold are too much for continuation, too."""
+        settings = [*ISOTROPIC, "Load program/Legs=0 0 -0.1 : 1", "Load program/Cycles=1", "Mesh/Refinements=1",
+                    "Friction/Slip potential=0.0001, 1"]
         result = self.run_program("multigrid", settings=[*settings, "Mesh/Backend=multigrid"])
         self.assertEqual(result.returncode, 3)
         self.assertIn("Mesh/Backend = condensed", result.stderr)

@@ -203,7 +203,7 @@ SolverReport SemismoothNewton::solve(const ContactStep &step, VectorXd &unknowns
 std::unique_ptr<ContactSolver> make_newton(const ContactSystem &system, const ContactSolverOptions &options)
 {
   return system.compliance().dense() != nullptr ? make<SemismoothNewton>(system, options)
-                                                : make_inexact_newton(system, options);
+                                                : make_continuation(system, options);
 }
 } // namespace
 

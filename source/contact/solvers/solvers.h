@@ -84,9 +84,12 @@ std::unique_ptr<ContactSolver> make(const ContactSystem &system, const ContactSo
   return std::make_unique<Solver>(system, options);
 }
 
-/// The method `newton` where the backend has no dense compliance.
+/// Newton's method where the backend has no dense compliance, and the method `newton` there, which follows
+/// the solution from the associated slip rule where that fails.
 std::unique_ptr<ContactSolver> make_inexact_newton(const ContactSystem &system,
                                                    const ContactSolverOptions &options);
+std::unique_ptr<ContactSolver> make_continuation(const ContactSystem &system,
+                                                 const ContactSolverOptions &options);
 
 // Each in the file of its solver.
 ContactMethod newton_method();

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "solvers.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+
+namespace orthocone
+{
+using Eigen::VectorXd;
+
+namespace
+{
+/// A law on the way from the associated one (t = 0), whose natural map is that of a cone alone, to the given
+/// one (t = 1): the logarithms of the semi-axes of the slip ellipse go straight.
+OrthotropicFriction on_the_way(OrthotropicFriction law, const double t)
+{
+  if (is_frictionless(law))
+    return law;
+  const double ratio = std::pow(law.p_x / law.p_y, t) * std::pow(law.mu_x / law.mu_y, 1 - t);
+  law.p_x = law.mu_x;
+  law.p_y = law.p_x / ratio;
+  return law;
+}
+
+bool is_associated(const ContactSystem &system)
+{
+  constexpr double rounding = 1e-12;
+  for (Eigen::Index node = 0; node < system.n_nodes(); ++node)
+  {
+    const OrthotropicFriction &law = system.given_law(node);
+    if (!is_frictionless(law) && std::abs(law.p_x * law.mu_y / (law.p_y * law.mu_x) - 1) > rounding)
+      return false;
+  }
+  return true;
+}
+
+ContactSystem system_on_the_way(const ContactSystem &system, const double t)
+{
+  std::vector<OrthotropicFriction> laws;
+  for (Eigen::Index node = 0; node < system.n_nodes(); ++node)
+    laws.push_back(on_the_way(system.given_law(node), t));
+  return {system.compliance(), std::move(laws)};
+}
+
+/// Newton's method, and where it does not settle on a slip rule far from the associated one, the same on slip
+/// rules between both, each from the solution of the one before: there is nothing that sweeps here.
+class Continuation : public ContactSolver
+{
+public:
+  Continuation(const ContactSystem &system, const ContactSolverOptions &options)
+      : options_(options),
+        newton_(make_inexact_newton(system, options)),
+        is_associated_(is_associated(system))
+  {
+  }
+
+  SolverReport solve(const ContactStep &step, VectorXd &unknowns) const override;
+
+private:
+  /// The unknowns on the way, and what it took.
+  struct Walk
+  {
+    VectorXd unknowns;
+    unsigned int iterations = 0;
+  };
+
+  std::optional<SolverReport> follow(const ContactStep &step, Walk &walk) const;
+  SolverReport solve_at(const ContactStep &step, double t, Walk &walk) const;
+
+  ContactSolverOptions options_;
+  std::unique_ptr<ContactSolver> newton_;
+  bool is_associated_;
+};
+
+SolverReport Continuation::solve_at(const ContactStep &step, const double t, Walk &walk) const
+{
+  // Where slip is far from associated, a solution to 1e-5 is nowhere near. Short ways take few iterations.
+  constexpr double accurate = 1e-9;
+  constexpr unsigned int most_iterations = 20;
+  ContactSolverOptions options = options_;
+  options.maximum_iterations = std::min(options.maximum_iterations, most_iterations);
+  if (t < 1)
+    options.tolerance = std::max(options.tolerance, accurate);
+  const ContactSystem system = system_on_the_way(step.system(), t);
+  const ContactStep here = t < 1 ? ContactStep(system, step.q(), step.face()) : step;
+  VectorXd unknowns = walk.unknowns;
+  SolverReport report = make_inexact_newton(here.system(), options)->solve(here, unknowns);
+  walk.iterations += report.iterations;
+  if (report.converged)
+    walk.unknowns = std::move(unknowns);
+  return report;
+}
+
+/// The way in steps that are as long as they may be; nothing where even short ones fail.
+std::optional<SolverReport> Continuation::follow(const ContactStep &step, Walk &walk) const
+{
+  constexpr double first = 0.25, least = 1. / 256;
+  if (!solve_at(step, 0, walk).converged)
+    return std::nullopt;
+  for (double t = 0, length = first; length >= least;)
+  {
+    const double next = std::min(1., t + length);
+    SolverReport report = solve_at(step, next, walk);
+    if (report.converged && next == 1)
+      return report;
+    t = report.converged ? next : t;
+    length *= report.converged ? 1.2 : 0.5;
+  }
+  return std::nullopt;
+}
+
+SolverReport Continuation::solve(const ContactStep &step, VectorXd &unknowns) const
+{
+  Walk walk{unknowns};
+  SolverReport report = newton_->solve(step, unknowns);
+  const bool may_help = report.verdict == Verdict::cycling || report.verdict == Verdict::slow ||
+                        report.verdict == Verdict::diverged;
+  if (report.converged || is_associated_ || !may_help)
+    return report;
+  const unsigned int iterations = report.iterations;
+  if (auto followed = follow(step, walk))
+  {
+    report = std::move(*followed);
+    unknowns = std::move(walk.unknowns);
+  }
+  report.iterations = iterations + walk.iterations;
+  return report;
+}
+} // namespace
+
+std::unique_ptr<ContactSolver> make_continuation(const ContactSystem &system,
+                                                 const ContactSolverOptions &options)
+{
+  return make<Continuation>(system, options);
+}
+} // namespace orthocone
