@@ -8,6 +8,7 @@
 #include <nlohmann/json.hpp>
 
 #include <fcntl.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -16,9 +17,8 @@
 #include <cerrno>
 #include <csignal>
 #include <cstring>
-#include <istream>
+#include <iostream>
 #include <optional>
-#include <ostream>
 
 namespace orthocone
 {
@@ -50,7 +50,7 @@ double seconds(const timeval &time)
 
 Json answer(const int code, const std::string &message)
 {
-  return {{"exit", code}, {"cpu_seconds", 0}, {"seconds", 0}, {"message", message}};
+  return {{"exit", code}, {"cpu_seconds", 0}, {"seconds", 0}, {"message", message}, {"output", ""}};
 }
 
 std::optional<std::vector<std::string>> words_of(const std::string &line)
@@ -68,57 +68,67 @@ std::optional<std::vector<std::string>> words_of(const std::string &line)
   return words;
 }
 
-/// Of the child: its error output goes to `errors`, nothing else anywhere.
-[[noreturn]] void run_as_child(const std::vector<std::string> &words, const int errors, const Runner &run)
+/// A file without a name, in memory, that a child writes and its parent reads.
+class Scratch
 {
-  const int nothing = ::open("/dev/null", O_RDWR);
-  ::dup2(nothing, STDIN_FILENO);
-  ::dup2(nothing, STDOUT_FILENO);
+public:
+  Scratch()
+      : file_(::memfd_create("orthocone", MFD_CLOEXEC))
+  {
+  }
+  ~Scratch() { ::close(file_); }
+  Scratch(const Scratch &) = delete;
+  Scratch &operator=(const Scratch &) = delete;
+
+  int file() const { return file_; }
+
+  /// All that was written, as far as anybody wants to read it.
+  std::string text() const
+  {
+    constexpr std::size_t most = 1000000;
+    std::string text;
+    std::array<char, 4096> buffer{};
+    ::lseek(file_, 0, SEEK_SET);
+    for (ssize_t n = 0; text.size() < most && (n = ::read(file_, buffer.data(), buffer.size())) > 0;)
+      text.append(buffer.data(), static_cast<std::size_t>(n));
+    return text;
+  }
+
+private:
+  int file_;
+};
+
+[[noreturn]] void run_as_child(const std::vector<std::string> &words, const int output, const int errors,
+                               const Runner &run)
+{
+  ::dup2(::open("/dev/null", O_RDONLY), STDIN_FILENO);
+  ::dup2(output, STDOUT_FILENO);
   ::dup2(errors, STDERR_FILENO);
   std::signal(SIGINT, SIG_DFL);
-  ::_exit(run(words));
-}
-
-/// All that is written to a pipe, as far as anybody wants to read it.
-std::string text_of(const int pipe)
-{
-  constexpr std::size_t most = 100000;
-  std::string text;
-  std::array<char, 4096> buffer{};
-  for (ssize_t n = 0; (n = ::read(pipe, buffer.data(), buffer.size())) != 0;)
-    if (n > 0 && text.size() < most)
-      text.append(buffer.data(), static_cast<std::size_t>(n));
-    else if (n < 0 && errno != EINTR)
-      break;
-  return text;
+  const int code = run(words);
+  std::cout.flush();
+  ::_exit(code);
 }
 
 Json run_line(const std::vector<std::string> &words, const Runner &run)
 {
   constexpr int signal_base = 128; // as shells do
   const Stopwatch watch;
-  std::array<int, 2> pipe{};
-  if (::pipe(pipe.data()) != 0)
-    return answer(static_cast<int>(ExitCode::file_error), std::strerror(errno));
-  const pid_t child = ::fork();
+  const Scratch output, errors;
+  const pid_t child = output.file() < 0 || errors.file() < 0 ? -1 : ::fork();
   if (child == 0)
-  {
-    ::close(pipe[0]);
-    run_as_child(words, pipe[1], run);
-  }
-  ::close(pipe[1]);
-  const std::string message = child > 0 ? text_of(pipe[0]) : std::strerror(errno);
-  ::close(pipe[0]);
+    run_as_child(words, output.file(), errors.file(), run);
   if (child < 0)
-    return answer(static_cast<int>(ExitCode::unsolved_step), message);
+    return answer(static_cast<int>(ExitCode::unsolved_step), std::strerror(errno));
   int status = 0;
   rusage usage{};
   while (::wait4(child, &status, 0, &usage) < 0 && errno == EINTR)
   {
   }
-  Json json = answer(WIFEXITED(status) ? WEXITSTATUS(status) : signal_base + WTERMSIG(status), message);
+  Json json = answer(WIFEXITED(status) ? WEXITSTATUS(status) : signal_base + WTERMSIG(status), errors.text());
   json["cpu_seconds"] = seconds(usage.ru_utime) + seconds(usage.ru_stime);
   json["seconds"] = watch.seconds();
+  json["output"] = output.text();
   return json;
 }
 } // namespace

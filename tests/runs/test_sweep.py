@@ -40,9 +40,10 @@ class BatchTest(RunTest):
             self.assert_same_files("alone", folder, ["history.csv", "checks.csv", "parameters.prm"])
 
     def test_every_line_gets_an_answer(self):
-        answers = self.answers(["none.prm"], "not JSON\n", ["s.prm", 3], "{}\n", ["s.prm", "--set", "Mesh/Degree=9"], [],
+        version, *answers = self.answers(["--version"], ["none.prm"], "not JSON\n", ["s.prm", 3], "{}\n", ["s.prm", "--set", "Mesh/Degree=9"], [],
                                ["s.prm", "--quiet", "--set", "Contact solver/Maximum iterations=1"], ["s.prm"])
         self.assertEqual([answer["exit"] for answer in answers], [4, 2, 2, 2, 2, 2, 3, 0])
+        self.assertRegex(version["output"], r"^orthocone \S+")
         self.assertIn("none.prm: cannot be read", answers[0]["message"])
         self.assertIn("allowed is a JSON array of words", answers[1]["message"])
         self.assertIn("Mesh/Degree = 9: allowed is", answers[4]["message"])
