@@ -130,10 +130,13 @@ def processor():
 def measure(options):
     """Everything that one call of tools/benchmark measures."""
     load = os.getloadavg()[0]
+    n_cores = len(os.sched_getaffinity(0))
+    threads = os.environ.get("OPENBLAS_NUM_THREADS", "as many as cores")
+    os.environ.setdefault("OPENBLAS_NUM_THREADS", str(n_cores))  # the program would choose by the load, once a run
     programs = program_runs(options.program, options.sizes, options.runs)
     print("benchmark: kernels", flush=True)
     kernels = kernel_times(options.kernels, options.sizes, options.runs, options.least_seconds)
     versions = subprocess.run([str(options.program), "--version"], capture_output=True, text=True, check=True).stdout
     return {"versions": dict(line.split(" ", 1) for line in versions.splitlines()), "processor": processor(),
-            "cores": len(os.sched_getaffinity(0)), "load_average_before": load,
-            "blas_threads": os.environ.get("OPENBLAS_NUM_THREADS", "as many as cores"), "runs": options.runs, "programs": programs, "kernels": kernels}
+            "cores": n_cores, "load_average_before": load,
+            "blas_threads": threads, "runs": options.runs, "programs": programs, "kernels": kernels}
