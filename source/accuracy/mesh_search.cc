@@ -21,10 +21,17 @@ std::string line_of(const unsigned int level, const Scene &scene, const std::str
          std::to_string(scene.surface().nodes.size()) + " contact nodes: " + quantities;
 }
 
+/// Whether the mesh has reached its share.
+bool is_fine_enough(AccuracyEstimate accuracy, const double most_taken)
+{
+  for (double &taken : accuracy.taken)
+    taken = std::min(taken, most_taken);
+  return accuracy.is_reached();
+}
 } // namespace
 
 ChosenModel find_mesh(const Parameters &parameters, const ModelChoice &choice, const Teller &tell,
-                      const double gigabytes, const Quantities &taken)
+                      const double gigabytes, const Quantities &taken, const double most_taken)
 {
   constexpr std::size_t least_levels = 3;
   const Stopwatch watch;
@@ -51,7 +58,7 @@ ChosenModel find_mesh(const Parameters &parameters, const ModelChoice &choice, c
     accuracy.values = levels.back();
     accuracy.errors = estimated_errors(levels, contact_area(*found.scene), cycle.motion);
     tell(line_of(level, *found.scene, describe_quantities(accuracy)));
-    if (levels.size() >= least_levels && accuracy.is_reached())
+    if (levels.size() >= least_levels && is_fine_enough(accuracy, most_taken))
       break;
   }
   found.accuracy = accuracy;
@@ -62,12 +69,25 @@ ChosenModel find_mesh(const Parameters &parameters, const ModelChoice &choice, c
 
 namespace
 {
-/// The mesh that the parameters ask for.
-ChosenModel choose_mesh(const Parameters &parameters, const ModelChoice &choice, const Teller &tell,
-                        const Quantities &taken)
+constexpr double share_of_steps = 0.3; ///< of the larger accuracy
+
+/// What of an error of the steps is more than the larger accuracy leaves beside that of the mesh.
+double beyond(const double error, const double larger, const double of_mesh)
 {
-  if (parameters.mesh.accuracy != 0)
-    return find_mesh(parameters, choice, tell, memory_limit().gigabytes, taken);
+  return std::max(0., error - (larger - of_mesh));
+}
+
+/// The mesh that the parameters ask for. `steps`: errors of the steps, percent; `larger`: of both accuracies.
+ChosenModel choose_mesh(const Parameters &parameters, const ModelChoice &choice, const Teller &tell,
+                        const Quantities &steps, const double larger)
+{
+  const double wanted = parameters.mesh.accuracy;
+  Quantities taken{};
+  for (unsigned int i = 0; i < n_quantities; ++i)
+    taken[i] = beyond(steps[i], larger, wanted);
+  if (wanted != 0)
+    return find_mesh(parameters, choice, tell, memory_limit().gigabytes, taken,
+                     beyond(share_of_steps * larger, larger, wanted));
   ChosenModel chosen{parameters, parameters};
   MeshOptions &mesh = chosen.parameters.mesh;
   mesh = resolved_mesh(parameters.geometry, parameters.mesh, choice.symmetry.is_axisymmetric());
@@ -77,24 +97,12 @@ ChosenModel choose_mesh(const Parameters &parameters, const ModelChoice &choice,
     tell(backend.reason);
   return chosen;
 }
-
-constexpr double share_of_steps = 0.3; ///< of the larger accuracy
-
-/// What steps that err by `errors` leave less than the mesh may err by anyway, where both together may err by
-/// the larger of both accuracies. No finer mesh makes up for steps that take more than their share.
-Quantities taken_by_steps(const Quantities &errors, const double larger, const double of_mesh)
-{
-  Quantities taken{};
-  for (unsigned int i = 0; i < n_quantities; ++i)
-    taken[i] = std::max(0., std::min(errors[i], share_of_steps * larger) - (larger - of_mesh));
-  return taken;
-}
 } // namespace
 
 ChosenModel choose_mesh_and_steps(const Parameters &given, const ModelChoice &choice, const Teller &tell)
 {
   if (given.load.accuracy == 0)
-    return choose_mesh(given, choice, tell, {});
+    return choose_mesh(given, choice, tell, {}, given.mesh.accuracy);
   const Stopwatch watch;
   const double of_mesh = given.mesh.accuracy, of_steps = given.load.accuracy;
   const double larger = std::max(of_mesh, of_steps);
@@ -103,8 +111,7 @@ ChosenModel choose_mesh_and_steps(const Parameters &given, const ModelChoice &ch
   const double step_seconds = watch.seconds();
   Parameters divided = given;
   divided.load = steps.load;
-  ChosenModel chosen =
-      choose_mesh(divided, choice, tell, taken_by_steps(steps.accuracy.estimate.errors, larger, of_mesh));
+  ChosenModel chosen = choose_mesh(divided, choice, tell, steps.accuracy.estimate.errors, larger);
   chosen.given = given;
   chosen.steps = steps.accuracy;
   chosen.search_seconds += step_seconds;

@@ -133,7 +133,7 @@ Json run_line(const std::vector<std::string> &words, const Runner &run)
 }
 } // namespace
 
-void run_batch(std::istream &lines, std::ostream &answers, const Runner &run)
+bool run_batch(std::istream &lines, std::ostream &answers, const Runner &run)
 {
   end_on_interrupt();
   for (std::string line; is_interrupted == 0 && std::getline(lines, line);)
@@ -148,5 +148,6 @@ void run_batch(std::istream &lines, std::ostream &answers, const Runner &run)
     if (!answers)
       throw FileError("standard output: cannot be written");
   }
+  return is_interrupted == 0;
 }
 } // namespace orthocone

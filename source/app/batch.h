@@ -16,6 +16,6 @@ using Runner = std::function<int(const std::vector<std::string> &)>;
 /// of this one, whose libraries are loaded already: loading them takes longer than a small run. Answers each
 /// line with one line: {"exit": code (or 128 + the signal that ended it), "cpu_seconds": of the run,
 /// "seconds":, "message": its error output, "output": its standard output}. Ctrl-C ends it with the answer of
-/// the run that is going on.
-void run_batch(std::istream &lines, std::ostream &answers, const Runner &run);
+/// the run that is going on. Returns whether all lines were answered.
+bool run_batch(std::istream &lines, std::ostream &answers, const Runner &run);
 } // namespace orthocone

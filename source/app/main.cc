@@ -62,8 +62,9 @@ int dispatch(const int argc, const char *const *const argv)
 {
   const CommandLine line = parse_command_line(argc, argv);
   if (line.batch)
-    run_batch(std::cin, std::cout, run_words);
-  else if (line.help)
+    return static_cast<int>(run_batch(std::cin, std::cout, run_words) ? ExitCode::done
+                                                                      : ExitCode::interrupted);
+  if (line.help)
     std::cout << usage();
   else if (line.version)
     for (const auto &[name, version] : versions())

@@ -19,8 +19,8 @@ namespace orthocone
 {
 namespace
 {
-/// Seconds that the cores of this process' affinity were busy since the machine was started; negative where
-/// nothing is known.
+/// Seconds that the cores of this process' affinity were busy since the machine was started, or all of them
+/// where a container has given them other numbers; negative where nothing is known.
 double busy_seconds()
 {
   cpu_set_t mask;
@@ -28,7 +28,8 @@ double busy_seconds()
   if (sched_getaffinity(0, sizeof mask, &mask) != 0)
     return -1;
   std::ifstream file("/proc/stat");
-  double all = -1;
+  double all = -1, matched = 0;
+  int n_matched = 0;
   for (std::string line; std::getline(file, line) && line.compare(0, 3, "cpu") == 0;)
   {
     // "cpu3 user nice system idle iowait irq softirq ...", in ticks; the first line is of all cores
@@ -38,13 +39,20 @@ double busy_seconds()
     words >> name;
     for (double &tick : ticks)
       words >> tick;
-    const auto core = parse_count(name.substr(3));
-    if (!words || !core || *core >= CPU_SETSIZE || !CPU_ISSET(*core, &mask))
+    if (!words)
       continue;
     const auto [user, nice, system, idle, iowait, irq, softirq] = ticks;
-    all = std::max(all, 0.) + user + nice + system + irq + softirq;
+    const double busy = user + nice + system + irq + softirq;
+    const auto core = parse_count(name.substr(3));
+    if (name == "cpu")
+      all = busy;
+    else if (core && *core < CPU_SETSIZE && CPU_ISSET(*core, &mask))
+    {
+      matched += busy;
+      ++n_matched;
+    }
   }
-  return all / static_cast<double>(sysconf(_SC_CLK_TCK));
+  return (n_matched == CPU_COUNT(&mask) ? matched : all) / static_cast<double>(sysconf(_SC_CLK_TCK));
 }
 
 double own_seconds()

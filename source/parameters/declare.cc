@@ -143,7 +143,9 @@ void declare_contact_solver(ContactSolverOptions &solver, EntryTable &table)
   add_number(table, "Tolerance", solver.tolerance, Range{1e-14, 1, true, false},
              "Bound of the natural-map residual relative to the contact forces.");
   add_count(table, "Maximum iterations", solver.maximum_iterations, 1, 10000000,
-            "Sweeps or iterations for one load step, and for each part of one that has to be halved.");
+            "Sweeps or iterations for one load step, for each part of one that has to be halved, and, on "
+            "multigrid, "
+            "for each slip rule on the way to one that is far from associated.");
   add_number(table, "Relaxation", solver.relaxation, Range{0, 2},
              "Relaxation factor of the sweeps of gauss-seidel: 1 takes the one-node solutions as they are.");
   add_rho_factor(table, "Rho factor", solver.rho_factor);

@@ -5,6 +5,7 @@ import json
 import os
 import pathlib
 import re
+import select
 import subprocess
 import sys
 import tempfile
@@ -61,6 +62,9 @@ class RejectionTest(unittest.TestCase):
             self.addCleanup(self.end_batch)
         self.batch.stdin.write(words)
         self.batch.stdin.flush()
+        if not select.select([self.batch.stdout], [], [], 120)[0]:
+            self.batch.kill()
+            self.fail(f"no answer to {words}")
         answer = json.loads(self.batch.stdout.readline())
         return subprocess.CompletedProcess(arguments, answer["exit"], answer["output"], answer["message"])
 

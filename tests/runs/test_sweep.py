@@ -54,13 +54,26 @@ class BatchTest(RunTest):
                                    cwd=self.folder)
         process.stdin.write(json.dumps(slow) + "\n" + json.dumps(["s.prm"]) + "\n")
         process.stdin.close()
-        while not (self.folder / "slow/history.csv").exists():
-            pass
+        while process.poll() is None and not (self.folder / "slow/history.csv").exists():
+            time.sleep(0.01)
         subprocess.run(["pkill", "-KILL", "-P", str(process.pid)], check=True)
         answers = [json.loads(line) for line in process.stdout]
         process.wait()
         process.stdout.close()
         self.assertEqual([answer["exit"] for answer in answers], [137, 0])
+
+    def test_interrupt_ends_with_the_run(self):
+        slow = json.dumps(["s.prm", "-o", "slow", "--set", "Load program/Legs=0 0 -0.1 : 100000"]) + "\n"
+        process = subprocess.Popen([PROGRAM, "--batch"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
+                                   cwd=self.folder, start_new_session=True)
+        process.stdin.write(slow + slow)
+        process.stdin.close()
+        while process.poll() is None and not (self.folder / "slow/history.csv").exists():
+            time.sleep(0.01)
+        os.killpg(process.pid, signal.SIGINT)
+        answers = [json.loads(line) for line in process.stdout]
+        process.stdout.close()
+        self.assertEqual((process.wait(), [answer["exit"] for answer in answers]), (130, [130]))
 
     def test_stands_alone(self):
         result = subprocess.run([PROGRAM, "--batch", "s.prm"], capture_output=True, text=True, check=False, cwd=self.folder)
@@ -129,7 +142,7 @@ class SweepTest(RunTest):
                  "--set", "Load program/Legs=0 0 -0.1 : 400", "--set", "Output/Checkpoint=0"]
         process = subprocess.Popen(words, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, cwd=self.folder,
                                    start_new_session=True)
-        while not list(self.folder.glob("output/sweep-s/runs/*/checkpoint/state")):
+        while process.poll() is None and not list(self.folder.glob("output/sweep-s/runs/*/checkpoint/state")):
             time.sleep(0.01)
         os.killpg(process.pid, signal.SIGINT)  # as a terminal does
         _, error = process.communicate(timeout=120)
@@ -145,6 +158,8 @@ class SweepTest(RunTest):
     def test_a_changed_file_is_another_study(self):
         self.sweep("--vary", "Mesh/Degree=1,2")
         (self.folder / "s.prm").write_text(SCENE.replace("-0.1", "-0.2"))
+        self.sweep("--vary", "Mesh/Degree=1,2", "--anew")
+        (self.folder / "s.prm").write_text(SCENE)
         error = self.sweep("--vary", "Mesh/Degree=1,2", code=2).stderr
         self.assertRegex(error, r"^sweep: output/sweep-s: holds a study of \S*s\.prm as it was before it changed; --output DIR .*\n$")
 

@@ -76,6 +76,25 @@ def texts_of(path, seen=()):
     return texts
 
 
+def gap_files_of(options, points):
+    """The gap files that a JSON file, --set or --vary name."""
+    settings = {setting for point in points for setting in settings_of(point, options.set)}
+    files = {pathlib.Path(setting.partition("=")[2].strip()) for setting in settings
+             if setting.partition("=")[0].strip() == "Obstacle/Gap file"}
+    if options.file.suffix == ".json":
+        try:
+            files.add(options.file.parent / json.loads(options.file.read_text(encoding="utf-8"))["Obstacle"]["Gap file"])
+        except (ValueError, KeyError, TypeError):
+            pass  # it names none, or the program tells what is wrong with it
+    return sorted(file for file in files if file.is_file())
+
+
+def checksum_of(options, points):
+    """Of all that the runs read."""
+    texts = texts_of(options.file) + [file.read_bytes() for file in gap_files_of(options, points)]
+    return hashlib.sha256(b"\0".join(texts)).hexdigest()
+
+
 def check_use(grid, templates):
     """Every name must stand somewhere, every brace must be of a name, and no name may be one of a column."""
     for name, _ in grid:
@@ -112,11 +131,13 @@ def parse(arguments):
     return parser.parse_args(arguments)
 
 
-def require_same_study(folder, study):
-    """A folder holds one study: runs of others would stand in its table."""
+def require_same_study(folder, study, anew):
+    """A folder holds one study: runs of others would stand in its table. With --anew no old run stays in it."""
     path = folder / "sweep.json"
     if path.exists():
         earlier = json.loads(path.read_text(encoding="utf-8"))
+        if anew:
+            earlier["checksum"] = study["checksum"]
         if earlier != study:
             same = earlier | {"checksum": study["checksum"]} == study
             what = f"of {study['file']} as it was before it changed" if same else \
@@ -145,7 +166,7 @@ def run_study(options):
     fixed = [] if options.fields else ["Output/Contact fields=0", "Output/Volume fields=0"]
     require_same_study(output, {"file": str(options.file.resolve()), "set": options.set, "names": names,
                                 "fields": options.fields,
-                                "checksum": hashlib.sha256(b"\0".join(texts_of(options.file))).hexdigest()})
+                                "checksum": checksum_of(options, points)}, options.anew)
     runs = [sweep_runs.Run(point, output / "runs" / name, [*fixed, *settings_of(point, options.set)])
             for point, name in zip(points, folders)]
     sweep_runs.run_all(runs, options)

@@ -82,12 +82,17 @@ SolverReport Continuation::solve_at(const ContactStep &step, const double t, Wal
   constexpr unsigned int most_iterations = 20;
   ContactSolverOptions options = options_;
   options.maximum_iterations = std::min(options.maximum_iterations, most_iterations);
-  if (t < 1)
-    options.tolerance = std::max(options.tolerance, accurate);
-  const ContactSystem system = system_on_the_way(step.system(), t);
-  const ContactStep here = t < 1 ? ContactStep(system, step.q(), step.face()) : step;
   VectorXd unknowns = walk.unknowns;
-  SolverReport report = make_inexact_newton(here.system(), options)->solve(here, unknowns);
+  SolverReport report;
+  if (t < 1)
+  {
+    options.tolerance = accurate;
+    const ContactSystem system = system_on_the_way(step.system(), t);
+    report =
+        make_inexact_newton(system, options)->solve(ContactStep(system, step.q(), step.face()), unknowns);
+  }
+  else
+    report = make_inexact_newton(step.system(), options)->solve(step, unknowns);
   walk.iterations += report.iterations;
   if (report.converged)
     walk.unknowns = std::move(unknowns);
