@@ -9,7 +9,7 @@ UNITS = {
     "Mesh": {"Accuracy": "%"},
     "Friction": {"Orthotropy angle": "degrees"},
     "Obstacle": {"Gap": "mm"},
-    "Load program": {name: "(mm, degrees, N, N mm : steps)" for name in ("Preload", "Legs")},
+    "Load program": {"Accuracy": "%", **{name: "(mm, degrees, N, N mm : steps)" for name in ("Preload", "Legs")}},
     "Checks": {name: "\u00d7 tolerance" for name in ("Penetration", "Complementarity", "Friction cone", "Slip rule")},
     "Output": {"Checkpoint": "s", "Probes": "(mm)"},
 }
