@@ -7,41 +7,13 @@ One cycle of the paper's cases (a, b, c) with Mesh/Accuracy = Load program/Accur
 estimated ones of mesh and steps together, as a table in Markdown. The truth has a mesh that is finer than all of the search
 and of another kind, and 32 parts a step of unloading, extrapolated from 16 and 32. Seconds are those of the whole process."""
 import argparse
-import csv
-import json
 import pathlib
-import subprocess
 import sys
-import tempfile
-import time
 
-from resolutions import FINEST, FINEST_SECTION, ROOT
+sys.dont_write_bytecode = True  # the source tree stays clean
+from one_cycle import FINEST, FINEST_SECTION, QUANTITIES, ROOT, run  # noqa: E402
 
-NAMES = ("largest_slip_mm", "peak_force_N", "dissipation_Nmm", "stick_area_mm2", "loop_area_Nmm")
 UNITS = ("mm", "N", "N mm", "mm²", "N mm")
-
-
-def rows_of(path):
-    with open(path, encoding="ascii") as file:
-        return list(csv.DictReader(file))
-
-
-def run(program, case, settings):
-    """Quantities, summary and seconds of the process."""
-    with tempfile.TemporaryDirectory() as folder:
-        words = [f"--set={setting}" for setting in ("Load program/Cycles=1", "Output/Contact fields=0", *settings)]
-        start = time.monotonic()
-        subprocess.run([program, ROOT / f"prm/paper/case_{case}.prm", "--quiet", "--output", folder, *words], check=True,
-                       stdout=subprocess.DEVNULL)
-        seconds = time.monotonic() - start
-        folder = pathlib.Path(folder)
-        summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
-        history, cycle = rows_of(folder / "history.csv"), rows_of(folder / "cycles.csv")[0]
-    peak = min(history, key=lambda row: float(row["uz"]))
-    force = sum(float(peak[f"force_{axis}"])**2 for axis in "xyz")**0.5
-    values = (max(float(row["max_slip"]) for row in history), force, float(history[-1]["total_dissipation"]),
-              float(peak["stick_area"]), float(cycle["work"]))
-    return values, summary, seconds
 
 
 def truth_of(program, case):
@@ -72,7 +44,7 @@ def main():
             errors = [f"{100 * (value / true - 1):+.2f} %" for value, true in zip(values, truth)]
             both = summary["estimated_errors_percent"]
             errors = [f"{error} ({sum(both[name][of] or 0 for of in ('mesh', 'steps')):.2g} %)"
-                      for error, name in zip(errors, NAMES)]
+                      for error, name in zip(errors, QUANTITIES)]
             legs = [leg.rpartition(":")[2].split("*") for leg in summary["scene"]["legs"].split(";")]
             parts = ", ".join(str(int(leg[0]) * int(leg[1] if len(leg) > 1 else 1)) for leg in legs)
             print(f"| {case.upper()} | mesh {mesh}, steps {steps} | "
