@@ -1,13 +1,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 """Puts the page together: text and tables as HTML, the drawings, and the data for the scripts."""
-import html
 import json
 import pathlib
 import re
 
 import model_picture
 import numpy as np
+from markup import element, escape, table
 from payload import payload_of, run_names
 from units import unit_of
 
@@ -16,24 +16,6 @@ SCRIPTS = ("numbers.js", "elements.js", "scales.js", "charts.js", "reading.js", 
            "player.js", "map_picture.js",
            "specs.js", "loops.js", "cycles.js", "report.js")
 MOST_LEDGER_ROWS = 12
-
-
-def escape(words):
-    return html.escape(str(words), quote=True)
-
-
-def element(name, content, css="", more=""):
-    css = f' class="{css}"' if css else ""
-    return f"<{name}{css}{more}>{content}</{name}>"
-
-
-def table(head, rows, css=""):
-    """Text cells; the first column names the row."""
-    top = element("tr", "".join(element("th", escape(words), more=' scope="col"') for words in head)) if head else ""
-    body = "".join(element("tr", element("th", escape(row[0]), more=' scope="row"')
-                           + "".join(element("td", escape(words)) for words in row[1:])) for row in rows)
-    return element("div", element("table", (element("thead", top) if top else "") + element("tbody", body), css),
-                   "scroll")
 
 
 def fallback(value, form="{}"):

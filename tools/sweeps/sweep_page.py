@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 """sweep.html: one page with a picture of each quantity over the first variable, and the table."""
-import html
 import io
 import itertools
+import pathlib
+import sys
 
 import matplotlib
 
@@ -11,13 +12,16 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
 from sweep_runs import UNITS  # noqa: E402
 
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "report"))
+from markup import element, escape, table  # noqa: E402
+
 DRAWN = {"max_slip": "largest slip", "max_pressure": "largest pressure", "max_force_z": "largest normal force",
          "total_dissipation": "dissipated energy", "critical_friction": "critical friction / given",
          "iterations": "iterations of the contact solver"}
 MOST_IN_LEGEND = 12
 STYLE = """body { font: 15px/1.45 system-ui, sans-serif; margin: 2em auto; max-width: 76em; padding: 0 1em; color: #222; background: #fff; }
 table { border-collapse: collapse; font-size: 13px; } th, td { padding: 2px 8px; text-align: right; border-bottom: 1px solid #ddd; }
-.scroll { overflow-x: auto; } .failed td { color: #b00; } svg { max-width: 100%; height: auto; } code { background: #f3f3f3; }"""
+.scroll { overflow-x: auto; } svg { max-width: 100%; height: auto; } code { background: #f3f3f3; }"""
 
 
 def numbers(values):
@@ -84,14 +88,12 @@ def svg_of(shape):
 
 
 def cell(value):
-    return html.escape(f"{value:.6g}" if isinstance(value, float) else "\u2013" if value is None else str(value))
+    return f"{value:.6g}" if isinstance(value, float) else "\u2013" if value is None else value
 
 
 def table_of(rows):
-    head = "".join(f"<th>{html.escape(name)}{' [' + UNITS[name] + ']' if UNITS.get(name) else ''}</th>" for name in rows[0])
-    body = "".join(f"<tr{'' if row['exit'] == 0 else ' class=failed'}>"
-                   + "".join(f"<td>{cell(value)}</td>" for value in row.values()) + "</tr>" for row in rows)
-    return f"<div class=scroll><table><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table></div>"
+    head = [name + (f" [{UNITS[name]}]" if UNITS.get(name) else "") for name in rows[0]]
+    return table(head, [[cell(value) for value in row.values()] for row in rows])
 
 
 def beginning(values):
@@ -100,13 +102,14 @@ def beginning(values):
 
 def write_page(path, file, settings, grid, rows):
     n_failed = sum(row["exit"] != 0 for row in rows)
-    varied = "; ".join(f"{html.escape(name)} = {html.escape(beginning(values))} ({len(values)})" for name, values in grid)
-    fixed = "".join(f"<li><code>{html.escape(setting)}</code></li>" for setting in settings)
-    failed = f"<p>{n_failed} of {len(rows)} runs are not complete: they have no point, and their rows are red.</p>" if n_failed else ""
-    title = f"Parameter study of {html.escape(str(file))}"
+    varied = "; ".join(f"{name} = {beginning(values)} ({len(values)})" for name, values in grid)
+    fixed = "".join(element("li", element("code", escape(setting))) for setting in settings)
+    failed = f"{n_failed} of {len(rows)} runs are not complete: they have no point, and their rows say why." if n_failed else ""
+    title = f"Parameter study of {file}"
     page = (f"<!DOCTYPE html><html lang=en><meta charset=utf-8><meta name=viewport content='width=device-width'>"
-            f"<title>{title}</title><style>{STYLE}</style><h1>{title}</h1><p>{len(rows)} runs. Varied: {varied}.</p>"
-            f"<ul>{fixed}</ul>{failed}{svg_of(figure(grid, rows))}<h2>Runs</h2>{table_of(rows)}</html>\n")
+            f"<title>{escape(title)}</title><style>{STYLE}</style>"
+            + element("h1", escape(title)) + element("p", escape(f"{len(rows)} runs. Varied: {varied}. {failed}"))
+            + element("ul", fixed) + svg_of(figure(grid, rows)) + element("h2", "Runs") + table_of(rows) + "</html>\n")
     temporary = path.with_suffix(".part")
     temporary.write_text(page, encoding="utf-8")
     temporary.replace(path)
