@@ -4,7 +4,6 @@
 
 #include <orthocone/base/stopwatch.h>
 
-#include <optional>
 #include <utility>
 
 namespace orthocone
@@ -19,8 +18,6 @@ MarchEnd march(const std::vector<LoadStep> &steps, StepSolver &solver, ContactSt
     if (!observer.goes_on(step))
       return MarchEnd::stopped;
     ContactState next = state;
-    // Parts are accepted as they are solved.
-    const auto starts = step.parts.empty() ? std::nullopt : std::optional(solver.memory());
     double seconds = 0;
     const SolverReport report = timed(seconds, [&] { return solver.solve(next, step); });
     if (!report.converged)
@@ -30,8 +27,7 @@ MarchEnd march(const std::vector<LoadStep> &steps, StepSolver &solver, ContactSt
     }
     if (!observer.accepts({step, state, next, report, seconds}))
     {
-      if (starts)
-        solver.restore(*starts);
+      solver.reject();
       return MarchEnd::refused;
     }
     solver.accept(state, next, step);

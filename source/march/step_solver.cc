@@ -72,10 +72,11 @@ StepSolver::Attempt StepSolver::attempt(const ContactState &state, const FaceTar
 
 SolverReport StepSolver::solve(ContactState &state, const LoadStep &step)
 {
+  before_parts_.reset();
   if (step.parts.empty())
     return solve_in_one(state, step);
   const ContactState before = state;
-  const StartMemory starts = memory();
+  before_parts_ = memory();
   SolverReport report;
   for (const LoadStep &part : step.parts)
   {
@@ -87,7 +88,7 @@ SolverReport StepSolver::solve(ContactState &state, const LoadStep &step)
     if (!report.converged)
     {
       state = before;
-      restore(starts);
+      reject();
       break;
     }
     accept_undivided(here, state, part);
@@ -171,6 +172,12 @@ void StepSolver::accept_undivided(const ContactState &before, const ContactState
     coarser.push_back(coarser_->memory());
   }
   starts_.keep(scene_.system().compliance().settle(after.force), std::move(coarser));
+}
+
+void StepSolver::reject()
+{
+  if (before_parts_)
+    restore(*before_parts_);
 }
 
 void StepSolver::restore(const StartMemory &memory)

@@ -8,6 +8,7 @@
 #include <orthocone/scene/scene.h>
 
 #include <map>
+#include <optional>
 #include <utility>
 #include <vector>
 
@@ -99,6 +100,10 @@ public:
   /// The parts of a step are accepted while it is solved.
   void accept(const ContactState &before, const ContactState &after, const LoadStep &step);
 
+  /// To be called instead of accept() if the step that was solved last is not accepted: its parts are
+  /// forgotten.
+  void reject();
+
   /// What a solver of the same problem needs to go on as this one would.
   const StartMemory &memory() const { return starts_.memory(); }
   void restore(const StartMemory &memory);
@@ -129,6 +134,7 @@ private:
   double tolerance_;
   std::unique_ptr<ContactSolver> solver_;
   StartForces starts_;
-  std::unique_ptr<CoarserMarch> coarser_; ///< where that pays
+  std::unique_ptr<CoarserMarch> coarser_;     ///< where that pays
+  std::optional<StartMemory> before_parts_{}; ///< of the step that was solved last, if it has parts
 };
 } // namespace orthocone
