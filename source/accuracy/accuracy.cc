@@ -38,7 +38,7 @@ double remaining_change(const std::vector<double> &values)
 bool AccuracyEstimate::is_reached() const
 {
   for (unsigned int i = 0; i < n_quantities; ++i)
-    if (!(errors[i] + taken[i] <= wanted))
+    if (!(errors[i] + steps_share[i] <= wanted))
       return false;
   return true;
 }
@@ -88,8 +88,8 @@ std::string describe_quantities(const AccuracyEstimate &accuracy)
 
 std::string describe(const AccuracyEstimate &accuracy)
 {
-  const bool is_shared =
-      std::any_of(accuracy.taken.begin(), accuracy.taken.end(), [](const double taken) { return taken > 0; });
+  const bool is_shared = std::any_of(accuracy.steps_share.begin(), accuracy.steps_share.end(),
+                                     [](const double steps_share) { return steps_share > 0; });
   return to_text(accuracy.wanted) + (is_shared ? " % wanted with the steps, " : " % wanted, ") +
          (accuracy.is_reached() ? "reached" : "NOT reached") +
          "; value (estimated error): " + describe_quantities(accuracy);

@@ -22,21 +22,21 @@ std::string line_of(const unsigned int level, const Scene &scene, const std::str
 }
 
 /// Whether the mesh has reached its share.
-bool is_fine_enough(AccuracyEstimate accuracy, const double most_taken)
+bool is_fine_enough(AccuracyEstimate accuracy, const double most_steps_share)
 {
-  for (double &taken : accuracy.taken)
-    taken = std::min(taken, most_taken);
+  for (double &steps_share : accuracy.steps_share)
+    steps_share = std::min(steps_share, most_steps_share);
   return accuracy.is_reached();
 }
 } // namespace
 
 ChosenModel find_mesh(const Parameters &parameters, const ModelChoice &choice, const Teller &tell,
-                      const double gigabytes, const Quantities &taken, const double most_taken)
+                      const double gigabytes, const Quantities &steps_share, const double most_steps_share)
 {
   constexpr std::size_t least_levels = 3;
   const Stopwatch watch;
   ChosenModel found{parameters, parameters};
-  AccuracyEstimate accuracy{parameters.mesh.accuracy, {}, {}, taken};
+  AccuracyEstimate accuracy{parameters.mesh.accuracy, {}, {}, steps_share};
   std::vector<Quantities> levels;
   const bool is_axisymmetric = choice.symmetry.is_axisymmetric();
   for (unsigned int level = 0; level < n_ladder_levels(is_axisymmetric); ++level)
@@ -58,7 +58,7 @@ ChosenModel find_mesh(const Parameters &parameters, const ModelChoice &choice, c
     accuracy.values = levels.back();
     accuracy.errors = estimated_errors(levels, contact_area(*found.scene), cycle.motion);
     tell(line_of(level, *found.scene, describe_quantities(accuracy)));
-    if (levels.size() >= least_levels && is_fine_enough(accuracy, most_taken))
+    if (levels.size() >= least_levels && is_fine_enough(accuracy, most_steps_share))
       break;
   }
   found.accuracy = accuracy;
@@ -82,11 +82,11 @@ ChosenModel choose_mesh(const Parameters &parameters, const ModelChoice &choice,
                         const Quantities &steps, const double larger)
 {
   const double wanted = parameters.mesh.accuracy;
-  Quantities taken{};
+  Quantities steps_share{};
   for (unsigned int i = 0; i < n_quantities; ++i)
-    taken[i] = beyond(steps[i], larger, wanted);
+    steps_share[i] = beyond(steps[i], larger, wanted);
   if (wanted != 0)
-    return find_mesh(parameters, choice, tell, memory_limit().gigabytes, taken,
+    return find_mesh(parameters, choice, tell, memory_limit().gigabytes, steps_share,
                      beyond(share_of_steps * larger, larger, wanted));
   ChosenModel chosen{parameters, parameters};
   MeshOptions &mesh = chosen.parameters.mesh;

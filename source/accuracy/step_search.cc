@@ -58,7 +58,7 @@ struct LegError
 {
   Quantities change{};        ///< what halving its parts changes
   Quantities change_before{}; ///< what halving them before changed
-  bool was_halved = false;    ///< in the round before
+  bool was_halved = true;     ///< in the round before; nothing is known in the first one
   Quantities error{};         ///< of the parts as they are, percent
 
   double largest() const { return *std::max_element(error.begin(), error.end()); }
@@ -86,12 +86,11 @@ public:
     estimate_.errors = {};
     for (std::size_t i = 0; i < errors_.size(); ++i)
     {
-      if (is_first_ || errors_[i].was_halved || errors_[i].largest() > negligible * estimate_.wanted)
+      if (errors_[i].was_halved || errors_[i].largest() > negligible * estimate_.wanted)
         measure_leg(i);
       for (unsigned int quantity = 0; quantity < n_quantities; ++quantity)
         estimate_.errors[quantity] += errors_[i].error[quantity];
     }
-    is_first_ = false;
   }
 
   /// Halves the parts of the legs that err most in what is not reached. Whether there is such a leg.
@@ -184,7 +183,6 @@ private:
   const double area_;
   double motion_ = 0; ///< largest of the top along z, mm
   AccuracyEstimate estimate_{};
-  bool is_first_ = true;
 };
 
 std::string line_of(const StepSearch &search)

@@ -80,7 +80,8 @@ CycleMemory cycles_from(const Json &json, const ContactState &state)
 
 Json accuracy_json(const std::optional<AccuracyEstimate> &accuracy)
 {
-  return accuracy ? Json{accuracy->wanted, accuracy->values, accuracy->errors, accuracy->taken} : Json();
+  return accuracy ? Json{accuracy->wanted, accuracy->values, accuracy->errors, accuracy->steps_share}
+                  : Json();
 }
 
 std::optional<AccuracyEstimate> accuracy_from(const Json &json)

@@ -25,8 +25,8 @@ struct AccuracyEstimate
 {
   double wanted = 0; ///< percent
   Quantities values{};
-  Quantities errors{}; ///< estimated, percent
-  Quantities taken{};  ///< what others err by of that which is wanted, percent
+  Quantities errors{};      ///< estimated, percent
+  Quantities steps_share{}; ///< what the errors of load steps take of that which is wanted, percent
 
   bool is_reached() const;
 };

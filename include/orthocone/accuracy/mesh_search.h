@@ -28,10 +28,10 @@ struct ChosenModel
 
 /// Finds the mesh for Mesh/Accuracy: solves level after level of the mesh ladder, at least three, until the
 /// estimated errors of all quantities are as wanted, or there is no finer one, or the next one is likely to
-/// need more memory than `gigabytes`. `taken`: AccuracyEstimate::taken; what is more than `most_taken`, no
-/// finer mesh has to make up for. Throws std::runtime_error.
+/// need more memory than `gigabytes`. `steps_share`: AccuracyEstimate::steps_share; what is more than
+/// `most_steps_share`, no finer mesh has to make up for. Throws std::runtime_error.
 ChosenModel find_mesh(const Parameters &parameters, const ModelChoice &choice, const Teller &tell,
-                      double gigabytes, const Quantities &taken = {}, double most_taken = 0);
+                      double gigabytes, const Quantities &steps_share = {}, double most_steps_share = 0);
 
 /// Mesh and load steps that the parameters ask for, whichever way. Where both have an accuracy, 0.3 times the
 /// larger one is left to the steps, and the errors of both together are as small as that.
