@@ -21,6 +21,7 @@ DRAWN = {"max_slip": "largest slip", "max_pressure": "largest pressure", "max_fo
 MOST_IN_LEGEND = 12
 STYLE = """body { font: 15px/1.45 system-ui, sans-serif; margin: 2em auto; max-width: 76em; padding: 0 1em; color: #222; background: #fff; }
 table { border-collapse: collapse; font-size: 13px; } th, td { padding: 2px 8px; text-align: right; border-bottom: 1px solid #ddd; }
+td { white-space: nowrap; max-width: 24em; overflow: hidden; text-overflow: ellipsis; }
 .scroll { overflow-x: auto; } svg { max-width: 100%; height: auto; } code { background: #f3f3f3; }"""
 
 
@@ -104,7 +105,7 @@ def write_page(path, file, settings, grid, rows):
     n_failed = sum(row["exit"] != 0 for row in rows)
     varied = "; ".join(f"{name} = {beginning(values)} ({len(values)})" for name, values in grid)
     fixed = "".join(element("li", element("code", escape(setting))) for setting in settings)
-    failed = f"{n_failed} of {len(rows)} runs are not complete: they have no point, and their rows say why." if n_failed else ""
+    failed = f"{n_failed} of {len(rows)} runs are not complete: they have no point, and their rows in sweep.csv say why." if n_failed else ""
     title = f"Parameter study of {file}"
     page = (f"<!DOCTYPE html><html lang=en><meta charset=utf-8><meta name=viewport content='width=device-width'>"
             f"<title>{escape(title)}</title><style>{STYLE}</style>"
