@@ -176,6 +176,13 @@ class SweepTest(RunTest):
             self.assertRegex(error, says)
         self.assertFalse((self.folder / "output").exists())
 
+    def test_what_cannot_be_read_or_written_is_named(self):
+        (self.folder / "taken").write_text("a file\n")
+        self.assertRegex(self.sweep("--vary", "Mesh/Degree=1,2", "-o", "taken/x", code=4).stderr, r"^sweep: taken/x.*: Not a directory\n$")
+        (self.folder / "s.prm").unlink()
+        self.assertEqual(self.sweep("--vary", "Mesh/Degree=1,2", code=4).stderr, "sweep: s.prm: No such file or directory\n")
+        self.assertFalse((self.folder / "output").exists())
+
     def test_a_folder_holds_one_study(self):
         self.sweep("--vary", "Mesh/Degree=1,2")
         error = self.sweep("--vary", "Mesh/Degree=1,2", "--set", "Load program/Cycles=2", code=2).stderr

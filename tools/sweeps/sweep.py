@@ -152,8 +152,7 @@ def require_same_study(folder, study, anew):
 def run_study(options):
     grid = grid_of(options.vary)
     check_use(grid, options.set)
-    if not options.file.is_file():
-        raise WrongInput(f"{options.file}: cannot be read")
+    options.file.read_bytes()  # OSError if it cannot be read
     if options.jobs < 1:
         raise WrongInput(f"--jobs = {options.jobs}: allowed is a whole number from 1 on")
     names = [name for name, _ in grid]
