@@ -15,8 +15,9 @@ namespace
 {
 bool both_can(const Parameters &parameters, const ModelSymmetry &symmetry)
 {
-  return parameters.mesh.refinements > 0 && !symmetry.is_axisymmetric() &&
-         parameters.mesh.volumetric_quadrature == VolumetricQuadrature::full &&
+  const MeshOptions &mesh = parameters.mesh;
+  return (mesh.refinements > 0 || !mesh.refined_cells.empty()) && !symmetry.is_axisymmetric() &&
+         mesh.volumetric_quadrature == VolumetricQuadrature::full &&
          !find_contact_method(parameters.contact_solver.method)->needs_dense;
 }
 

@@ -79,9 +79,24 @@ static MeshOptions refined(MeshOptions mesh)
   return mesh;
 }
 
+/// The mesh that all refinements of single cells begin with.
+static Parameters without_single_cells(Parameters parameters)
+{
+  parameters.mesh.refined_cells.clear();
+  return parameters;
+}
+
 ModelSize model_size(const Parameters &parameters, const ModelSymmetry &symmetry)
 {
-  return make_shape(parameters.geometry, refined(parameters.mesh))->size(symmetry);
+  const ModelSize size = make_shape(parameters.geometry, refined(parameters.mesh))->size(symmetry);
+  if (parameters.mesh.refined_cells.empty())
+    return size;
+  const Body body(parameters, symmetry); // whose cells nothing but meshing counts
+  const BodyUnknowns &unknowns = body.unknowns();
+  const double dofs = unknowns.n_dofs();
+  return {static_cast<double>(unknowns.n_cells()),
+          static_cast<double>(unknowns.contact_surface().nodes.size()), dofs,
+          dofs / size.dofs * size.stiffness_entries};
 }
 
 /// What a factorization of this cost takes at so many operations/s, and the dense compliance that follows.
@@ -138,8 +153,9 @@ Estimate usual_estimate(const Parameters &parameters, const ModelSize &size, con
 }
 
 /// Of the cells that are refined: their shape hardly changes.
-static double stretch_before_refinement(Parameters parameters, const ModelSymmetry &symmetry)
+static double stretch_before_refinement(const Parameters &given, const ModelSymmetry &symmetry)
 {
+  Parameters parameters = without_single_cells(given);
   parameters.mesh.refinements = 0;
   return Body(parameters, symmetry).stretch();
 }

@@ -3,7 +3,6 @@
 #include <orthocone/accuracy/first_cycle.h>
 
 #include <orthocone/base/threads.h>
-#include <orthocone/march/march.h>
 #include <orthocone/results/totals.h>
 
 #include <algorithm>
@@ -74,18 +73,31 @@ LoadOptions first_cycle(LoadOptions load)
   return load;
 }
 
+static void march_through(const std::vector<LoadStep> &steps, const Scene &scene, StepSolver &solver,
+                          const char *const entry, MarchObserver &observer)
+{
+  ContactState state(scene.gaps());
+  const BlasThreads threads(state.force.size());
+  if (march(steps, solver, state, observer) == MarchEnd::unsolved)
+    throw std::runtime_error(std::string(entry) + ": load step " + std::to_string(state.step + 1) +
+                             " is not solved on a mesh of " + std::to_string(scene.surface().nodes.size()) +
+                             " contact nodes; " + entry + " = 0 goes without this search");
+}
+
 FirstCycle march_first_cycle(const Scene &scene, const LoadOptions &load, StepSolver &solver,
                              const char *const entry)
 {
   const std::vector<LoadStep> steps = load_steps(first_cycle(load));
   QuantityWatch watch(scene, peak(steps));
-  ContactState state(scene.gaps());
-  const BlasThreads threads(state.force.size());
-  if (march(steps, solver, state, watch) == MarchEnd::unsolved)
-    throw std::runtime_error(std::string(entry) + ": load step " + std::to_string(state.step + 1) +
-                             " is not solved on a mesh of " + std::to_string(scene.surface().nodes.size()) +
-                             " contact nodes; " + entry + " = 0 goes without this search");
+  march_through(steps, scene, solver, entry, watch);
   return watch.measured();
+}
+
+void march_first_cycle(const Scene &scene, const LoadOptions &load, const char *const entry,
+                       MarchObserver &observer)
+{
+  StepSolver solver(scene);
+  march_through(load_steps(first_cycle(load)), scene, solver, entry, observer);
 }
 
 double contact_area(const Scene &scene)

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/accuracy/mesh_search.h>
 
+#include <orthocone/accuracy/adaptive_mesh.h>
 #include <orthocone/accuracy/backend_choice.h>
 #include <orthocone/accuracy/first_cycle.h>
 #include <orthocone/accuracy/memory_need.h>
@@ -91,6 +92,12 @@ ChosenModel choose_mesh(const Parameters &parameters, const ModelChoice &choice,
   ChosenModel chosen{parameters, parameters};
   MeshOptions &mesh = chosen.parameters.mesh;
   mesh = resolved_mesh(parameters.geometry, parameters.mesh, choice.symmetry.is_axisymmetric());
+  if (mesh.adaptive != 0)
+  {
+    const Stopwatch watch;
+    mesh = adapted_mesh(chosen.parameters, choice, tell, memory_limit().gigabytes);
+    chosen.search_seconds = watch.seconds();
+  }
   const BackendChoice backend = choose_backend(chosen.parameters, choice.symmetry, memory_limit().gigabytes);
   mesh.backend = backend.backend;
   if (!backend.reason.empty())

@@ -27,7 +27,8 @@ MeshOptions search_mesh(const Parameters &parameters, const ModelChoice &choice)
   const bool is_axisymmetric = choice.symmetry.is_axisymmetric();
   const bool is_plain = parameters.obstacle.is_plane() && !parameters.friction.varies();
   MeshOptions plain = parameters.mesh; // what a single mesh is given with, a ladder is not
-  plain.quadrature_points = plain.refinements = 0;
+  plain.quadrature_points = plain.refinements = plain.adaptive = 0;
+  plain.refined_cells.clear();
   plain.backend = BodyBackend::automatic;
   const MeshOptions ladder = ladder_mesh(geometry, plain, is_axisymmetric, is_plain ? 1 : 3);
   if (parameters.mesh.accuracy != 0)
@@ -38,7 +39,10 @@ MeshOptions search_mesh(const Parameters &parameters, const ModelChoice &choice)
   const auto dofs = [&](const Parameters &of) { return model_size(of, choice.symmetry).dofs; };
   if (geometry.shape == BodyShape::cylinder && is_plain && dofs(coarser) < dofs(given))
     return ladder;
-  given.mesh.refinements -= std::min(1U, given.mesh.refinements);
+  if (given.mesh.adaptive == 0 && given.mesh.refined_cells.empty())
+    given.mesh.refinements -= std::min(1U, given.mesh.refinements);
+  given.mesh.adaptive = 0;
+  given.mesh.refined_cells.clear();
   return given.mesh;
 }
 

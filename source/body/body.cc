@@ -36,6 +36,11 @@ const BodyUnknowns &Body::unknowns() const
   return std::visit([](const auto &shape) -> const BodyUnknowns & { return shape.discretization; }, shape_);
 }
 
+unsigned int Body::n_levels() const
+{
+  return visit([](const auto &space) { return space.dof_handler().get_triangulation().n_levels(); });
+}
+
 double Body::stretch() const
 {
   return visit(

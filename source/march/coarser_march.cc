@@ -11,7 +11,8 @@ namespace
 Parameters coarser(Parameters parameters)
 {
   constexpr double tolerance = 1e-4; // tighter changes nothing on the finer mesh
-  --parameters.mesh.refinements;
+  MeshOptions &mesh = parameters.mesh;
+  mesh.refined_cells.empty() ? --mesh.refinements : ++mesh.coarsenings;
   parameters.contact_solver.tolerance = tolerance;
   return parameters;
 }
@@ -20,7 +21,7 @@ Parameters coarser(Parameters parameters)
 std::unique_ptr<CoarserMarch> CoarserMarch::of(const Scene &finer)
 {
   const MeshOptions &mesh = finer.parameters().mesh;
-  if (mesh.backend != BodyBackend::multigrid || mesh.refinements == 0)
+  if (mesh.backend != BodyBackend::multigrid || finer.body().mesh().n_levels() == 1)
     return nullptr;
   return std::make_unique<CoarserMarch>(coarser(finer.parameters()), finer.choice());
 }

@@ -46,7 +46,7 @@ std::string contact_vtu(const ContactFieldEvaluator &evaluator, const ContactSta
   for (Eigen::Index point = 0; point < n_points; ++point)
   {
     const auto &[node, image] = whole.nodes[point];
-    const auto &place = surface.nodes[node].position;
+    const auto &place = surface.place(node).position;
     drawn.points.col(point).head<2>() = (whole.images[image] * Vector2d(place[0], place[1])).cast<float>();
     const ContactFields seen = mapped(fields[node], whole.images[image]);
     for (std::size_t i = 0; i < drawn.fields.size(); ++i)

@@ -134,6 +134,10 @@ void add_sizes(EntryTable &table, const std::string &name, std::array<double, 3>
 void add_cells(EntryTable &table, const std::string &name, std::array<unsigned int, 3> &value,
                unsigned int most, const std::string &help);
 
+/// Rounds of cells to be halved.
+void add_refined_cells(EntryTable &table, const std::string &name,
+                       std::vector<std::vector<CellRange>> &value, const std::string &help);
+
 void add_legs(EntryTable &table, const std::string &name, std::vector<Leg> &value, const std::string &help);
 
 void add_probes(EntryTable &table, const std::string &name, std::vector<Probe> &value,

@@ -45,6 +45,49 @@ ContactFields mapped(ContactFields fields, const Eigen::Matrix2d &map)
   return fields;
 }
 
+/// The contact node that has most of what a hanging node has.
+static unsigned int nearest(const HangingNode &hanging)
+{
+  return std::max_element(hanging.terms.begin(), hanging.terms.end(),
+                          [](const HangingNode::Term &a, const HangingNode::Term &b)
+                          { return a.weight < b.weight; })
+      ->node;
+}
+
+/// The face between contact nodes; what is not a field on it is that of the nearest.
+static ContactFields between(const HangingNode &hanging, const std::vector<ContactFields> &all)
+{
+  ContactFields fields;
+  for (const auto &[node, weight] : hanging.terms)
+    for (const ContactField &field : contact_field_list())
+      if (const auto *const vector = std::get_if<ContactField::Vector>(&field.of))
+        fields.*(*vector) += weight * all[node].*(*vector);
+      else if (const auto *const scalar = std::get_if<ContactField::Scalar>(&field.of))
+        fields.*(*scalar) += weight * all[node].*(*scalar);
+  fields.status = all[nearest(hanging)].status;
+  fields.friction_criterion = all[nearest(hanging)].friction_criterion;
+  fields.nodal_force.setZero();
+  return fields;
+}
+
+/// Of what the contact nodes have that are as the nearest.
+static StickSample between(const HangingNode &hanging, const std::vector<StickSample> &samples)
+{
+  StickSample sample;
+  sample.status = samples[nearest(hanging)].status;
+  double sum = 0;
+  for (const auto &[node, weight] : hanging.terms)
+    if (samples[node].status == sample.status)
+    {
+      sum += weight;
+      sample.reserve += weight * samples[node].reserve;
+      sample.slip += weight * samples[node].slip;
+    }
+  sample.reserve = std::max(0., sample.reserve / sum);
+  sample.slip = std::max(0., sample.slip / sum);
+  return sample;
+}
+
 ContactFieldEvaluator::ContactFieldEvaluator(const Scene &scene)
     : unknowns_(scene.body().unknowns()),
       surface_(scene.surface()),
@@ -87,6 +130,8 @@ std::vector<ContactFields> ContactFieldEvaluator::all_fields(const ContactState 
   std::vector<ContactFields> all;
   for (unsigned int node = 0; node < surface_.nodes.size(); ++node)
     all.push_back(fields(state, node));
+  for (const HangingNode &hanging : surface_.hanging)
+    all.push_back(between(hanging, all));
   return all;
 }
 
@@ -107,6 +152,8 @@ double ContactFieldEvaluator::stick_area(const ContactState &state) const
     sample.reserve = friction * std::max(0., (1 - load) * r[0]) / surface_.nodes[node].area;
     sample.slip = slip_since_stick(state, node);
   }
+  for (const HangingNode &hanging : surface_.hanging)
+    samples.push_back(between(hanging, samples));
   return symmetry_.n_copies() * stick_area_(samples);
 }
 } // namespace orthocone

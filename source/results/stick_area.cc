@@ -59,7 +59,7 @@ private:
       for (unsigned int i = 0; i < n; ++i)
         for (unsigned int d = 0; d < 2; ++d)
         {
-          const double coordinate = surface_.nodes[nodes_[j * n + i]].position[d];
+          const double coordinate = surface_.place(nodes_[j * n + i]).position[d];
           along_x[d] += coordinate * in_x[i][1] * in_y[j][0];
           along_y[d] += coordinate * in_x[i][0] * in_y[j][1];
         }
@@ -123,7 +123,7 @@ StickArea::StickArea(const ContactSurface &surface, const MaterialOptions &mater
     else
       for (unsigned int i = 0; i < surface.degree; ++i)
         rings_.push_back({{{face[i], face[i + 1]}},
-                          {{surface.nodes[face[i]].position[0], surface.nodes[face[i + 1]].position[0]}}});
+                          {{surface.place(face[i]).position[0], surface.place(face[i + 1]).position[0]}}});
 }
 
 void StickArea::add_cells(const ContactSurface &surface, const std::vector<unsigned int> &face)
@@ -137,7 +137,7 @@ void StickArea::add_cells(const ContactSurface &surface, const std::vector<unsig
       Cell cell{
           {{face[first], face[first + 1], face[first + n + 1], face[first + n]}}, {}, curved.area(i, j)};
       for (unsigned int corner = 0; corner < 4; ++corner)
-        cell.positions[corner] = surface.nodes[cell.nodes[corner]].position;
+        cell.positions[corner] = surface.place(cell.nodes[corner]).position;
       cells_.push_back(cell);
     }
 }

@@ -36,9 +36,9 @@ Matrix2d turn_by_part(const unsigned int i, const unsigned int n)
 class NodeNumbers
 {
 public:
-  NodeNumbers(WholeSurface &whole, const std::size_t n_model_nodes)
+  NodeNumbers(WholeSurface &whole, const std::size_t n_model_places)
       : whole_(whole),
-        numbers_(n_model_nodes * whole.images.size(), none)
+        numbers_(n_model_places * whole.images.size(), none)
   {
   }
 
@@ -69,7 +69,7 @@ WholeSurface revolved(const ContactSurface &surface)
   WholeSurface whole;
   for (unsigned int i = 0; i < n_places; ++i)
     whole.images.push_back(turn_by_part(i, n_places));
-  NodeNumbers numbers(whole, surface.nodes.size());
+  NodeNumbers numbers(whole, surface.n_places());
   for (unsigned int sector = 0; sector < n_sectors; ++sector)
     for (const auto &line : surface.faces)
     {
@@ -77,7 +77,7 @@ WholeSurface revolved(const ContactSurface &surface)
       for (unsigned int j = 0; j <= surface.degree; ++j)
         for (const unsigned int node : line)
         {
-          const bool is_on_axis = surface.nodes[node].position[0] == 0;
+          const bool is_on_axis = surface.place(node).position[0] == 0;
           const unsigned int image = is_on_axis ? 0 : (sector * surface.degree + j) % n_places;
           whole.faces.back().push_back(numbers.of(node, image));
         }
@@ -146,7 +146,7 @@ WholeSurface ModelSymmetry::mirrored(const ContactSurface &surface) const
   WholeSurface whole;
   for (unsigned int image = 0; image < n_copies(); ++image)
     whole.images.emplace_back(Vector2d(image & bit[0] ? -1 : 1, image & bit[1] ? -1 : 1).asDiagonal());
-  NodeNumbers numbers(whole, surface.nodes.size());
+  NodeNumbers numbers(whole, surface.n_places());
   const unsigned int n_side = surface.degree + 1;
   for (unsigned int image = 0; image < n_copies(); ++image)
     for (const auto &face : surface.faces)
@@ -160,7 +160,7 @@ WholeSurface ModelSymmetry::mirrored(const ContactSurface &surface) const
         // A node on a plane of symmetry coincides with its mirror image.
         unsigned int own_image = image;
         for (unsigned int direction = 0; direction < 2; ++direction)
-          if (!surface.nodes[node].is_free[direction])
+          if (!surface.place(node).is_free[direction])
             own_image &= ~bit[direction];
         whole.faces.back().push_back(numbers.of(node, own_image));
       }

@@ -5,7 +5,7 @@
 #pragma once
 
 #include <orthocone/accuracy/accuracy.h>
-#include <orthocone/march/step_solver.h>
+#include <orthocone/march/march.h>
 
 namespace orthocone
 {
@@ -23,6 +23,10 @@ struct FirstCycle
 /// solved; `entry` asked for the march.
 FirstCycle march_first_cycle(const Scene &scene, const LoadOptions &load, StepSolver &solver,
                              const char *entry);
+
+/// The same where `observer` looks.
+void march_first_cycle(const Scene &scene, const LoadOptions &load, const char *entry,
+                       MarchObserver &observer);
 
 /// Area of the contact surface of the model, mm^2.
 double contact_area(const Scene &scene);

@@ -19,6 +19,9 @@ public:
 
   const BodyUnknowns &unknowns() const;
 
+  /// Meshes that halving cells made of the coarsest, and that one.
+  unsigned int n_levels() const;
+
   /// Longest edge of a cell / its shortest one, the largest of all cells.
   double stretch() const;
 

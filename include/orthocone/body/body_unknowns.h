@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
+#include <orthocone/body/hanging_dofs.h>
 #include <orthocone/surface/contact_surface.h>
 
 #include <Eigen/Dense>
@@ -9,8 +10,8 @@
 namespace orthocone
 {
 /// What condensation, checks and reports need to know of a body, whatever its mesh: its degrees of freedom in
-/// three ranges, interior (free, not on the contact surface), contact (free, on the contact surface) and held
-/// (zero), and its contact surface.
+/// four ranges, interior (free, not on the contact surface), contact (free, on the contact surface), held
+/// (zero) and hanging (moved by others), and its contact surface.
 class BodyUnknowns
 {
 public:
@@ -37,6 +38,8 @@ public:
 
   const ContactSurface &contact_surface() const { return contact_surface_; }
 
+  const HangingDofs &hanging() const { return hanging_; }
+
 protected:
   unsigned int n_interior_ = 0;
   unsigned int n_free_ = 0;
@@ -45,5 +48,6 @@ protected:
   Eigen::Matrix3Xd positions_; ///< of the degrees of freedom
   Eigen::Vector3d held_centre_ = Eigen::Vector3d::Zero();
   ContactSurface contact_surface_;
+  HangingDofs hanging_;
 };
 } // namespace orthocone

@@ -80,6 +80,12 @@ struct GeometryOptions
   double held_height() const { return shape == BodyShape::box ? sizes[2] : height; }
 };
 
+/// Cells of a mesh from `first` to `last`, numbers in its order.
+struct CellRange
+{
+  unsigned int first, last;
+};
+
 /// Section Mesh: an o-grid disc extruded into layers, or the rows of cells of a box.
 struct MeshOptions
 {
@@ -99,6 +105,9 @@ struct MeshOptions
   double edge_grading = 1;      ///< of a box: thickness of a cell / that of its neighbour towards the middle
   unsigned int refinements = 0; ///< how often every cell is divided into eight, a section's into four
   BodyBackend backend = BodyBackend::automatic;
+  unsigned int adaptive = 0; ///< rounds of refinement where the first cycle asks for it
+  std::vector<std::vector<CellRange>> refined_cells{}; ///< halved after all refinements, round by round
+  unsigned int coarsenings = 0; ///< how often the smallest of all these cells are undone; no entry
 
   unsigned int n_rings() const { return rings == 0 ? core_cells : rings; }
   unsigned int n_quadrature_points() const { return quadrature_points == 0 ? degree + 1 : quadrature_points; }

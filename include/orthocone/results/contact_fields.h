@@ -59,6 +59,7 @@ public:
   explicit ContactFieldEvaluator(const Scene &scene);
 
   ContactFields fields(const ContactState &state, unsigned int node) const;
+  /// Of all places: contact nodes, then hanging nodes.
   std::vector<ContactFields> all_fields(const ContactState &state) const;
 
   /// Area that sticks in the whole body, mm^2.

@@ -32,7 +32,7 @@ class StickArea
 public:
   StickArea(const ContactSurface &surface, const MaterialOptions &material);
 
-  /// Area in mm^2 of the modelled part; one sample a node.
+  /// Area in mm^2 of the modelled part; one sample a place.
   double operator()(const std::vector<StickSample> &samples) const;
 
 private:

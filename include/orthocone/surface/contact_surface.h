@@ -17,12 +17,35 @@ struct ContactNode
   double height = 0;                ///< z in mm; 0 where the base is flat
 };
 
+/// A place where a face borders on smaller ones. Its displacement and its fields are those of the larger face:
+/// sums over contact nodes. Contact is not asked for there.
+struct HangingNode
+{
+  /// A contact node and its share.
+  struct Term
+  {
+    unsigned int node;
+    double weight;
+  };
+
+  ContactNode place; ///< without area
+  std::vector<Term> terms;
+};
+
 /// Contact nodes and the faces between them, free of mesh types.
 struct ContactSurface
 {
   unsigned int degree = 1;
   std::vector<ContactNode> nodes;
-  /// (degree + 1)^2 nodes a face, lexicographic; degree + 1 from the axis outwards where a section has faces
+  std::vector<HangingNode> hanging{};
+  /// (degree + 1)^2 places a face, lexicographic; degree + 1 from the axis outwards where a section has faces
   std::vector<std::vector<unsigned int>> faces;
+
+  /// Places are contact nodes, then hanging nodes.
+  std::size_t n_places() const { return nodes.size() + hanging.size(); }
+  const ContactNode &place(const std::size_t i) const
+  {
+    return i < nodes.size() ? nodes[i] : hanging[i - nodes.size()].place;
+  }
 };
 } // namespace orthocone

@@ -29,7 +29,7 @@ struct WholeSurface
 {
   struct Node
   {
-    unsigned int node;  ///< of the model
+    unsigned int node;  ///< place of the model
     unsigned int image; ///< index in `images`
   };
 

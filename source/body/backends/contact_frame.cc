@@ -41,6 +41,7 @@ VectorXd ContactFrame::with_motion(const RigidMotion &held, const VectorXd &elas
 {
   VectorXd displacement = VectorXd::Zero(unknowns_.n_dofs());
   displacement.head(unknowns_.n_free()) = elastic;
+  unknowns_.hanging().distribute(displacement.data());
   for (unsigned int dof = 0; dof < unknowns_.n_dofs(); ++dof)
     displacement[dof] += held.at(unknowns_.position(dof) - unknowns_.held_centre())[unknowns_.direction(dof)];
   return displacement;

@@ -69,6 +69,8 @@ DisplacementSpace<dim>::DisplacementSpace(const dealii::Triangulation<dim> &tria
   const DofRanges ranges = number_by_range(dof_handler_, held_dofs(top_face));
   n_interior_ = ranges.n_interior;
   n_free_ = ranges.n_free;
+  if (ranges.n_not_hanging < dof_handler_.n_dofs())
+    hanging_ = HangingDofs(ranges.n_not_hanging, hanging_sums(dof_handler_, ranges));
   directions_ = directions_of<dim>(dof_handler_, directions<dim>());
   positions_ = positions_of(mapping_, dof_handler_);
   held_centre_ = held_centre_of(triangulation);
@@ -137,9 +139,44 @@ void DisplacementSpace<dim>::find_contact_surface()
                     dealii::ExcMessage("the contact surface is not the lower face of a cell"));
         add_contact_face(cell);
       }
+  separate_hanging_nodes();
   for (const ContactNode &node : contact_surface_.nodes)
     AssertThrow(node.area > 0,
                 dealii::ExcMessage("the mesh is too distorted: a contact node has no positive area"));
+}
+
+/// Numbers them behind the contact nodes, which get their areas.
+template<int dim>
+void DisplacementSpace<dim>::separate_hanging_nodes()
+{
+  if (hanging_.empty())
+    return;
+  std::vector<ContactNode> all;
+  std::swap(all, contact_surface_.nodes);
+  const auto hangs = [&](const ContactNode &node) { return hanging_.contains(node.dofs[2]); };
+  std::vector<unsigned int> new_number(all.size());
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (!hangs(all[i]))
+    {
+      new_number[i] = node_of_dof_[all[i].dofs[2]] = contact_surface_.nodes.size();
+      contact_surface_.nodes.push_back(all[i]);
+    }
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if (hangs(all[i]))
+    {
+      new_number[i] = contact_surface_.n_places();
+      contact_surface_.hanging.push_back({all[i], {}});
+      for (const HangingDofs::Term &term : hanging_.terms(all[i].dofs[2]))
+      {
+        const unsigned int node = node_of_dof_[term.dof];
+        contact_surface_.hanging.back().terms.push_back({node, term.weight});
+        contact_surface_.nodes[node].area += term.weight * all[i].area;
+      }
+      contact_surface_.hanging.back().place.area = 0;
+    }
+  for (auto &face : contact_surface_.faces)
+    for (unsigned int &place : face)
+      place = new_number[place];
 }
 
 template<int dim>
@@ -155,6 +192,7 @@ void DisplacementSpace<dim>::add_contact_face(const Cell &cell)
     contact_surface_.nodes[nodes.back()].area += weights[i];
   }
   contact_surface_.faces.push_back(nodes);
+  contact_cells_.push_back(cell->active_cell_index());
 }
 
 /// Number of a node of a contact face, which is added if it is new.
@@ -170,7 +208,7 @@ unsigned int DisplacementSpace<dim>::contact_node(const Cell &cell, const unsign
   {
     const unsigned int direction = directions<dim>()[c];
     node.dofs[direction] = dofs[fe_.component_to_system_index(c, hierarchic_[point])];
-    node.is_free[direction] = node.dofs[direction] < n_free_;
+    node.is_free[direction] = node.dofs[direction] < n_free_ || hanging_.contains(node.dofs[direction]);
   }
   unsigned int &number = node_of_dof_[node.dofs[2]];
   if (number != dealii::numbers::invalid_unsigned_int)

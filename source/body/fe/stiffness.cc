@@ -28,11 +28,12 @@ template<int dim>
 void assemble(const DisplacementSpace<dim> &space, const Material &material,
               dealii::SparseMatrix<double> &matrix)
 {
-  const auto work = [](const typename DisplacementSpace<dim>::Cell &cell, CellStiffness<dim> &stiffness,
+  const auto work = [&space](const typename DisplacementSpace<dim>::Cell &cell, CellStiffness<dim> &stiffness,
                        CellMatrix<dim> &copy)
   {
-    copy.matrix = stiffness.of(cell);
-    copy.dofs = dofs_by_node<dim>(cell);
+    const CellBasis moving(space.hanging(), dofs_by_node<dim>(cell));
+    copy.matrix = moving.reduced(stiffness.of(cell));
+    copy.dofs = moving.dofs;
   };
   const auto add = [&](const CellMatrix<dim> &copy) { add_cell_matrix(copy.matrix, copy.dofs, matrix); };
   const auto &dof_handler = space.dof_handler();
@@ -46,11 +47,10 @@ void make_stiffness_pattern(const DisplacementSpace<dim> &space, dealii::Sparsit
 {
   const unsigned int n_free = space.n_free();
   dealii::DynamicSparsityPattern entries(n_free);
-  std::vector<dealii::types::global_dof_index> dofs(space.fe().n_dofs_per_cell());
   std::vector<dealii::types::global_dof_index> columns;
   for (const auto &cell : space.dof_handler().active_cell_iterators())
   {
-    cell->get_dof_indices(dofs);
+    auto dofs = CellBasis(space.hanging(), dofs_by_node<dim>(cell)).dofs;
     std::sort(dofs.begin(), dofs.end());
     columns.clear();
     for (const auto row : dofs)
@@ -76,6 +76,28 @@ template void make_stiffness_pattern(const Discretization &, dealii::SparsityPat
 template void make_stiffness_pattern(const SectionDiscretization &, dealii::SparsityPattern &);
 template Stiffness::Stiffness(const Discretization &, const MaterialOptions &);
 template Stiffness::Stiffness(const SectionDiscretization &, const MaterialOptions &);
+
+Eigen::VectorXd diagonal_beside_hanging_nodes(const Discretization &space, const MaterialOptions &material)
+{
+  if (space.hanging().empty())
+    return {};
+  Eigen::VectorXd diagonal = Eigen::VectorXd::Zero(space.n_dofs());
+  CellStiffness<3> stiffness(space, Material(material));
+  for (const auto &cell : space.dof_handler().active_cell_iterators())
+  {
+    const auto dofs = dofs_by_node<3>(cell);
+    const CellBasis moving(space.hanging(), dofs);
+    if (moving.basis.size() == 0)
+      continue;
+    const Eigen::MatrixXd &matrix = stiffness.of(cell);
+    const Eigen::MatrixXd reduced = moving.reduced(matrix);
+    for (std::size_t i = 0; i < dofs.size(); ++i)
+      diagonal[dofs[i]] -= matrix(i, i);
+    for (std::size_t i = 0; i < moving.dofs.size(); ++i)
+      diagonal[moving.dofs[i]] += reduced(i, i);
+  }
+  return diagonal;
+}
 
 double Stiffness::rounding(const Eigen::VectorXd &displacement) const
 {

@@ -36,6 +36,9 @@ public:
   unsigned int n_quadrature_points() const { return n_quadrature_points_; }
   VolumetricQuadrature volumetric_quadrature() const { return volumetric_quadrature_; }
 
+  /// Number of the active cell that every face of the contact surface belongs to.
+  const std::vector<unsigned int> &contact_cells() const { return contact_cells_; }
+
   using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
   /// Whether the cell has the contact face on the axis, which only a cell of a section can have.
@@ -49,6 +52,7 @@ private:
   std::vector<bool> held_dofs(TopFace top_face) const;
   void make_axis_face_basis();
   void find_contact_surface();
+  void separate_hanging_nodes();
   void add_contact_face(const Cell &cell);
   unsigned int contact_node(const Cell &cell, unsigned int point);
   Eigen::VectorXd face_weights(const Cell &cell) const;
@@ -61,6 +65,7 @@ private:
   VolumetricQuadrature volumetric_quadrature_;
   std::vector<unsigned int> hierarchic_;  ///< numbers in scalar_fe_ of the nodes in lexicographic order
   std::vector<unsigned int> node_of_dof_; ///< of u_z
+  std::vector<unsigned int> contact_cells_;
   // Of a section:
   std::vector<double> axis_face_points_; ///< 0 to 1
   Eigen::MatrixXd axis_face_values_;     ///< at the face's nodes of FE_Q, of the basis at axis_face_points_

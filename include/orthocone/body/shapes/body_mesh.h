@@ -2,19 +2,22 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
+#include <orthocone/body/shapes/refinement.h>
 #include <orthocone/body/shapes/shape.h>
 
 namespace orthocone
 {
 /// Hexahedra of the modelled part of the body whose shape the options name. The mesh of a half or a quarter
-/// consists of exactly those cells of the full mesh that lie there.
+/// consists of exactly those cells of the full mesh that lie there. Where cells of different sizes meet, their
+/// edges differ by a factor of two at most, also across an edge or a corner.
 class BodyMesh
 {
 public:
   BodyMesh(const GeometryOptions &geometry, const MeshOptions &options, const SymmetryPlanes &planes)
+      : triangulation_(dealii::Triangulation<3>::limit_level_difference_at_vertices)
   {
     make_shape(geometry, options)->make_solid(planes, triangulation_);
-    triangulation_.refine_global(options.refinements);
+    refine(triangulation_, options);
   }
 
   const dealii::Triangulation<3> &triangulation() const { return triangulation_; }
@@ -28,9 +31,10 @@ class SectionMesh
 {
 public:
   SectionMesh(const GeometryOptions &geometry, const MeshOptions &options)
+      : triangulation_(dealii::Triangulation<2>::limit_level_difference_at_vertices)
   {
     make_shape(geometry, options)->make_section(triangulation_);
-    triangulation_.refine_global(options.refinements);
+    refine(triangulation_, options);
   }
 
   const dealii::Triangulation<2> &triangulation() const { return triangulation_; }

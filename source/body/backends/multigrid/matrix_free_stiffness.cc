@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include "matrix_free_stiffness.h"
 
+#include <orthocone/body/fe/stiffness.h>
 #include <orthocone/body/materials/lame.h>
 
 #include <deal.II/base/polynomial.h>
@@ -88,7 +89,7 @@ private:
 
   unsigned int n_geometry() const { return CellBatches<Number>::n_geometry * values_.n_quadrature_points; }
 
-  /// Lanes without a cell stay as they are here: no volume, and a degree of freedom that is held.
+  /// Lanes without a cell stay as they are here: no volume, and a degree of freedom that is not free.
   void add_batch()
   {
     batches_.dofs.resize(batches_.dofs.size() + of_cell_.size() * lanes, space_.n_dofs() - 1);
@@ -104,25 +105,36 @@ private:
 
 template<typename Number>
 MatrixFreeStiffness<Number>::MatrixFreeStiffness(const Discretization &space, const MaterialOptions &material)
-    : n_free_(space.n_free()),
-      n_dofs_(space.n_dofs()),
+    : space_(space),
+      material_(material),
       cells_(empty_batches<Number>(space, material))
 {
   BatchWriter<Number> writer(space, cells_);
   unsigned int n_cells = 0;
   for (const auto &cell : space.dof_handler().active_cell_iterators())
     writer.add(cell, n_cells++ % Lanes<Number>::n);
+  if (!space.hanging().empty())
+    with_hanging_ = make_vector();
 }
 
 template<typename Number>
 void MatrixFreeStiffness<Number>::vmult(BodyVector<Number> &forces,
                                         const BodyVector<Number> &displacement) const
 {
-  Assert(std::all_of(displacement.begin() + n_free_, displacement.end(),
+  Assert(std::all_of(displacement.begin() + space_.n_free(), displacement.end(),
                      [](const Number held) { return held == 0; }),
          dealii::ExcMessage("a held degree of freedom moves"));
+  const HangingDofs &hanging = space_.hanging();
   forces = 0;
-  add_products(cells_, displacement.begin(), forces.begin());
+  if (hanging.empty())
+    add_products(cells_, displacement.begin(), forces.begin());
+  else
+  {
+    with_hanging_ = displacement;
+    hanging.distribute(with_hanging_.begin());
+    add_products(cells_, with_hanging_.begin(), forces.begin());
+    hanging.collect(forces.begin());
+  }
   clear_held(forces);
 }
 
@@ -131,6 +143,9 @@ BodyVector<Number> MatrixFreeStiffness<Number>::diagonal() const
 {
   BodyVector<Number> diagonal = make_vector();
   add_diagonals(cells_, diagonal.begin());
+  const Eigen::VectorXd beside_hanging = diagonal_beside_hanging_nodes(space_, material_);
+  for (Eigen::Index i = 0; i < beside_hanging.size(); ++i)
+    diagonal.local_element(i) += static_cast<Number>(beside_hanging[i]);
   clear_held(diagonal);
   return diagonal;
 }
@@ -138,7 +153,7 @@ BodyVector<Number> MatrixFreeStiffness<Number>::diagonal() const
 template<typename Number>
 void MatrixFreeStiffness<Number>::clear_held(BodyVector<Number> &vector) const
 {
-  std::fill(vector.begin() + n_free_, vector.end(), Number{0});
+  std::fill(vector.begin() + space_.n_free(), vector.end(), Number{0});
 }
 
 template class MatrixFreeStiffness<float>;

@@ -14,23 +14,26 @@ template<typename Number>
 using BodyVector = dealii::LinearAlgebra::distributed::Vector<Number>;
 
 /// Products with the stiffness of a body without its entries, cell by cell. Vectors hold all degrees of
-/// freedom, mm or N; those of the held ones are zero.
+/// freedom, mm or N; those of the held and of the hanging ones are zero.
 template<typename Number>
 class MatrixFreeStiffness
 {
 public:
+  /// `space` must outlive this.
   MatrixFreeStiffness(const Discretization &space, const MaterialOptions &material);
 
-  BodyVector<Number> make_vector() const { return BodyVector<Number>(n_dofs_); }
+  BodyVector<Number> make_vector() const { return BodyVector<Number>(space_.n_dofs()); }
   void vmult(BodyVector<Number> &forces, const BodyVector<Number> &displacement) const;
 
-  /// N/mm; 0 at held degrees of freedom.
+  /// N/mm; 0 at held and at hanging degrees of freedom.
   BodyVector<Number> diagonal() const;
 
 private:
   void clear_held(BodyVector<Number> &vector) const;
 
-  unsigned int n_free_, n_dofs_;
+  const Discretization &space_;
+  MaterialOptions material_;
   CellBatches<Number> cells_;
+  mutable BodyVector<Number> with_hanging_; ///< displacement, where nodes hang
 };
 } // namespace orthocone

@@ -39,12 +39,17 @@ std::vector<std::size_t> nearest_nodes(const std::vector<ContactNode> &coarse,
   return nearest;
 }
 
-/// The held degrees of freedom as constraints: their displacement is zero.
-dealii::AffineConstraints<float> held_at_zero(const Discretization &space)
+/// Held and hanging degrees of freedom as constraints: zero, or as others move them.
+dealii::AffineConstraints<float> constraints_of(const Discretization &space)
 {
   dealii::AffineConstraints<float> constraints;
   for (unsigned int dof = space.n_free(); dof < space.n_dofs(); ++dof)
+  {
     constraints.add_line(dof);
+    if (space.hanging().contains(dof))
+      for (const auto &[other, weight] : space.hanging().terms(dof))
+        constraints.add_entry(dof, other, static_cast<float>(weight));
+  }
   constraints.close();
   return constraints;
 }
@@ -109,7 +114,7 @@ void VCycle::connect(const std::size_t level)
 {
   const Discretization &fine = space_of(level), &coarse = space_of(level - 1);
   transfers_.push_back(std::make_unique<Transfer>());
-  const auto held_fine = held_at_zero(fine), held_coarse = held_at_zero(coarse);
+  const auto held_fine = constraints_of(fine), held_coarse = constraints_of(coarse);
   if (fine.scalar_fe().degree != coarse.scalar_fe().degree)
     transfers_.back()->reinit_polynomial_transfer(fine.dof_handler(), coarse.dof_handler(), held_fine,
                                                   held_coarse);

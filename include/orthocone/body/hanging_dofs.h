@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <limits>
+#include <vector>
+
+namespace orthocone
+{
+/// Degrees of freedom that cannot move by themselves: those of nodes where a cell borders on smaller ones.
+/// The displacement there is that of the larger cell, a sum over its nodes. They have the last numbers.
+class HangingDofs
+{
+public:
+  /// One degree of freedom that moves a hanging one, and how much of its displacement that has.
+  struct Term
+  {
+    unsigned int dof;
+    double weight;
+  };
+  using Terms = std::vector<Term>;
+
+  HangingDofs() = default;
+
+  /// One sum a hanging degree of freedom, which begin with number `first`. No term hangs itself.
+  HangingDofs(const unsigned int first, std::vector<Terms> sums)
+      : first_(first),
+        sums_(std::move(sums))
+  {
+  }
+
+  bool empty() const { return sums_.empty(); }
+  bool contains(const unsigned int dof) const { return dof >= first_; }
+  const Terms &terms(const unsigned int dof) const { return sums_[dof - first_]; }
+
+  /// Gives the hanging ones their displacement by that of the others.
+  template<typename Number>
+  void distribute(Number *const displacement) const
+  {
+    for (std::size_t i = 0; i < sums_.size(); ++i)
+    {
+      double sum = 0;
+      for (const Term &term : sums_[i])
+        sum += term.weight * static_cast<double>(displacement[term.dof]);
+      displacement[first_ + i] = static_cast<Number>(sum);
+    }
+  }
+
+  /// Moves forces on hanging ones to those that move them: the same work.
+  template<typename Number>
+  void collect(Number *const forces) const
+  {
+    for (std::size_t i = 0; i < sums_.size(); ++i)
+    {
+      for (const Term &term : sums_[i])
+        forces[term.dof] += static_cast<Number>(term.weight) * forces[first_ + i];
+      forces[first_ + i] = 0;
+    }
+  }
+
+private:
+  unsigned int first_ = std::numeric_limits<unsigned int>::max();
+  std::vector<Terms> sums_;
+};
+
+/// What moves the nodes of a cell: the degrees of freedom, none of which hangs, and the displacement of all
+/// of the cell's by theirs. No basis where nothing of the cell hangs.
+template<typename Index>
+struct CellBasis
+{
+  CellBasis(const HangingDofs &hanging, const std::vector<Index> &of_cell)
+      : dofs(of_cell)
+  {
+    const auto hangs = [&](const Index dof) { return hanging.contains(dof); };
+    if (std::none_of(of_cell.begin(), of_cell.end(), hangs))
+      return;
+    dofs.erase(std::remove_if(dofs.begin(), dofs.end(), hangs), dofs.end());
+    basis.setZero(of_cell.size(), of_cell.size()); // with room for more
+    for (std::size_t i = 0; i < of_cell.size(); ++i)
+      if (!hangs(of_cell[i]))
+        add(i, {static_cast<unsigned int>(of_cell[i]), 1});
+      else
+        for (const HangingDofs::Term &term : hanging.terms(of_cell[i]))
+          add(i, term);
+    basis.conservativeResize(Eigen::NoChange, dofs.size());
+  }
+
+  /// The cell's matrix for these degrees of freedom.
+  Eigen::MatrixXd reduced(const Eigen::MatrixXd &matrix) const
+  {
+    return basis.size() == 0 ? matrix : Eigen::MatrixXd(basis.transpose() * matrix * basis);
+  }
+
+  std::vector<Index> dofs;
+  Eigen::MatrixXd basis;
+
+private:
+  void add(const std::size_t row, const HangingDofs::Term &term)
+  {
+    const auto found = std::find(dofs.begin(), dofs.end(), term.dof);
+    const auto column = found - dofs.begin();
+    if (found == dofs.end())
+      dofs.push_back(term.dof);
+    if (column >= basis.cols())
+    {
+      basis.conservativeResize(Eigen::NoChange, column + 1);
+      basis.col(column).setZero();
+    }
+    basis(static_cast<Eigen::Index>(row), column) += term.weight;
+  }
+};
+} // namespace orthocone

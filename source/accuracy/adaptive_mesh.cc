@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/accuracy/adaptive_mesh.h>
+
+#include <orthocone/accuracy/backend_choice.h>
+#include <orthocone/accuracy/first_cycle.h>
+#include <orthocone/accuracy/memory_need.h>
+#include <orthocone/body/fe/stress_jumps.h>
+#include <orthocone/body/shapes/boundary.h>
+
+#include <algorithm>
+#include <numeric>
+
+namespace orthocone
+{
+namespace
+{
+using Eigen::VectorXd;
+
+/// What the ends of the legs ask for.
+template<int dim>
+class RefinementWatch : public MarchObserver
+{
+public:
+  RefinementWatch(const Scene &scene, const DisplacementSpace<dim> &space)
+      : scene_(scene),
+        space_(space),
+        squared_errors_(VectorXd::Zero(space_.n_cells())),
+        is_on_border_(space_.n_cells(), false)
+  {
+    for (const auto &cell : space.dof_handler().active_cell_iterators())
+      is_on_border_[cell->active_cell_index()] =
+          is_at(cell, Boundary::contact_surface) && is_at(cell, Boundary::lateral_surface);
+  }
+
+  bool accepts(const MarchedStep &solved) override
+  {
+    ends_leg_ = solved.step.share == 1;
+    return true;
+  }
+
+  void accepted(ContactState &state) override
+  {
+    if (!ends_leg_)
+      return;
+    const VectorXd elastic = scene_.body().elastic_displacement(state.force);
+    squared_errors_ += squared_jumps(space_, scene_.body().with_motion({}, elastic));
+    for (std::size_t face = 0; face < space_.contact_cells().size(); ++face)
+      if (is_mixed(space_.contact_surface().faces[face], state.status))
+        is_on_border_[space_.contact_cells()[face]] = true;
+  }
+
+  /// The fewest cells that have this share of the squared error, and those on a border.
+  std::vector<bool> marked_cells() const
+  {
+    constexpr double share = 0.5;
+    std::vector<bool> is_marked = is_on_border_;
+    std::vector<unsigned int> order(space_.n_cells());
+    std::iota(order.begin(), order.end(), 0);
+    std::stable_sort(order.begin(), order.end(), [&](const unsigned int a, const unsigned int b)
+                     { return squared_errors_[a] > squared_errors_[b]; });
+    double rest = share * squared_errors_.sum();
+    for (std::size_t i = 0; i < order.size() && rest > 0; ++i)
+    {
+      is_marked[order[i]] = true;
+      rest -= squared_errors_[order[i]];
+    }
+    return is_marked;
+  }
+
+private:
+  static bool is_at(const typename DisplacementSpace<dim>::Cell &cell, const Boundary boundary)
+  {
+    for (const unsigned int face : cell->face_indices())
+      if (cell->face(face)->at_boundary() && cell->face(face)->boundary_id() == boundary)
+        return true;
+    return false;
+  }
+
+  /// Hanging nodes are between the others.
+  static bool is_mixed(const std::vector<unsigned int> &places, const std::vector<NodeStatus> &status)
+  {
+    std::optional<NodeStatus> first;
+    for (const unsigned int place : places)
+      if (place < status.size())
+      {
+        if (first && *first != status[place])
+          return true;
+        first = status[place];
+      }
+    return false;
+  }
+
+  const Scene &scene_;
+  const DisplacementSpace<dim> &space_;
+  VectorXd squared_errors_;
+  std::vector<bool> is_on_border_;
+  bool ends_leg_ = false;
+};
+
+std::vector<CellRange> ranges_of(const std::vector<bool> &is_marked)
+{
+  std::vector<CellRange> ranges;
+  for (unsigned int i = 0; i < is_marked.size(); ++i)
+    if (is_marked[i] && (i == 0 || !is_marked[i - 1]))
+      ranges.push_back({i, i});
+    else if (is_marked[i])
+      ranges.back().last = i;
+  return ranges;
+}
+
+/// The cells that the first cycle asks to be halved.
+std::vector<CellRange> cells_to_halve(const Scene &scene)
+{
+  return scene.body().mesh().visit(
+      [&](const auto &space)
+      {
+        RefinementWatch watch(scene, space);
+        march_first_cycle(scene, scene.parameters().load, "Mesh/Adaptive", watch);
+        return ranges_of(watch.marked_cells());
+      });
+}
+
+std::string size_of(const Scene &scene)
+{
+  return std::to_string(scene.body().unknowns().n_cells()) + " cells, " +
+         std::to_string(scene.surface().nodes.size()) + " contact nodes: ";
+}
+} // namespace
+
+MeshOptions adapted_mesh(const Parameters &parameters, const ModelChoice &choice, const Teller &tell,
+                         const double gigabytes)
+{
+  Parameters adapted = parameters;
+  adapted.mesh.adaptive = 0;
+  const auto with_backend = [&](Parameters of)
+  {
+    of.mesh.backend = choose_backend(of, choice.symmetry, gigabytes).backend;
+    return of;
+  };
+  for (unsigned int round = 1; round <= parameters.mesh.adaptive; ++round)
+  {
+    const Scene scene(with_backend(adapted), choice);
+    Parameters finer = adapted;
+    finer.mesh.refined_cells.push_back(cells_to_halve(scene));
+    const std::string line = "adaptive       round " + std::to_string(round) + ", " + size_of(scene);
+    if (is_too_large(with_backend(finer), choice.symmetry, gigabytes))
+    {
+      tell(line + "the next mesh would need more memory than this machine has");
+      break;
+    }
+    tell(line + std::to_string(Body(finer, choice.symmetry).unknowns().n_cells()) + " cells follow");
+    adapted = finer;
+  }
+  return adapted.mesh;
+}
+} // namespace orthocone
