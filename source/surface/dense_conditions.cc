@@ -52,6 +52,9 @@ public:
          const InnerCompliance &inner);
 
   Index n_unknowns() const { return n_ + n_face_; }
+
+  /// Whether a node resists; where all are open, nothing answers a motion of the face either.
+  bool resists() const { return n_ > 0; }
   VectorXd right_side() const;
   VectorXf apply(const VectorXf &unknowns) const;
   VectorXf precondition(const VectorXf &rest) const;
@@ -231,7 +234,7 @@ ContactChange DenseConditionSolver::solve(const ContactConditions &conditions, c
   const VectorXd right = system.right_side();
   const double size = right.norm();
   VectorXf unknowns = VectorXf::Zero(system.n_unknowns());
-  if (size > 0)
+  if (size > 0 && system.resists())
     unknowns = solve_gmres({system.n_unknowns(), [&](const VectorXf &x) { return system.apply(x); },
                             [&](const VectorXf &x) { return system.precondition(x); }},
                            (right / size).cast<float>(), static_cast<float>(accuracy), most_iterations);

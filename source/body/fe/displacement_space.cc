@@ -163,20 +163,28 @@ void DisplacementSpace<dim>::separate_hanging_nodes()
     }
   for (std::size_t i = 0; i < all.size(); ++i)
     if (hangs(all[i]))
-    {
-      new_number[i] = contact_surface_.n_places();
-      contact_surface_.hanging.push_back({all[i], {}});
-      for (const HangingDofs::Term &term : hanging_.terms(all[i].dofs[2]))
-      {
-        const unsigned int node = node_of_dof_[term.dof];
-        contact_surface_.hanging.back().terms.push_back({node, term.weight});
-        contact_surface_.nodes[node].area += term.weight * all[i].area;
-      }
-      contact_surface_.hanging.back().place.area = 0;
-    }
+      new_number[i] = hanging_place(all[i]);
   for (auto &face : contact_surface_.faces)
     for (unsigned int &place : face)
       place = new_number[place];
+}
+
+/// Number of the place where a node hangs, whose area goes to the contact nodes that move it. In the middle
+/// of an edge of even degree this is a contact node.
+template<int dim>
+unsigned int DisplacementSpace<dim>::hanging_place(ContactNode hanging)
+{
+  std::vector<HangingNode::Term> terms;
+  for (const HangingDofs::Term &term : hanging_.terms(hanging.dofs[2]))
+  {
+    terms.push_back({node_of_dof_[term.dof], term.weight});
+    contact_surface_.nodes[terms.back().node].area += term.weight * hanging.area;
+  }
+  if (terms.size() == 1)
+    return terms.front().node;
+  hanging.area = 0;
+  contact_surface_.hanging.push_back({hanging, terms});
+  return contact_surface_.n_places() - 1;
 }
 
 template<int dim>

@@ -19,4 +19,13 @@ inline MeshOptions even_mesh(const unsigned int degree, const unsigned int refin
   mesh.cells = {{2, 2, 2}};
   return mesh;
 }
+
+/// Such cells of three sizes, with hanging nodes inside, on the base and in planes of symmetry.
+inline MeshOptions uneven_mesh(const unsigned int degree)
+{
+  MeshOptions mesh = even_mesh(degree, 0);
+  mesh.cells = {{4, 4, 2}};
+  mesh.refined_cells = {{{0, 0}, {3, 5}}, {{2, 2}, {9, 12}, {20, 20}}};
+  return mesh;
+}
 } // namespace orthocone::test

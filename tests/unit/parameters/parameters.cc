@@ -27,6 +27,7 @@ Parameters unusual_parameters()
   parameters.geometry = {7.25, 1e-3, TopFace::guided};
   parameters.mesh = {ModelKind::quarter,     6,  5, 3, 3, 5, VolumetricQuadrature::reduced, 0.37, 0.4, 1.5,
                      MeshResolution::coarse, 2.5};
+  parameters.mesh.refined_cells = {{{0, 0}, {4, 7}}, {{12, 12}}};
   parameters.material = {1. / 3, -0.25};
   parameters.friction = {{{0.1, 1e-3}}, std::array<double, 2>{{2, 3}}, -12.5};
   parameters.load = {{move_to(0, 0, -0.01, 2)}, {move_to(1e-3, -2, -0.1, 3), move_to(0, 0, 0, 4)}, 7};

@@ -53,6 +53,7 @@ private:
   void make_axis_face_basis();
   void find_contact_surface();
   void separate_hanging_nodes();
+  unsigned int hanging_place(ContactNode hanging);
   void add_contact_face(const Cell &cell);
   unsigned int contact_node(const Cell &cell, unsigned int point);
   Eigen::VectorXd face_weights(const Cell &cell) const;

@@ -39,14 +39,32 @@ TEST(VCycle, MakesConjugateGradientsFast)
   }
 }
 
+/// Cells of three sizes cost no more.
+TEST(VCycle, MakesConjugateGradientsFastBesideHangingNodes)
+{
+  constexpr unsigned int most_iterations = 12;
+  for (const unsigned int degree : {1U, 2U, 3U})
+  {
+    const RefinedBody refined(default_geometry, uneven_mesh(degree), quarter);
+    BodyVector<double> displacement = refined.stiffness.make_vector();
+    const auto forces = refined.all(random_numbers(refined.body.discretization.n_free(), 3));
+    dealii::SolverControl control(most_iterations, 1e-8 * forces.l2_norm(), false, false);
+    dealii::SolverCG<BodyVector<double>> cg(control);
+    EXPECT_NO_THROW(cg.solve(refined.stiffness, displacement, forces, refined.cycle)) << degree;
+  }
+}
+
 TEST(ElasticSolver, SolvesAsTheFactorization)
 {
-  const RefinedBody refined(default_geometry, even_mesh(2, 1), quarter);
-  const VectorXd forces = random_numbers(refined.body.discretization.n_free(), 5);
-  const VectorXd u = refined.free(refined.elastic.solve(refined.all(forces), 1e-12));
-  EXPECT_LE((refined.body.stiffness.vmult(u) - forces).norm(), 1e-11 * forces.norm());
-  const VectorXd expected = refined.body.factor.solve(forces);
-  EXPECT_LE((u - expected).norm(), 1e-10 * expected.norm());
+  for (const MeshOptions &mesh : {even_mesh(2, 1), uneven_mesh(2)})
+  {
+    const RefinedBody refined(default_geometry, mesh, quarter);
+    const VectorXd forces = random_numbers(refined.body.discretization.n_free(), 5);
+    const VectorXd u = refined.free(refined.elastic.solve(refined.all(forces), 1e-12));
+    EXPECT_LE((refined.body.stiffness.vmult(u) - forces).norm(), 1e-11 * forces.norm());
+    const VectorXd expected = refined.body.factor.solve(forces);
+    EXPECT_LE((u - expected).norm(), 1e-10 * expected.norm());
+  }
 }
 
 /// Proportional and combined forces cost no V-cycle any more, and the same ones give the same bytes.
