@@ -17,12 +17,22 @@ namespace
 {
 using Eigen::VectorXd;
 
-/// What the ends of the legs ask for.
+std::vector<CellRange> ranges_of(const std::vector<bool> &is_marked)
+{
+  std::vector<CellRange> ranges;
+  for (unsigned int i = 0; i < is_marked.size(); ++i)
+    if (is_marked[i] && (i == 0 || !is_marked[i - 1]))
+      ranges.push_back({i, i});
+    else if (is_marked[i])
+      ranges.back().last = i;
+  return ranges;
+}
+
 template<int dim>
-class RefinementWatch : public MarchObserver
+class WatchOfSpace : public RefinementWatch
 {
 public:
-  RefinementWatch(const Scene &scene, const DisplacementSpace<dim> &space)
+  WatchOfSpace(const Scene &scene, const DisplacementSpace<dim> &space)
       : scene_(scene),
         space_(space),
         squared_errors_(VectorXd::Zero(space_.n_cells())),
@@ -50,14 +60,14 @@ public:
         is_on_border_[space_.contact_cells()[face]] = true;
   }
 
-  /// The fewest cells that have this share of the squared error, and those on a border.
-  std::vector<bool> marked_cells() const
+  std::vector<CellRange> cells_to_halve() const override
   {
     constexpr double share = 0.5;
     std::vector<bool> is_marked = is_on_border_;
     std::vector<unsigned int> order(space_.n_cells());
     std::iota(order.begin(), order.end(), 0);
-    std::stable_sort(order.begin(), order.end(), [&](const unsigned int a, const unsigned int b)
+    std::stable_sort(order.begin(), order.end(),
+                     [&](const unsigned int a, const unsigned int b)
                      { return squared_errors_[a] > squared_errors_[b]; });
     double rest = share * squared_errors_.sum();
     for (std::size_t i = 0; i < order.size() && rest > 0; ++i)
@@ -65,7 +75,7 @@ public:
       is_marked[order[i]] = true;
       rest -= squared_errors_[order[i]];
     }
-    return is_marked;
+    return ranges_of(is_marked);
   }
 
 private:
@@ -98,35 +108,19 @@ private:
   bool ends_leg_ = false;
 };
 
-std::vector<CellRange> ranges_of(const std::vector<bool> &is_marked)
-{
-  std::vector<CellRange> ranges;
-  for (unsigned int i = 0; i < is_marked.size(); ++i)
-    if (is_marked[i] && (i == 0 || !is_marked[i - 1]))
-      ranges.push_back({i, i});
-    else if (is_marked[i])
-      ranges.back().last = i;
-  return ranges;
-}
-
-/// The cells that the first cycle asks to be halved.
-std::vector<CellRange> cells_to_halve(const Scene &scene)
-{
-  return scene.body().mesh().visit(
-      [&](const auto &space)
-      {
-        RefinementWatch watch(scene, space);
-        march_first_cycle(scene, scene.parameters().load, "Mesh/Adaptive", watch);
-        return ranges_of(watch.marked_cells());
-      });
-}
-
 std::string size_of(const Scene &scene)
 {
   return std::to_string(scene.body().unknowns().n_cells()) + " cells, " +
          std::to_string(scene.surface().nodes.size()) + " contact nodes: ";
 }
 } // namespace
+
+std::unique_ptr<RefinementWatch> RefinementWatch::of(const Scene &scene)
+{
+  return scene.body().mesh().visit(
+      [&](const auto &space) -> std::unique_ptr<RefinementWatch>
+      { return std::make_unique<WatchOfSpace<std::decay_t<decltype(space)>::dimension>>(scene, space); });
+}
 
 MeshOptions adapted_mesh(const Parameters &parameters, const ModelChoice &choice, const Teller &tell,
                          const double gigabytes)
@@ -142,7 +136,10 @@ MeshOptions adapted_mesh(const Parameters &parameters, const ModelChoice &choice
   {
     const Scene scene(with_backend(adapted), choice);
     Parameters finer = adapted;
-    finer.mesh.refined_cells.push_back(cells_to_halve(scene));
+    const auto watch = RefinementWatch::of(scene);
+    StepSolver solver(scene);
+    march_first_cycle(scene, parameters.load, solver, "Mesh/Adaptive", *watch);
+    finer.mesh.refined_cells.push_back(watch->cells_to_halve());
     const std::string line = "adaptive       round " + std::to_string(round) + ", " + size_of(scene);
     if (is_too_large(with_backend(finer), choice.symmetry, gigabytes))
     {

@@ -26,9 +26,10 @@ unsigned int peak(const std::vector<LoadStep> &steps)
 class QuantityWatch : public MarchObserver
 {
 public:
-  QuantityWatch(const Scene &scene, const unsigned int peak_step)
+  QuantityWatch(const Scene &scene, const unsigned int peak_step, MarchObserver &also)
       : evaluator_(scene),
-        peak_step_(peak_step)
+        peak_step_(peak_step),
+        also_(also)
   {
   }
 
@@ -37,7 +38,7 @@ public:
     if (solved.step.cycle == 1 && solved.step.phase == 0)
       work_before_ = solved.before.work;
     is_in_cycle_ = solved.step.cycle > 0;
-    return true;
+    return also_.accepts(solved);
   }
 
   void accepted(ContactState &state) override
@@ -53,6 +54,7 @@ public:
     if (is_in_cycle_)
       values_[loop_area_index] = state.work - work_before_;
     motion_ = std::max(motion_, std::abs(state.motion[2]));
+    also_.accepted(state);
   }
 
   FirstCycle measured() const { return {values_, motion_}; }
@@ -60,6 +62,7 @@ public:
 private:
   const ContactFieldEvaluator evaluator_;
   unsigned int peak_step_;
+  MarchObserver &also_;
   bool is_in_cycle_ = false;
   double work_before_ = 0; ///< the cycle, N mm
   Quantities values_{};
@@ -73,31 +76,25 @@ LoadOptions first_cycle(LoadOptions load)
   return load;
 }
 
-static void march_through(const std::vector<LoadStep> &steps, const Scene &scene, StepSolver &solver,
-                          const char *const entry, MarchObserver &observer)
+FirstCycle march_first_cycle(const Scene &scene, const LoadOptions &load, StepSolver &solver,
+                             const char *const entry, MarchObserver &also)
 {
+  const std::vector<LoadStep> steps = load_steps(first_cycle(load));
+  QuantityWatch watch(scene, peak(steps), also);
   ContactState state(scene.gaps());
   const BlasThreads threads(state.force.size());
-  if (march(steps, solver, state, observer) == MarchEnd::unsolved)
+  if (march(steps, solver, state, watch) == MarchEnd::unsolved)
     throw std::runtime_error(std::string(entry) + ": load step " + std::to_string(state.step + 1) +
                              " is not solved on a mesh of " + std::to_string(scene.surface().nodes.size()) +
                              " contact nodes; " + entry + " = 0 goes without this search");
+  return watch.measured();
 }
 
 FirstCycle march_first_cycle(const Scene &scene, const LoadOptions &load, StepSolver &solver,
                              const char *const entry)
 {
-  const std::vector<LoadStep> steps = load_steps(first_cycle(load));
-  QuantityWatch watch(scene, peak(steps));
-  march_through(steps, scene, solver, entry, watch);
-  return watch.measured();
-}
-
-void march_first_cycle(const Scene &scene, const LoadOptions &load, const char *const entry,
-                       MarchObserver &observer)
-{
-  StepSolver solver(scene);
-  march_through(load_steps(first_cycle(load)), scene, solver, entry, observer);
+  MarchObserver nobody;
+  return march_first_cycle(scene, load, solver, entry, nobody);
 }
 
 double contact_area(const Scene &scene)

@@ -29,6 +29,69 @@ bool is_fine_enough(AccuracyEstimate accuracy, const double most_steps_share)
     steps_share = std::min(steps_share, most_steps_share);
   return accuracy.is_reached();
 }
+/// The meshes of a search, each finer than the one before: levels of the ladder, and of a solid, from the
+/// second on, rounds of refinement of single cells.
+class MeshLevels
+{
+public:
+  MeshLevels(const Parameters &parameters, const ModelChoice &choice, const double gigabytes)
+      : given_(parameters),
+        choice_(choice),
+        gigabytes_(gigabytes)
+  {
+  }
+
+  unsigned int n_levels() const
+  {
+    constexpr unsigned int most_rounds = 4;
+    return is_axisymmetric() ? n_ladder_levels(true) : n_graded + most_rounds;
+  }
+
+  /// `to_halve`: what the mesh before asked for.
+  Parameters finer(const unsigned int level, const std::vector<CellRange> &to_halve)
+  {
+    Parameters finer = given_;
+    if (is_axisymmetric() || level < n_graded)
+      finer.mesh = ladder_mesh(given_.geometry, given_.mesh, is_axisymmetric(), level);
+    else
+    {
+      finer.mesh = before_;
+      finer.mesh.refined_cells.push_back(to_halve);
+    }
+    before_ = finer.mesh;
+    finer.mesh.backend = choose_backend(finer, choice_.symmetry, gigabytes_).backend;
+    return finer;
+  }
+
+private:
+  static constexpr unsigned int n_graded = 2;
+
+  bool is_axisymmetric() const { return choice_.symmetry.is_axisymmetric(); }
+
+  const Parameters &given_;
+  const ModelChoice &choice_;
+  const double gigabytes_;
+  MeshOptions before_{};
+};
+
+/// Solves the first cycle on the mesh of `finer`, the model of which is kept, and adds its quantities. What
+/// they ask to be halved.
+std::vector<CellRange> solve_level(const Parameters &finer, const ModelChoice &choice,
+                                   std::vector<Quantities> &levels, ChosenModel &found,
+                                   AccuracyEstimate &accuracy)
+{
+  found.parameters = finer;
+  found.scene = nullptr; // two at a time would need twice the memory
+  found.scene = std::make_unique<Scene>(finer, choice);
+  StepSolver solver(*found.scene);
+  const auto watch = RefinementWatch::of(*found.scene);
+  const FirstCycle cycle = march_first_cycle(*found.scene, finer.load, solver, "Mesh/Accuracy", *watch);
+  levels.push_back(cycle.quantities);
+  found.starts = solver.memory();
+  accuracy.values = levels.back();
+  accuracy.errors = estimated_errors(levels, contact_area(*found.scene), cycle.motion);
+  return watch->cells_to_halve();
+}
 } // namespace
 
 ChosenModel find_mesh(const Parameters &parameters, const ModelChoice &choice, const Teller &tell,
@@ -39,25 +102,17 @@ ChosenModel find_mesh(const Parameters &parameters, const ModelChoice &choice, c
   ChosenModel found{parameters, parameters};
   AccuracyEstimate accuracy{parameters.mesh.accuracy, {}, {}, steps_share};
   std::vector<Quantities> levels;
-  const bool is_axisymmetric = choice.symmetry.is_axisymmetric();
-  for (unsigned int level = 0; level < n_ladder_levels(is_axisymmetric); ++level)
+  std::vector<CellRange> to_halve;
+  MeshLevels meshes(parameters, choice, gigabytes);
+  for (unsigned int level = 0; level < meshes.n_levels(); ++level)
   {
-    Parameters finer = parameters;
-    finer.mesh = ladder_mesh(parameters.geometry, parameters.mesh, is_axisymmetric, level);
+    const Parameters finer = meshes.finer(level, to_halve);
     if (level > 0 && is_too_large(finer, choice.symmetry, gigabytes))
     {
       tell("accuracy       level " + std::to_string(level) + " would need more memory than this machine has");
       break;
     }
-    found.parameters = finer;
-    found.scene = nullptr; // two at a time would need twice the memory
-    found.scene = std::make_unique<Scene>(finer, choice);
-    StepSolver solver(*found.scene);
-    const FirstCycle cycle = march_first_cycle(*found.scene, finer.load, solver, "Mesh/Accuracy");
-    levels.push_back(cycle.quantities);
-    found.starts = solver.memory();
-    accuracy.values = levels.back();
-    accuracy.errors = estimated_errors(levels, contact_area(*found.scene), cycle.motion);
+    to_halve = solve_level(finer, choice, levels, found, accuracy);
     tell(line_of(level, *found.scene, describe_quantities(accuracy)));
     if (levels.size() >= least_levels && is_fine_enough(accuracy, most_steps_share))
       break;

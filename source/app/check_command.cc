@@ -102,6 +102,9 @@ int check(const CommandLine &line, const Parameters &given)
   parameters.mesh.backend = backend.backend;
   if (!backend.reason.empty())
     std::cout << backend.reason << "\n";
+  if (parameters.mesh.adaptive != 0)
+    std::cout << "adaptive       " << parameters.mesh.adaptive
+              << " rounds of refinement by the run; what follows is for the mesh before them\n";
   const ModelSize size = model_size(parameters, model.symmetry);
   if (given.mesh.accuracy != 0)
     print_unknown_mesh(given, model);

@@ -15,7 +15,7 @@ import style  # noqa: E402
 # Module of each study, in the order of docs/accuracy.md and docs/stability.md. A module has PAGE, the page of docs/
 # that shows it; measured(context), the rows of its points; figures(rows), {name: figure}; and, if the page has tables
 # of it, tables(rows), {name: text}.
-STUDIES = ("discretization", "solvers", "load_stepping", "slip_integration", "projection", "reduced_models", "maps",
+STUDIES = ("discretization", "adaptive", "solvers", "load_stepping", "slip_integration", "projection", "reduced_models", "maps",
            "spectra", "small_problems", "uniqueness", "locking")
 
 

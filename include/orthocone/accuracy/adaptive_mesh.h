@@ -5,14 +5,29 @@
 #pragma once
 
 #include <orthocone/accuracy/step_search.h>
+#include <orthocone/march/march.h>
+
+#include <memory>
+#include <vector>
 
 namespace orthocone
 {
-/// The mesh of the parameters with so many rounds of refinement as its entry Adaptive says: the first cycle is
-/// solved, and the cells are halved that have most of the estimated error at the ends of the legs, or on whose
-/// contact face some nodes stick and others slip, or some are open and others are not. The rounds stand in
-/// Refined cells; Adaptive is 0. They end where the next mesh is likely to need more memory than `gigabytes`.
-/// Throws std::runtime_error if a step is not solved.
+/// Watches a first cycle for the cells that it asks to be halved: those at the rim of the contact surface,
+/// those on whose contact face some nodes stick and others slip, or some are open and others are not, at the
+/// end of a leg, and the fewest others that have half of the estimated squared error at these ends.
+class RefinementWatch : public MarchObserver
+{
+public:
+  /// `scene` must outlive the watch.
+  static std::unique_ptr<RefinementWatch> of(const Scene &scene);
+
+  virtual std::vector<CellRange> cells_to_halve() const = 0;
+};
+
+/// The mesh of the parameters with so many rounds of refinement as its entry Adaptive says: the first cycle
+/// is solved, and the cells are halved that RefinementWatch finds. The rounds stand in Refined cells;
+/// Adaptive is 0. They end where the next mesh is likely to need more memory than `gigabytes`. Throws
+/// std::runtime_error if a step is not solved.
 MeshOptions adapted_mesh(const Parameters &parameters, const ModelChoice &choice, const Teller &tell,
                          double gigabytes);
 } // namespace orthocone

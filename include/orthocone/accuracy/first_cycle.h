@@ -19,14 +19,12 @@ struct FirstCycle
   double motion = 0; ///< largest of the top along z, whatever drives it, mm
 };
 
-/// The first cycle of `load` in a scene, by a solver of it. Throws std::runtime_error if a step is not
-/// solved; `entry` asked for the march.
+/// The first cycle of `load` in a scene, by a solver of it; `also` sees what is accepted. Throws
+/// std::runtime_error if a step is not solved; `entry` asked for the march.
+FirstCycle march_first_cycle(const Scene &scene, const LoadOptions &load, StepSolver &solver,
+                             const char *entry, MarchObserver &also);
 FirstCycle march_first_cycle(const Scene &scene, const LoadOptions &load, StepSolver &solver,
                              const char *entry);
-
-/// The same where `observer` looks.
-void march_first_cycle(const Scene &scene, const LoadOptions &load, const char *entry,
-                       MarchObserver &observer);
 
 /// Area of the contact surface of the model, mm^2.
 double contact_area(const Scene &scene);

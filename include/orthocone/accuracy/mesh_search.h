@@ -26,9 +26,10 @@ struct ChosenModel
   StartMemory starts{};                       ///< of the first cycle in it
 };
 
-/// Finds the mesh for Mesh/Accuracy: solves level after level of the mesh ladder, at least three, until the
-/// estimated errors of all quantities are as wanted, or there is no finer one, or the next one is likely to
-/// need more memory than `gigabytes`. `steps_share`: AccuracyEstimate::steps_share; what is more than
+/// Finds the mesh for Mesh/Accuracy: solves level after level, at least three, until the estimated errors of
+/// all quantities are as wanted, or there is no finer one, or the next one is likely to need more memory than
+/// `gigabytes`. Levels are those of the mesh ladder; of a solid, from level 2 on, level 1 with rounds of
+/// refinement as RefinementWatch finds. `steps_share`: AccuracyEstimate::steps_share; what is more than
 /// `most_steps_share`, no finer mesh has to make up for. Throws std::runtime_error.
 ChosenModel find_mesh(const Parameters &parameters, const ModelChoice &choice, const Teller &tell,
                       double gigabytes, const Quantities &steps_share = {}, double most_steps_share = 0);

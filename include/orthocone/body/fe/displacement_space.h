@@ -26,6 +26,8 @@ template<int dim>
 class DisplacementSpace : public BodyUnknowns
 {
 public:
+  static constexpr int dimension = dim;
+
   DisplacementSpace(const dealii::Triangulation<dim> &triangulation, const MeshOptions &options,
                     TopFace top_face);
 

@@ -1,0 +1,103 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""Cells halved where the first cycle asks for it, beside graded rings: errors of four quantities against time.
+
+One cycle of cases B and C. Adaptive meshes begin with even cells, or with the rings of a resolution. Slip, force and energy
+are compared with a graded mesh that is finer than all, the stick area with adaptive cells that have the smallest ones along
+its border; both are runs of the study."""
+import matplotlib.pyplot as plt
+import style
+from one_cycle import FINEST
+from points import StudyError, program_point
+from run_folder import RunFolder
+
+PAGE = "accuracy.md"
+PROGRAM = {"Load program/Cycles": 1, "Output/Volume fields": 0, "Output/Contact fields": 0}
+EVEN = {"Mesh/Core cells": 2, "Mesh/Rings": 1, "Mesh/Core ratio": 0.6, "Mesh/Layers": 2, "Mesh/Refinements": 1}
+COARSE = {"Mesh/Degree": 3, "Mesh/Core cells": 4, "Mesh/Rings": 3, "Mesh/Core ratio": 0.6, "Mesh/Rim grading": 0.4,
+          "Mesh/Layers": 6, "Mesh/Layer grading": 0.36}
+GRADED, EVEN_2, EVEN_3, BOTH = "graded", "even, adaptive, degree 2", "even, adaptive, degree 3", "graded, adaptive"
+SERIES = {
+    GRADED: {name: {"Mesh/Resolution": name} for name in ("coarse", "medium", "fine")} |
+            {"reference": dict(entry.split("=") for entry in FINEST)},
+    EVEN_2: {f"{n} rounds": {**EVEN, "Mesh/Adaptive": n} for n in (1, 2, 3, 4)},
+    EVEN_3: {f"{n} rounds": {**EVEN, "Mesh/Degree": 3, "Mesh/Adaptive": n} for n in (1, 2, 3)} |
+            {"reference": {**EVEN, "Mesh/Degree": 3, "Mesh/Adaptive": 4}},
+    BOTH: {f"coarse, {n} rounds": {**COARSE, "Mesh/Adaptive": n} for n in (1, 2, 3)},
+}
+QUANTITIES = {"largest_slip": "largest slip", "force": "total force", "dissipation": "dissipated energy",
+              "stick_area": "stick area"}
+QUICK = {GRADED: ("coarse",), EVEN_3: ("1 rounds",)}
+
+
+def measures(result, point):
+    if result.code != 0:
+        raise StudyError(f"exit code {result.code}: {point.command}\n{result.errors}")
+    run = RunFolder(result.folder)
+    summary, history = run.summary(), run.history
+    peak = list(history["uz"]).index(min(history["uz"]))
+    return {"contact_nodes": summary["model"]["contact_nodes"], "unknowns": summary["model"]["free_dofs"],
+            "v_cycles": summary["contact_solver"].get("v_cycles", 0), "cpu_seconds": f"{result.cpu_seconds:.3f}",
+            "gigabytes": f"{result.gigabytes:.3f}", "largest_slip": max(history["max_slip"]),
+            "force": history["force_z"][peak], "dissipation": history["total_dissipation"][-1],
+            "stick_area": history["stick_area"][peak]}
+
+
+def measured(context):
+    points = []
+    for case in ("b",) if context.is_quick else ("b", "c"):
+        for series, meshes in SERIES.items():
+            for mesh, settings in meshes.items():
+                if not context.is_quick or mesh in QUICK.get(series, ()):
+                    points.append(program_point({"case": case, "series": series, "mesh": mesh}, f"paper/case_{case}.prm",
+                                                {**PROGRAM, "Mesh/Model": "quarter", **settings}))
+    return context.measure(points, measures, threads=1)
+
+
+def references(rows):
+    """{case: {quantity: value}}; where the references were not run, of the last meshes that were."""
+    of = {}
+    for row in rows:
+        values = of.setdefault(row["case"], {})
+        if row["series"] == GRADED:
+            values.update({name: float(row[name]) for name in QUANTITIES if name != "stick_area"})
+        if row["series"] == EVEN_3:
+            values["stick_area"] = float(row["stick_area"])
+    return of
+
+
+def errors_of(row, reference):
+    return {name: 100 * (float(row[name]) / reference[name] - 1) for name in QUANTITIES}
+
+
+def figures(rows):
+    reference = references(rows)
+    shown = ("largest_slip", "dissipation", "stick_area")
+    figure, grid = plt.subplots(len(reference), 3, figsize=(10, 3.2 * len(reference)), squeeze=False, sharex=True)
+    for line, (case, values) in zip(grid, reference.items()):
+        for axes, name in zip(line, shown):
+            for colour, series in zip(style.COLOURS, SERIES):
+                own = [row for row in rows if (row["case"], row["series"]) == (case, series) and
+                       row["mesh"] != "reference"]
+                axes.plot([float(row["cpu_seconds"]) for row in own], [abs(errors_of(row, values)[name]) for row in own],
+                          "o-", color=colour, label=series)
+            axes.set(xscale="log", yscale="log", title=f"case {case.upper()}: {QUANTITIES[name]}")
+        line[0].set_ylabel("error (%)")
+    for axes in grid[-1]:
+        axes.set_xlabel("processor seconds, search and run")
+    grid[-1, -1].legend(loc="upper right", fontsize=7)
+    return {"adaptive": figure}
+
+
+def tables(rows):
+    reference = references(rows)
+    text = ("| case | mesh | | unknowns | contact nodes | V-cycles | seconds | GB | " + " | ".join(QUANTITIES.values()) +
+            " |\n" + "|---" * (8 + len(QUANTITIES)) + "|\n")
+    for row in rows:
+        errors = errors_of(row, reference[row["case"]])
+        text += (f"| {row['case'].upper()} | {row['series']} | {row['mesh']} | {row['unknowns']} | "
+                 f"{row['contact_nodes']} | {row['v_cycles'] or ''} | {float(row['cpu_seconds']):.1f} | "
+                 f"{float(row['gigabytes']):.2f} | " +
+                 " | ".join(f"{error:+.3f} %" if name == "force" else f"{error:+.2f} %"
+                            for name, error in errors.items()) + " |\n")
+    return {"adaptive": text}
