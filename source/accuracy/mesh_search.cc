@@ -29,8 +29,9 @@ bool is_fine_enough(AccuracyEstimate accuracy, const double most_steps_share)
     steps_share = std::min(steps_share, most_steps_share);
   return accuracy.is_reached();
 }
-/// The meshes of a search, each finer than the one before: levels of the ladder, and of a solid, from the
-/// second on, rounds of refinement of single cells.
+
+/// The meshes of a search, each finer than the one before: levels of the ladder; of a solid, from level 2 on,
+/// level 1 with rounds of refinement of single cells.
 class MeshLevels
 {
 public:
