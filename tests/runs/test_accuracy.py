@@ -55,6 +55,28 @@ class AccuracyTest(RunTest):
             for name in ("max_slip", "force_z", "total_dissipation", "stick_area"):
                 self.assertAlmostEqual(float(row[name]), float(other[name]), delta=1e-6 * abs(float(row[name])))
 
+    def test_adaptive_cells_stand_in_the_parameters(self):
+        for model in ("quarter", "axisymmetric"):
+            with self.subTest(model=model):
+                settings = [*SETTINGS, f"Mesh/Model={model}", "Friction/Coefficients=0.2, 0.2", "Friction/Slip potential=associated",
+                            "Mesh/Core cells=2",
+                            "Mesh/Rings=2", "Mesh/Layers=2"]
+                self.assert_done("adapted", settings=[*settings, "Mesh/Adaptive=2"])
+                complete = self.folder / "adapted/parameters.prm"
+                self.assertRegex(complete.read_text(), r"(?m)set Adaptive += 0$")
+                self.assertRegex(complete.read_text(), r"(?m)set Refined cells += [0-9 -]+; [0-9 -]+$")
+                self.assertRegex((self.folder / "adapted/log.txt").read_text(), "(?m)^adaptive +round 2, .* cells follow$")
+                self.assert_done("again", file=complete)
+                self.assert_same_files("adapted", "again", ["history.csv", "probe-P.csv"])
+                self.assert_done("even", settings=settings)
+                self.assertGreater(self.summary("again")["model"]["contact_nodes"],
+                                   self.summary("even")["model"]["contact_nodes"])
+
+    def test_check_tells_of_rounds_to_come(self):
+        result = self.run_program("none", "--check", settings=[*SETTINGS, "Mesh/Adaptive=3"])
+        self.assertEqual(result.returncode, 0)
+        self.assertIn("adaptive       3 rounds of refinement by the run", result.stdout)
+
     def test_estimates_bound_the_differences_to_a_finer_mesh(self):
         """tools/studies/error_estimates.py does this for many scenes and accuracies."""
         for case in ("b", "c"):
