@@ -9,6 +9,7 @@
 #include <orthocone/base/memory.h>
 #include <orthocone/base/stopwatch.h>
 #include <orthocone/body/shapes/mesh_ladder.h>
+#include <orthocone/parameters/values.h>
 
 #include <algorithm>
 
@@ -160,12 +161,21 @@ ChosenModel choose_mesh(const Parameters &parameters, const ModelChoice &choice,
     tell(backend.reason);
   return chosen;
 }
+
+/// Numbers of cells mean those of one model.
+ChosenModel with_model_of_cells(ChosenModel chosen, const ModelChoice &choice)
+{
+  MeshOptions &mesh = chosen.parameters.mesh;
+  if (!mesh.refined_cells.empty())
+    mesh.model = *from_word<ModelKind>(choice.symmetry.name());
+  return chosen;
+}
 } // namespace
 
 ChosenModel choose_mesh_and_steps(const Parameters &given, const ModelChoice &choice, const Teller &tell)
 {
   if (given.load.accuracy == 0)
-    return choose_mesh(given, choice, tell, {}, given.mesh.accuracy);
+    return with_model_of_cells(choose_mesh(given, choice, tell, {}, given.mesh.accuracy), choice);
   const Stopwatch watch;
   const double of_mesh = given.mesh.accuracy, of_steps = given.load.accuracy;
   const double larger = std::max(of_mesh, of_steps);
@@ -174,7 +184,8 @@ ChosenModel choose_mesh_and_steps(const Parameters &given, const ModelChoice &ch
   const double step_seconds = watch.seconds();
   Parameters divided = given;
   divided.load = steps.load;
-  ChosenModel chosen = choose_mesh(divided, choice, tell, steps.accuracy.estimate.errors, larger);
+  ChosenModel chosen =
+      with_model_of_cells(choose_mesh(divided, choice, tell, steps.accuracy.estimate.errors, larger), choice);
   chosen.given = given;
   chosen.steps = steps.accuracy;
   chosen.search_seconds += step_seconds;

@@ -37,12 +37,14 @@ MeshOptions search_mesh(const Parameters &parameters, const ModelChoice &choice)
   given.mesh = resolved_mesh(geometry, parameters.mesh, is_axisymmetric);
   coarser.mesh = ladder;
   const auto dofs = [&](const Parameters &of) { return model_size(of, choice.symmetry).dofs; };
-  if (geometry.shape == BodyShape::cylinder && is_plain && dofs(coarser) < dofs(given))
+  const bool is_adaptive = given.mesh.adaptive != 0;
+  if (geometry.shape == BodyShape::cylinder && is_plain && (is_adaptive || dofs(coarser) < dofs(given)))
     return ladder;
-  if (given.mesh.adaptive == 0 && given.mesh.refined_cells.empty())
-    given.mesh.refinements -= std::min(1U, given.mesh.refinements);
   given.mesh.adaptive = 0;
-  given.mesh.refined_cells.clear();
+  if (!given.mesh.refined_cells.empty())
+    given.mesh.refined_cells.pop_back();
+  else if (!is_adaptive)
+    given.mesh.refinements -= std::min(1U, given.mesh.refinements);
   return given.mesh;
 }
 

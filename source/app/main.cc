@@ -7,6 +7,7 @@
 #include <orthocone/base/memory.h>
 #include <orthocone/base/text.h>
 #include <orthocone/base/version.h>
+#include <orthocone/body/shapes/body_mesh.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -32,9 +33,15 @@ ModelChoice resolve(const CommandLine &line, const Parameters &parameters)
   try
   {
     check_parameters(parameters);
-    return choose_model(parameters);
+    const ModelChoice choice = choose_model(parameters);
+    require_refined_cells(parameters.geometry, parameters.mesh, choice.symmetry);
+    return choice;
   }
   catch (const InputError &error)
+  {
+    throw InputError(shown_path(line.parameter_file) + ": " + error.what());
+  }
+  catch (const TooLargeError &error)
   {
     throw InputError(shown_path(line.parameter_file) + ": " + error.what());
   }

@@ -124,6 +124,12 @@ void require_memory_for(const Assignment &task)
   }
 }
 
+/// Whether a mesh or the parts of load steps are to be found before the run.
+bool searches(const Parameters &given)
+{
+  return given.mesh.accuracy != 0 || given.mesh.adaptive != 0 || given.load.accuracy != 0;
+}
+
 /// Unknowns of the finest mesh that a search usually comes to.
 double unknowns_of_search(const Assignment &task)
 {
@@ -147,7 +153,7 @@ QuasiStaticProblem::Outcome solve(Assignment &task, const RunFolder &folder)
     task.threads.go_on_with(checkpoint->record.threads.number);
   // A search may take minutes: what is wrong with the folder is told before, and an older run in it is no
   // longer there to be resumed.
-  if ((given.mesh.accuracy != 0 || given.load.accuracy != 0) && !checkpoint)
+  if (searches(given) && !checkpoint)
   {
     if (!task.line.resume)
       keep_parameters(folder, task, given);

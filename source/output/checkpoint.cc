@@ -70,10 +70,11 @@ void require_same_past(const Checkpoint &checkpoint, const Parameters &parameter
         file + ": Obstacle/Gap file = " + shown_path(parameters.obstacle.gap_file) +
         ": has other gaps than when the run in " + folder.path() +
         " was started; allowed for --resume are the same (or start anew, with another --output DIR)");
-  const bool has_searched = parameters.mesh.accuracy != 0 || parameters.load.accuracy != 0;
+  const bool has_searched =
+      parameters.mesh.accuracy != 0 || parameters.mesh.adaptive != 0 || parameters.load.accuracy != 0;
   if (has_searched && parameters.load.cycles > 0 && earlier["Load program/Cycles"] == "0")
     refuse("Load program/Cycles", std::to_string(parameters.load.cycles),
-           "0, because an accuracy has seen no cycle");
+           "0, because what chose mesh or steps has seen no cycle");
   if (load_steps(parameters.load).size() < checkpoint.state.step)
     refuse("Load program/Cycles", std::to_string(parameters.load.cycles),
            "what has the " + std::to_string(checkpoint.state.step) + " load steps that are done");

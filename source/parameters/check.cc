@@ -35,7 +35,8 @@ std::string changed_mesh_entry(const MeshOptions &mesh)
     const bool is_free = entry == "Mesh/Model" || entry == "Mesh/Resolution" || entry == "Mesh/Accuracy" ||
                          entry == "Mesh/Volumetric quadrature";
     if (!is_free && value != defaults[i].second)
-      return entry + " = " + value + " is set beside it: allowed is the default " + defaults[i].second;
+      return entry + " = " + shown(value) + " is set beside it: allowed is " +
+             (defaults[i].second.empty() ? "nothing" : "the default " + defaults[i].second);
   }
   return {};
 }

@@ -67,12 +67,14 @@ void declare_backend(MeshOptions &mesh, EntryTable &table)
 {
   add_count(table, "Refinements", mesh.refinements, 0, 7,
             "How often all these cells are halved in every direction.");
-  add_count(table, "Adaptive", mesh.adaptive, 0, 7,
-            "Rounds in which cells are halved where the first cycle, solved on the mesh so far, shows that they "
-            "are too large: at the rim of the base, where stick, slip and gap meet, and where stresses jump "
-            "between cells.");
-  add_refined_cells(table, "Refined cells", mesh.refined_cells,
-                    "Cells that are halved beside these, round by round; what Adaptive has chosen.");
+  add_count(
+      table, "Adaptive", mesh.adaptive, 0, 7,
+      "Rounds in which cells are halved where the first cycle, solved on the mesh so far, shows that they "
+      "are too large: at the rim of the base, where stick, slip and gap meet, and where stresses jump "
+      "between cells.");
+  add_refined_cells(
+      table, "Refined cells", mesh.refined_cells,
+      "Cells of the modelled part that are halved beside these, round by round; what Adaptive has chosen.");
   add_choice(
       table, "Backend", mesh.backend,
       "How the elastic body is solved: factorized and condensed to its contact nodes (condensed), or by "

@@ -135,8 +135,8 @@ void add_cells(EntryTable &table, const std::string &name, std::array<unsigned i
                unsigned int most, const std::string &help);
 
 /// Rounds of cells to be halved.
-void add_refined_cells(EntryTable &table, const std::string &name,
-                       std::vector<std::vector<CellRange>> &value, const std::string &help);
+void add_refined_cells(EntryTable &table, const std::string &name, std::vector<std::vector<CellRange>> &value,
+                       const std::string &help);
 
 void add_legs(EntryTable &table, const std::string &name, std::vector<Leg> &value, const std::string &help);
 

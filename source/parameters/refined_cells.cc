@@ -60,10 +60,11 @@ std::optional<Rounds> parse_rounds(const std::string &text)
 
 void add_refined_cells(EntryTable &table, const std::string &name, Rounds &value, const std::string &help)
 {
-  table.add(name, rounds_text(value),
-            Allowed("nothing, or rounds, separated by ';', of the numbers of the mesh's cells, such as '0 4-7; "
-                    "12'",
-                    [](const std::string &text) { return parse_rounds(text).has_value(); }),
-            help, [&value](const std::string &text) { value = *parse_rounds(text); });
+  table.add(
+      name, rounds_text(value),
+      Allowed("nothing, or rounds, separated by ';', of the numbers of the mesh's cells, such as '0 4-7; "
+              "12'",
+              [](const std::string &text) { return parse_rounds(text).has_value(); }),
+      help, [&value](const std::string &text) { value = *parse_rounds(text); });
 }
 } // namespace orthocone::entries

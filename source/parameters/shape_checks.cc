@@ -95,7 +95,9 @@ void warn_of_coarse_rim(const GeometryOptions &geometry, const MeshOptions &mesh
 {
   constexpr double most = 0.1; // divided by degree^2: that decides how well the singular slip is resolved
   constexpr double percent = 100;
-  const double size = std::ldexp(rim_size(geometry, mesh), -static_cast<int>(mesh.refinements));
+  // Every round of refinement of single cells has the rim.
+  const auto n_halvings = mesh.refinements + mesh.adaptive + mesh.refined_cells.size();
+  const double size = std::ldexp(rim_size(geometry, mesh), -static_cast<int>(n_halvings));
   if (mesh.accuracy != 0 || size <= most * mesh.degree * mesh.degree)
     return; // with an accuracy the mesh is yet to be chosen
   warnings.push_back("Mesh: elements of degree " + std::to_string(mesh.degree) + " and " +

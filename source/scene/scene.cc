@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/scene/scene.h>
 
+#include <orthocone/base/errors.h>
 #include <orthocone/body/backends/factorized_body.h>
 #include <orthocone/body/backends/multigrid_body.h>
 #include <orthocone/scene/change_length.h>
@@ -10,12 +11,22 @@ namespace orthocone
 {
 namespace
 {
-/// The nodes of a mesh that a search takes are not those at which the model was chosen.
-void check_fields(const Obstacle &obstacle, const FrictionField &friction, const ContactSurface &surface)
+/// The nodes of a mesh that a search takes are not those at which the model was chosen: on smaller cells gap
+/// or friction may be undefined, or without the symmetry of the model.
+void check_fields(const Obstacle &obstacle, const FrictionField &friction, const ContactSurface &surface,
+                  const ModelSymmetry &symmetry)
 {
   const std::vector<Eigen::Vector2d> places = places_of(surface);
   obstacle.check(places);
   friction.check(places);
+  if (symmetry.name() == ModelSymmetry().name())
+    return; // all of the body
+  const SurfaceSample sample{places, places};
+  for (const std::string &why : {friction.asymmetry(symmetry, sample), obstacle.asymmetry(symmetry, sample)})
+    if (!why.empty())
+      throw InputError(
+          "Mesh/Model: on the nodes of a mesh with smaller cells the scene is not as symmetric as its " +
+          symmetry.name() + " model: " + why + "; allowed is Mesh/Model = full");
 }
 
 std::unique_ptr<const ElasticBody> make_body(const Parameters &parameters, const ModelSymmetry &symmetry,
@@ -45,7 +56,7 @@ Scene::Scene(const Parameters &parameters, const ModelChoice &choice, const Obst
           [&](const ContactSurface &on) { return friction_.axes(on, choice.symmetry); },
           [&](const Body &meshed)
           {
-            check_fields(obstacle, friction_, meshed.unknowns().contact_surface());
+            check_fields(obstacle, friction_, meshed.unknowns().contact_surface(), choice.symmetry);
             if (on_meshed)
               on_meshed(meshed);
           },

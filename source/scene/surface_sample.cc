@@ -28,6 +28,7 @@ MeshOptions flat_mesh(const Parameters &parameters, const bool is_axisymmetric)
                                        n_ladder_levels(is_axisymmetric) - 1)
                          : resolved_mesh(parameters.geometry, parameters.mesh, is_axisymmetric);
   mesh.layers = mesh.cells[2] = 1;
+  mesh.refined_cells.clear(); // numbers of other cells
   mesh.degree = is_axisymmetric ? mesh.degree : std::min(mesh.degree, most_of_solids);
   return mesh;
 }

@@ -49,7 +49,10 @@ class AccuracyTest(RunTest):
         complete = self.folder / "run/parameters.prm"
         self.assertRegex(complete.read_text(), r"(?m)set Accuracy += 0$")
         self.assert_done("again", file=complete)
-        self.assertEqual(self.summary("again")["model"], self.summary("run")["model"])
+        models = [self.summary(output)["model"] for output in ("again", "run")]
+        for model in models:
+            model.pop("reason")  # the cells are those of one model, which the parameters name
+        self.assertEqual(*models)
         self.assertNotIn("accuracy", self.summary("again"))
         for row, other in zip(self.rows("run"), self.rows("again")):
             for name in ("max_slip", "force_z", "total_dissipation", "stick_area"):

@@ -14,7 +14,7 @@ namespace orthocone
 {
 /// Watches a first cycle for the cells that it asks to be halved: those at the rim of the contact surface,
 /// those on whose contact face some nodes stick and others slip, or some are open and others are not, at the
-/// end of a leg, and the fewest others that have half of the estimated squared error at these ends.
+/// end of a leg, and the fewest of all that have half of the estimated squared error at these ends.
 class RefinementWatch : public MarchObserver
 {
 public:

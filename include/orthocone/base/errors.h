@@ -29,4 +29,10 @@ struct FileError : std::runtime_error
 {
   using std::runtime_error::runtime_error;
 };
+
+/// A model has more cells, unknowns or entries than the program can count or mesh, whatever the memory.
+struct TooLargeError : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
 } // namespace orthocone

@@ -107,7 +107,7 @@ struct MeshOptions
   BodyBackend backend = BodyBackend::automatic;
   unsigned int adaptive = 0; ///< rounds of refinement where the first cycle asks for it
   std::vector<std::vector<CellRange>> refined_cells{}; ///< halved after all refinements, round by round
-  unsigned int coarsenings = 0; ///< how often the smallest of all these cells are undone; no entry
+  unsigned int coarsenings = 0; ///< how often cells that were halved are made larger again; no entry
 
   unsigned int n_rings() const { return rings == 0 ? core_cells : rings; }
   unsigned int n_quadrature_points() const { return quadrature_points == 0 ? degree + 1 : quadrature_points; }

@@ -37,7 +37,8 @@ inline bool varies_over_surface(const Parameters &parameters)
 /// Where contact nodes lie, mm.
 std::vector<Eigen::Vector2d> places_of(const ContactSurface &surface);
 
-/// The contact nodes that the parameters give; those of the finest mesh if a search is to choose it.
+/// The contact nodes that the parameters give without single cells that are halved; those of the finest mesh
+/// of the ladder if a search is to choose it. The nodes of the run are checked when there is a model (Scene).
 SurfaceSample surface_sample(const Parameters &parameters);
 
 /// Orthogonal maps of the plane that leave a symmetric scene as it is: mirrors, or turns about the axis and

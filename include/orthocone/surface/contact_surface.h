@@ -17,8 +17,8 @@ struct ContactNode
   double height = 0;                ///< z in mm; 0 where the base is flat
 };
 
-/// A place where a face borders on smaller ones. Its displacement and its fields are those of the larger face:
-/// sums over contact nodes. Contact is not asked for there.
+/// A place where a face borders on smaller ones. Its displacement and its fields are those of the larger
+/// face: sums over contact nodes. Contact is not asked for there.
 struct HangingNode
 {
   /// A contact node and its share.

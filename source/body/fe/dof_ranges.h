@@ -58,7 +58,7 @@ DofRanges number_by_range(dealii::DoFHandler<dim> &dof_handler, const std::vecto
   };
   const auto range = [&](const unsigned int dof)
   {
-    return is_held[dof]                     ? held
+    return is_held[dof]                      ? held
            : constraints.is_constrained(dof) ? hanging
            : on_contact.is_element(dof)      ? contact
                                              : interior;

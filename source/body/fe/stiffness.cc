@@ -29,7 +29,7 @@ void assemble(const DisplacementSpace<dim> &space, const Material &material,
               dealii::SparseMatrix<double> &matrix)
 {
   const auto work = [&space](const typename DisplacementSpace<dim>::Cell &cell, CellStiffness<dim> &stiffness,
-                       CellMatrix<dim> &copy)
+                             CellMatrix<dim> &copy)
   {
     const CellBasis moving(space.hanging(), dofs_by_node<dim>(cell));
     copy.matrix = moving.reduced(stiffness.of(cell));

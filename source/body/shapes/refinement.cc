@@ -6,12 +6,24 @@
 
 #include <deal.II/grid/tria_accessor.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
 namespace orthocone
 {
 namespace
 {
+/// Single cells are counted by meshing them, which must not itself be too much: a million hexahedra take a
+/// GB.
+void require_meshable(const double n_cells)
+{
+  constexpr unsigned int most = 4000000;
+  if (n_cells > most)
+    throw TooLargeError("Mesh/Refined cells: more than " + std::to_string(most) +
+                        " cells follow: a coarser mesh or fewer rounds need less");
+}
+
 template<int dim>
 std::vector<bool> marks(const dealii::Triangulation<dim> &triangulation, const MeshOptions &options,
                         const std::size_t round)
@@ -32,10 +44,15 @@ std::vector<bool> marks(const dealii::Triangulation<dim> &triangulation, const M
 template<int dim>
 void refine(dealii::Triangulation<dim> &triangulation, const MeshOptions &options)
 {
+  constexpr double children = 1 << dim;
+  if (!options.refined_cells.empty())
+    require_meshable(triangulation.n_active_cells() * std::pow(children, options.refinements));
   triangulation.refine_global(options.refinements);
   for (std::size_t round = 0; round < options.refined_cells.size(); ++round)
   {
     const auto is_marked = marks(triangulation, options, round);
+    const auto n_marked = std::count(is_marked.begin(), is_marked.end(), true);
+    require_meshable(triangulation.n_active_cells() + (children - 1) * static_cast<double>(n_marked));
     for (const auto &cell : triangulation.active_cell_iterators())
       if (is_marked[cell->active_cell_index()])
         cell->set_refine_flag();

@@ -55,7 +55,8 @@ TEST(Physics, PressureIsUniformWithoutFriction)
 TEST(Physics, PressureIsNearlyUniformBesideCurvedCellsOfTwoSizes)
 {
   using Rounds = std::vector<std::vector<CellRange>>;
-  for (const auto &[degree, rounds] : {std::pair{2U, Rounds{{{1, 2}, {5, 5}}}}, {3U, Rounds{{{2, 4}}, {{7, 9}}}}})
+  for (const auto &[degree, rounds] :
+       {std::pair{2U, Rounds{{{1, 2}, {5, 5}}}}, {3U, Rounds{{{2, 4}}, {{7, 9}}}}})
   {
     Parameters parameters = small_scene(degree);
     parameters.mesh.refined_cells = rounds;

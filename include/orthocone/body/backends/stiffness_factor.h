@@ -2,22 +2,17 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
+#include <orthocone/base/errors.h>
+
 #include <deal.II/lac/sparse_matrix.h>
 
 #include <Eigen/Dense>
 
 #include <memory>
-#include <stdexcept>
 #include <vector>
 
 namespace orthocone
 {
-/// The matrix or its factor has more entries than CHOLMOD's 32-bit indices can count, whatever the memory.
-struct TooLargeError : std::runtime_error
-{
-  using std::runtime_error::runtime_error;
-};
-
 /// What a factorization costs, found without computing it.
 struct FactorizationCost
 {

@@ -15,8 +15,8 @@ namespace orthocone
 template<int dim>
 void make_stiffness_pattern(const DisplacementSpace<dim> &space, dealii::SparsityPattern &pattern);
 
-/// What hanging nodes change of the diagonal of the stiffness, a sum over cells: what moves such a node strains
-/// the cell in more than its own node. Of all degrees of freedom, N/mm; nothing where no node hangs.
+/// What hanging nodes change of the diagonal of the stiffness, a sum over cells: what moves such a node
+/// strains the cell in more than its own node. Of all degrees of freedom, N/mm; nothing where no node hangs.
 Eigen::VectorXd diagonal_beside_hanging_nodes(const Discretization &space, const MaterialOptions &material);
 
 /// Stiffness of the free degrees of freedom, n_free() x n_free() (N/mm), of isotropic linear elasticity at

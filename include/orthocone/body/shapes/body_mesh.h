@@ -8,8 +8,8 @@
 namespace orthocone
 {
 /// Hexahedra of the modelled part of the body whose shape the options name. The mesh of a half or a quarter
-/// consists of exactly those cells of the full mesh that lie there. Where cells of different sizes meet, their
-/// edges differ by a factor of two at most, also across an edge or a corner.
+/// consists of exactly those cells of the full mesh that lie there. Where cells of different sizes meet,
+/// their edges differ by a factor of two at most, also across an edge or a corner.
 class BodyMesh
 {
 public:
@@ -42,4 +42,17 @@ public:
 private:
   dealii::Triangulation<2> triangulation_;
 };
+
+/// Throws InputError if Mesh/Refined cells names a cell that the mesh of the model does not have, or
+/// TooLargeError as refine().
+inline void require_refined_cells(const GeometryOptions &geometry, const MeshOptions &options,
+                                  const ModelSymmetry &symmetry)
+{
+  if (options.refined_cells.empty())
+    return;
+  if (symmetry.is_axisymmetric())
+    SectionMesh(geometry, options);
+  else
+    BodyMesh(geometry, options, symmetry.planes());
+}
 } // namespace orthocone

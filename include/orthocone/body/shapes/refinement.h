@@ -9,8 +9,9 @@
 namespace orthocone
 {
 /// Halves the cells of a mesh in every direction as the options say: all of them, then those of each round,
-/// which have the numbers of the active cells in the mesh's order. Then the smallest cells of all are made
-/// coarser again as often as the options say. Throws InputError for a number that no cell has.
+/// which have the numbers of the active cells in the mesh's order. Then cells
+/// that were halved are made one size larger, as often as the options say, where their neighbours allow it.
+/// Throws InputError for a number that no cell has, TooLargeError for millions of cells.
 template<int dim>
 void refine(dealii::Triangulation<dim> &triangulation, const MeshOptions &options);
 } // namespace orthocone
