@@ -28,9 +28,10 @@ std::string rounds_text(const Rounds &rounds)
 /// A number, or two of them with a minus between.
 std::optional<CellRange> parse_range(const std::string &text)
 {
-  const auto parts = split(text, '-');
-  const auto first = parse_count(parts.front()), last = parse_count(parts.back());
-  if (parts.size() > 2 || !first || !last || *last < *first)
+  const std::size_t minus = text.find('-');
+  const auto first = parse_count(text.substr(0, minus));
+  const auto last = minus == std::string::npos ? first : parse_count(text.substr(minus + 1));
+  if (!first || !last || *last < *first)
     return std::nullopt;
   return CellRange{*first, *last};
 }
