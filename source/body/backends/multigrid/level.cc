@@ -4,7 +4,6 @@
 
 #include "node_values.h"
 
-#include <algorithm>
 #include <utility>
 
 namespace orthocone
@@ -35,15 +34,13 @@ void Level::hold(std::vector<NodeRelation> relations)
 
 void Level::invert_blocks()
 {
-  constexpr double most_robin = 1e4; // times the stiffness of the body: more is as good as held
   blocks_.assign(relations_.size(), Eigen::Matrix2f::Zero());
   robin_.assign(relations_.size(), Eigen::Matrix2f::Zero());
   for (std::size_t i = 0; i < relations_.size(); ++i)
     if (relations_[i].hold == Hold::normal)
     {
-      const double most = most_robin / inverse_diagonal_.local_element(nodes()[i].dofs[2]);
-      const double size = relations_[i].robin.cwiseAbs().maxCoeff();
-      Eigen::Matrix2d block = std::min(1., most / size) * relations_[i].robin;
+      Eigen::Matrix2d block =
+          bounded_robin(relations_[i], 1 / inverse_diagonal_.local_element(nodes()[i].dofs[2]));
       robin_[i] = block.cast<float>();
       for (unsigned int d = 0; d < 2; ++d)
         block(d, d) += nodes()[i].is_free[d] ? 1 / inverse_diagonal_.local_element(nodes()[i].dofs[d]) : 1;

@@ -57,4 +57,11 @@ NodeRelation relation_of(const NodeCondition &condition, const Eigen::Matrix3d &
     }
   return relation;
 }
+
+Eigen::Matrix2d bounded_robin(const NodeRelation &relation, const double stiffness)
+{
+  constexpr double most = 1e4;
+  const double size = relation.robin.cwiseAbs().maxCoeff();
+  return size <= most * stiffness ? relation.robin : most * stiffness / size * relation.robin;
+}
 } // namespace orthocone

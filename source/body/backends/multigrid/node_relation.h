@@ -33,4 +33,8 @@ struct NodeRelation
 /// `global_in_local`: LocalAxes::global_in_local() of the node. Directions that symmetry holds drop out.
 NodeRelation relation_of(const NodeCondition &condition, const Eigen::Matrix3d &global_in_local,
                          const ContactNode &node);
+
+/// How friction resists, where a direction of the body is as stiff as `stiffness` (N/mm): more than 10^4
+/// times that is as good as held, and preconditioners in single precision do not bear it.
+Eigen::Matrix2d bounded_robin(const NodeRelation &relation, double stiffness);
 } // namespace orthocone

@@ -80,7 +80,7 @@ struct VCycle::Mesh
 };
 
 VCycle::VCycle(const Discretization &space, const MeshOptions &mesh, const GeometryOptions &geometry,
-               const MaterialOptions &material)
+               const MaterialOptions &material, const CoarseMethod on_coarsest)
     : finest_(space)
 {
   start_mpi();
@@ -91,7 +91,7 @@ VCycle::VCycle(const Discretization &space, const MeshOptions &mesh, const Geome
         std::make_unique<Mesh>(triangulations.front(), with_degree(mesh, 1), geometry.top_face));
   for (std::size_t i = 0; i + 1 < triangulations.size(); ++i)
     meshes_.push_back(std::make_unique<Mesh>(triangulations[i], mesh, geometry.top_face));
-  coarsest_ = std::make_unique<CoarseLevel>(space_of(0), material);
+  coarsest_ = make_coarse_solver(space_of(0), material, on_coarsest);
   for (std::size_t level = 1; level <= meshes_.size(); ++level)
     levels_.push_back(std::make_unique<Level>(space_of(level), material));
   for (std::size_t level = 1; level <= meshes_.size(); ++level)

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
-#include "coarse_level.h"
+#include "coarse_solver.h"
 #include "level.h"
 
 #include <deal.II/multigrid/mg_transfer_global_coarsening.h>
@@ -19,7 +19,7 @@ class VCycle
 public:
   /// `space` must outlive this.
   VCycle(const Discretization &space, const MeshOptions &mesh, const GeometryOptions &geometry,
-         const MaterialOptions &material);
+         const MaterialOptions &material, CoarseMethod on_coarsest = CoarseMethod::by_size);
   ~VCycle();
   VCycle(const VCycle &) = delete; // levels refer to their spaces
   VCycle &operator=(const VCycle &) = delete;
@@ -56,7 +56,7 @@ private:
 
   const Discretization &finest_;
   std::vector<std::unique_ptr<const Mesh>> meshes_;  ///< all levels but the finest, from the coarsest on
-  std::unique_ptr<CoarseLevel> coarsest_;            ///< level 0
+  std::unique_ptr<CoarseSolver> coarsest_;           ///< level 0
   std::vector<std::unique_ptr<Level>> levels_;       ///< from level 1 on
   std::vector<std::unique_ptr<Transfer>> transfers_; ///< from the level below, from level 1 on
   std::vector<std::vector<std::size_t>> nearest_;    ///< of every node of level l that of level l + 1

@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 
 namespace
 {
-constexpr double pressure = 100; // MPa
+constexpr double pressure_on_base = 100; // MPa
 
 /// A quarter of a box that a plate presses on, free to widen: all stress is along the axis, and the same.
 GeometryOptions guided_box()
@@ -30,7 +30,8 @@ GeometryOptions guided_box()
 /// Its displacement without contact at the top.
 VectorXd uniaxial(const Discretization &space, const double height)
 {
-  const double strain = pressure / default_material.young_modulus, nu = default_material.poisson_ratio;
+  const double strain = pressure_on_base / default_material.young_modulus,
+               nu = default_material.poisson_ratio;
   VectorXd displacement(space.n_free());
   for (unsigned int dof = 0; dof < space.n_free(); ++dof)
   {
@@ -45,7 +46,7 @@ VectorXd pressed_base(const Discretization &space)
 {
   VectorXd forces = VectorXd::Zero(space.n_free());
   for (const ContactNode &node : space.contact_surface().nodes)
-    forces[node.dofs[2]] = pressure * node.area;
+    forces[node.dofs[2]] = pressure_on_base * node.area;
   return forces;
 }
 } // namespace
@@ -70,8 +71,8 @@ TEST(HangingNodes, LeaveAConstantStressConstant)
     for (const auto &cell : space.dof_handler().active_cell_iterators())
       for (const PointFields &point : fields.in(cell))
       {
-        EXPECT_NEAR(point.stress[2][2], -pressure, 1e-9 * pressure);
-        EXPECT_NEAR(point.stress[0][0], 0, 1e-9 * pressure);
+        EXPECT_NEAR(point.stress[2][2], -pressure_on_base, 1e-9 * pressure_on_base);
+        EXPECT_NEAR(point.stress[0][0], 0, 1e-9 * pressure_on_base);
       }
     EXPECT_LE(squared_jumps(space, all).maxCoeff(), 1e-20) << degree;
   }

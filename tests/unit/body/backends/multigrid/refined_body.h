@@ -8,6 +8,9 @@
 #include "body/even_mesh.h"
 #include "body/mpi.h"
 
+#include <deal.II/lac/solver_cg.h>
+#include <deal.II/lac/solver_control.h>
+
 #include <random>
 
 namespace orthocone::test
@@ -23,10 +26,10 @@ inline GeometryOptions shape_of(const BodyShape shape)
 struct RefinedBody
 {
   RefinedBody(const GeometryOptions &geometry, const MeshOptions &mesh, const SymmetryPlanes &planes,
-              const LocalAxes &axes = LocalAxes(0))
+              const LocalAxes &axes = LocalAxes(0), const CoarseMethod on_coarsest = CoarseMethod::by_size)
       : body((start_mpi_unwatched(), geometry), mesh, default_material, planes, axes),
         stiffness(body.discretization, default_material),
-        cycle(body.discretization, mesh, geometry, default_material),
+        cycle(body.discretization, mesh, geometry, default_material, on_coarsest),
         elastic(stiffness, cycle)
   {
   }
@@ -50,6 +53,33 @@ struct RefinedBody
   ElasticSolver elastic;
 };
 
+/// Forces of a pressed base.
+inline BodyVector<double> pressed_base(const RefinedBody &refined)
+{
+  NodeVector pressure = NodeVector::Zero(3 * static_cast<Eigen::Index>(refined.nodes().size()));
+  for (std::size_t i = 0; i < refined.nodes().size(); ++i)
+    pressure[3 * static_cast<Eigen::Index>(i)] = refined.nodes()[i].area;
+  return refined.all(refined.body.condensed.frame().on_free_unknowns(pressure));
+}
+
+/// Iterations of conjugate gradients to eight digits; one more than `most` if those are not enough.
+inline unsigned int iterations(const RefinedBody &refined, const BodyVector<double> &forces,
+                               const unsigned int most)
+{
+  BodyVector<double> displacement = refined.stiffness.make_vector();
+  dealii::SolverControl control(most, 1e-8 * forces.l2_norm(), false, false);
+  dealii::SolverCG<BodyVector<double>> cg(control);
+  try
+  {
+    cg.solve(refined.stiffness, displacement, forces, refined.cycle);
+  }
+  catch (const dealii::SolverControl::NoConvergence &)
+  {
+    return most + 1;
+  }
+  return control.last_step();
+}
+
 /// Numbers from -1 to 1, the same in every run.
 inline Eigen::VectorXd random_numbers(const Eigen::Index n, const unsigned int seed)
 {
@@ -57,6 +87,8 @@ inline Eigen::VectorXd random_numbers(const Eigen::Index n, const unsigned int s
   std::uniform_real_distribution<double> number(-1, 1);
   return Eigen::VectorXd::NullaryExpr(n, [&] { return number(generator); });
 }
+
+constexpr double node_stiffness = 1e5; // N/mm, as large as a node's own
 
 /// A third of the nodes open, a third stuck, a third slipping, with all that friction couples.
 inline std::vector<NodeCondition> mixed_conditions(const RefinedBody &refined, const double stiffness)

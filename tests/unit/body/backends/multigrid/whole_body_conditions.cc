@@ -15,7 +15,6 @@ using Eigen::VectorXd;
 
 namespace
 {
-constexpr double node_stiffness = 1e5; // N/mm, as large as a node's own
 
 /// Unknowns of a node's condition that give the change of force, and what is left of it.
 std::pair<Vector3d, double> unknowns_of(const NodeCondition &condition, const Vector3d &force)
@@ -50,10 +49,12 @@ double error_of(const ContactConditions &conditions, const ContactChange &change
 
 TEST(WholeBodyConditions, SolvesWhatNodesAskFor)
 {
-  for (const double angle : {0., 30.})
+  for (const auto &[angle, on_coarsest] : {std::pair{0., CoarseMethod::factorized},
+                                           {30., CoarseMethod::factorized},
+                                           {30., CoarseMethod::algebraic}})
   {
     const RefinedBody refined(default_geometry, angle == 0 ? even_mesh(1, 1) : even_mesh(2, 0), full,
-                              LocalAxes(angle));
+                              LocalAxes(angle), on_coarsest);
     const WholeBodyConditions solver(refined.body.condensed.frame(), refined.stiffness,
                                      const_cast<VCycle &>(refined.cycle));
     const ContactConditions conditions{mixed_conditions(refined, node_stiffness), MatrixXd(), VectorXd()};
@@ -90,28 +91,5 @@ TEST(WholeBodyConditions, RestoresEquilibrium)
   const VectorXd forces = refined.body.condensed.frame().on_free_unknowns(change.force);
   EXPECT_LE((forces - refined.body.stiffness.vmult(change.body.displacement) - change.body.rest).norm(),
             1e-9 * forces.norm());
-}
-
-/// The coarsest mesh is solved exactly, with whatever contact holds there.
-TEST(VCycle, IsExactOnTheCoarsestMesh)
-{
-  RefinedBody refined(default_geometry, even_mesh(1, 0), quarter);
-  std::vector<NodeRelation> relations;
-  const std::vector<NodeCondition> conditions = mixed_conditions(refined, node_stiffness);
-  for (std::size_t i = 0; i < conditions.size(); ++i)
-  {
-    relations.push_back(
-        relation_of(conditions[i], Eigen::Matrix3d(LocalAxes(0).global_in_local(i)), refined.nodes()[i]));
-    relations.back().follows.setZero(); // this is not carried over to the levels
-  }
-  refined.cycle.hold(relations);
-  const HeldStiffness held(refined.stiffness, refined.nodes(), relations);
-  const auto right_side = held.right_side(refined.stiffness.make_vector(),
-                                          random_numbers(refined.body.discretization.n_free(), 3));
-  BodyVector<double> solution = refined.stiffness.make_vector(), image = solution;
-  refined.cycle.vmult(solution, right_side);
-  held.vmult(image, solution);
-  image -= right_side;
-  EXPECT_LE(image.l2_norm(), 1e-5 * right_side.l2_norm()); // vectors of the levels are in single precision
 }
 } // namespace orthocone::test

@@ -2,29 +2,25 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
-#include "node_relation.h"
+#include "coarse_solver.h"
 
 #include <orthocone/body/backends/stiffness_factor.h>
-#include <orthocone/body/fe/displacement_space.h>
 #include <orthocone/body/fe/stiffness.h>
 
 #include <vector>
 
 namespace orthocone
 {
-/// The coarsest mesh, solved exactly with what contact holds of its nodes: the stiffness is factorized once,
-/// and what is held is a small dense system in its compliance.
-class CoarseLevel
+/// A coarsest mesh that is small, solved exactly: the stiffness is factorized once, and what is held is a
+/// small dense system in its compliance.
+class FactorizedCoarse : public CoarseSolver
 {
 public:
   /// `space` must outlive this. Throws as StiffnessFactor.
-  CoarseLevel(const Discretization &space, const MaterialOptions &material);
+  FactorizedCoarse(const Discretization &space, const MaterialOptions &material);
 
-  /// One relation a contact node; none at all: contact holds nothing.
-  void hold(const std::vector<NodeRelation> &relations);
-
-  /// Displacement of the free degrees of freedom by forces on them. Forces on held directions do not count.
-  Eigen::VectorXd solve(Eigen::VectorXd forces) const;
+  void hold(const std::vector<NodeRelation> &relations) override;
+  Eigen::VectorXd solve(Eigen::VectorXd forces) const override;
 
 private:
   const Discretization &space_;

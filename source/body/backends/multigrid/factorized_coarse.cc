@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include "coarse_level.h"
+#include "factorized_coarse.h"
 
 #include <array>
 
@@ -64,14 +64,14 @@ Answers answers_of(const std::vector<ContactNode> &nodes, const std::vector<Node
 }
 } // namespace
 
-CoarseLevel::CoarseLevel(const Discretization &space, const MaterialOptions &material)
+FactorizedCoarse::FactorizedCoarse(const Discretization &space, const MaterialOptions &material)
     : space_(space),
       factor_(Stiffness(space, material).matrix(), space.n_interior()),
       compliance_(factor_.trailing_inverse())
 {
 }
 
-void CoarseLevel::hold(const std::vector<NodeRelation> &relations)
+void FactorizedCoarse::hold(const std::vector<NodeRelation> &relations)
 {
   const auto &nodes = space_.contact_surface().nodes;
   answering_ = answering_dofs(nodes, relations);
@@ -88,7 +88,7 @@ void CoarseLevel::hold(const std::vector<NodeRelation> &relations)
   system_.compute(answers.of_force + of_displacement_ * compliance);
 }
 
-VectorXd CoarseLevel::solve(VectorXd forces) const
+VectorXd FactorizedCoarse::solve(VectorXd forces) const
 {
   const auto n = static_cast<Index>(answering_.size());
   if (n == 0)

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include "node_relation.h"
+
+#include <orthocone/body/fe/displacement_space.h>
+
+#include <Eigen/Dense>
+
+#include <memory>
+#include <vector>
+
+namespace orthocone
+{
+/// The coarsest mesh of a V-cycle with what contact holds of its nodes.
+class CoarseSolver
+{
+public:
+  virtual ~CoarseSolver() = default;
+
+  /// One relation a contact node; none at all: contact holds nothing.
+  virtual void hold(const std::vector<NodeRelation> &relations) = 0;
+
+  /// Displacement of the free degrees of freedom by forces on them (mm, N), exact or close to it. Forces on
+  /// directions that contact holds do not count.
+  virtual Eigen::VectorXd solve(Eigen::VectorXd forces) const = 0;
+};
+
+enum class CoarseMethod : unsigned char
+{
+  by_size, ///< factorized up to a size
+  factorized,
+  algebraic,
+};
+
+/// `space` must outlive the solver.
+std::unique_ptr<CoarseSolver> make_coarse_solver(const Discretization &space, const MaterialOptions &material,
+                                                 CoarseMethod method);
+} // namespace orthocone

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include "node_relation.h"
+
+#include <orthocone/body/fe/displacement_space.h>
+
+#include <deal.II/lac/trilinos_sparse_matrix.h>
+#include <deal.II/lac/vector.h>
+
+#include <map>
+#include <vector>
+
+namespace orthocone
+{
+/// Entries of a row of a matrix.
+struct MatrixRow
+{
+  using Column = dealii::types::global_dof_index;
+
+  void add(const Column column, const double value)
+  {
+    columns.push_back(column);
+    values.push_back(value);
+  }
+  /// An entry that is there.
+  double &in(Column column);
+
+  std::vector<Column> columns;
+  std::vector<double> values;
+};
+
+/// The assembled stiffness of a solid with three rows a node, x, y and z, as algebraic multigrid wants it.
+/// Rows of directions that do not move have just a diagonal entry.
+class NodeStiffness
+{
+public:
+  using Matrix = dealii::TrilinosWrappers::SparseMatrix;
+
+  /// `space` must outlive this.
+  NodeStiffness(const Discretization &space, const MaterialOptions &material);
+
+  unsigned int n_rows() const { return static_cast<unsigned int>(row_of_dof_.size()); }
+  unsigned int row(const Eigen::Index dof) const { return row_of_dof_[static_cast<std::size_t>(dof)]; }
+
+  /// Where contact holds nothing, N/mm.
+  const Matrix &free() const { return free_; }
+
+  /// Makes `matrix` that of Level::vmult(), with the relations of the contact nodes. It is empty, or was made
+  /// here.
+  void hold(const std::vector<NodeRelation> &relations, Matrix &matrix);
+
+  /// Sets the directions to zero that contact held the last time.
+  void clear_held(dealii::Vector<double> &vector) const;
+
+  static constexpr int n_rigid_motions = 6;
+
+  /// Three translations and three rotations, each of all rows.
+  std::vector<double> rigid_motions() const;
+
+private:
+  NodeStiffness(const Discretization &space, const MaterialOptions &material,
+                std::vector<unsigned int> row_of_dof);
+  NodeStiffness(const Discretization &space, std::vector<unsigned int> row_of_dof,
+                const std::vector<MatrixRow> &rows);
+  MatrixRow tangential_row(unsigned int direction, const ContactNode &node,
+                           const NodeRelation &relation) const;
+
+  const std::vector<ContactNode> &nodes() const { return space_.contact_surface().nodes; }
+
+  const Discretization &space_;
+  std::vector<unsigned int> row_of_dof_;
+  Matrix free_;
+  std::map<unsigned int, MatrixRow> near_contact_; ///< rows that contact changes, where it holds nothing
+  std::vector<bool> is_held_;                      ///< of rows
+};
+} // namespace orthocone
