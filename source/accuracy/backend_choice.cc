@@ -16,8 +16,7 @@ namespace
 bool both_can(const Parameters &parameters, const ModelSymmetry &symmetry)
 {
   const MeshOptions &mesh = parameters.mesh;
-  return (mesh.refinements > 0 || !mesh.refined_cells.empty()) && !symmetry.is_axisymmetric() &&
-         mesh.volumetric_quadrature == VolumetricQuadrature::full &&
+  return !symmetry.is_axisymmetric() && mesh.volumetric_quadrature == VolumetricQuadrature::full &&
          !find_contact_method(parameters.contact_solver.method)->needs_dense;
 }
 
@@ -32,13 +31,17 @@ std::string described(const Estimate &cost, const double seconds)
 BackendChoice choose_backend(const Parameters &parameters, const ModelSymmetry &symmetry,
                              const double gigabytes)
 {
+  constexpr double not_worth_comparing = 20; // s, where no cell is halved
   if (parameters.mesh.backend != BodyBackend::automatic || !both_can(parameters, symmetry))
     return {parameters.mesh.backend};
   const ModelSize size = model_size(parameters, symmetry);
   const Estimate condensed = usual_estimate(parameters, size, symmetry);
-  const Estimate multigrid = multigrid_estimate(parameters, size, symmetry);
   const double n_steps = n_solved_parts(parameters.load);
   const double seconds_condensed = condensed.set_up_seconds + n_steps * condensed.step_seconds;
+  const bool is_halved = parameters.mesh.refinements > 0 || !parameters.mesh.refined_cells.empty();
+  if (!is_halved && seconds_condensed < not_worth_comparing && condensed.gigabytes <= gigabytes)
+    return {parameters.mesh.backend};
+  const Estimate multigrid = multigrid_estimate(parameters, size, symmetry);
   const double seconds_multigrid = multigrid.set_up_seconds + n_steps * multigrid.step_seconds;
   const std::string line = "backend        ";
   const std::string of_condensed = "condensed about " + described(condensed, seconds_condensed);

@@ -44,6 +44,8 @@ double cube(const double value)
   return value * value * value;
 }
 
+constexpr double seconds_per_value = 1.5e-6; // written to a file
+
 double fields_written_per_step(const unsigned int interval)
 {
   return interval == 0 ? 0 : 1. / interval;
@@ -67,6 +69,11 @@ double step_gigabytes(const LoadOptions &load, const double contact_nodes)
          gigabyte;
 }
 
+double volume_seconds_per_step(const OutputOptions &output, const double dofs)
+{
+  return seconds_per_value * dofs * fields_written_per_step(output.volume_interval);
+}
+
 /// The cells that refinements make, as if they were given.
 static MeshOptions refined(MeshOptions mesh)
 {
@@ -77,13 +84,6 @@ static MeshOptions refined(MeshOptions mesh)
   for (unsigned int &n : mesh.cells)
     n *= halves;
   return mesh;
-}
-
-/// The mesh that all refinements of single cells begin with.
-static Parameters without_single_cells(Parameters parameters)
-{
-  parameters.mesh.refined_cells.clear();
-  return parameters;
 }
 
 ModelSize model_size(const Parameters &parameters, const ModelSymmetry &symmetry)
@@ -138,8 +138,9 @@ Estimate estimate(const Parameters &parameters, const Body &body, const ModelSym
   Estimate result = of_factorization(
       parameters, size, symmetry, factorization_cost(pattern, unknowns.n_interior()), measured_flop_rate());
   const double n_drawn = drawn_nodes(unknowns.contact_surface(), symmetry);
-  result.step_seconds += 1.5e-6 * (size.dofs * fields_written_per_step(parameters.output.volume_interval) +
-                                   9 * n_drawn * fields_written_per_step(parameters.output.contact_interval));
+  result.step_seconds +=
+      volume_seconds_per_step(parameters.output, size.dofs) +
+      seconds_per_value * 9 * n_drawn * fields_written_per_step(parameters.output.contact_interval);
   return result;
 }
 
@@ -150,34 +151,6 @@ Estimate usual_estimate(const Parameters &parameters, const ModelSize &size, con
   constexpr double entries = 28, flops = 28;
   const FactorizationCost cost{entries * std::pow(size.dofs, 4. / 3), flops * size.dofs * size.dofs};
   return of_factorization(parameters, size, symmetry, cost, rate);
-}
-
-/// Of the cells that are refined: their shape hardly changes.
-static double stretch_before_refinement(const Parameters &given, const ModelSymmetry &symmetry)
-{
-  Parameters parameters = without_single_cells(given);
-  parameters.mesh.refinements = 0;
-  return Body(parameters, symmetry).stretch();
-}
-
-Estimate multigrid_estimate(const Parameters &parameters, const ModelSize &size,
-                            const ModelSymmetry &symmetry)
-{
-  // docs/performance.md, "Multigrid".
-  constexpr double program = 0.17, bytes_per_unknown = 1200;
-  constexpr double set_up = 1.5e-5, v_cycle = 3e-7;          // s per unknown
-  constexpr double in_first_cycle = 30, in_later_cycles = 9; // V-cycles of a step
-  constexpr double even = 2.5;                               // stretch of cells that multigrid does not mind
-  const double cycles_per_step =
-      (in_later_cycles + (in_first_cycle - in_later_cycles) / std::max(1U, parameters.load.cycles)) *
-      std::max(1., stretch_before_refinement(parameters, symmetry) / even);
-  Estimate result{};
-  result.gigabytes = program + (bytes_per_unknown * size.dofs) / gigabyte +
-                     step_gigabytes(parameters.load, size.contact_nodes);
-  result.set_up_seconds = 0.3 + set_up * size.dofs;
-  result.step_seconds = cycles_per_step * v_cycle * size.dofs +
-                        1.5e-6 * size.dofs * fields_written_per_step(parameters.output.volume_interval);
-  return result;
 }
 
 Estimate least_estimate(const ModelSize &size)

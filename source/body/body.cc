@@ -2,9 +2,6 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/body/body.h>
 
-#include <algorithm>
-#include <limits>
-
 namespace orthocone
 {
 Body::Solid::Solid(const Parameters &parameters, const SymmetryPlanes &planes)
@@ -43,22 +40,7 @@ unsigned int Body::n_levels() const
 
 double Body::stretch() const
 {
-  return visit(
-      [](const auto &space)
-      {
-        double largest = 1;
-        for (const auto &cell : space.dof_handler().get_triangulation().active_cell_iterators())
-        {
-          double longest = 0, shortest = std::numeric_limits<double>::max();
-          for (const unsigned int line : cell->line_indices())
-          {
-            longest = std::max(longest, cell->line(line)->diameter());
-            shortest = std::min(shortest, cell->line(line)->diameter());
-          }
-          largest = std::max(largest, longest / shortest);
-        }
-        return largest;
-      });
+  return visit([](const auto &space) { return orthocone::stretch(space.dof_handler().get_triangulation()); });
 }
 
 void Body::make_pattern(dealii::SparsityPattern &pattern) const

@@ -80,7 +80,7 @@ void declare_backend(MeshOptions &mesh, EntryTable &table)
       "How the elastic body is solved: factorized and condensed to its contact nodes (condensed), or by "
       "multigrid over all these meshes, without any matrix of the whole (multigrid: solids of degree 1 to 3 "
       "with Contact solver/Method = newton). auto: what "
-      "takes less time by an estimate, and condensed where no cell is halved.");
+      "takes less time by an estimate.");
 }
 
 void declare_material(MaterialOptions &material, EntryTable &table)

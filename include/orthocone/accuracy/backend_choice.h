@@ -18,7 +18,7 @@ struct BackendChoice
 
 /// What Mesh/Backend = auto stands for: what takes less time by estimates that know nothing of this machine
 /// but its memory, which the factorization must fit into. Nothing is compared where only one can do it:
-/// multigrid needs refinements of a solid, full quadrature and Newton's method. `parameters` have the
-/// resolved mesh.
+/// multigrid needs a solid, full quadrature and Newton's method; nor where no cell is halved and the
+/// factorization takes seconds. `parameters` have the resolved mesh.
 BackendChoice choose_backend(const Parameters &parameters, const ModelSymmetry &symmetry, double gigabytes);
 } // namespace orthocone

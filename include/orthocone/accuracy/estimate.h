@@ -38,6 +38,9 @@ Estimate least_estimate(const ModelSize &size);
 /// What a run keeps of its steps, GB.
 double step_gigabytes(const LoadOptions &load, double contact_nodes);
 
+/// What writing fields of the whole body takes, on average.
+double volume_seconds_per_step(const OutputOptions &output, double dofs);
+
 /// The estimate in two lines, with the memory that there is. `is_least`: it is a bound from below.
 std::string describe(const Estimate &estimate, unsigned int n_steps, const MemoryLimit &limit, bool is_least);
 

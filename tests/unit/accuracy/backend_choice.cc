@@ -48,6 +48,18 @@ TEST(BackendChoice, KnowsThatStretchedCellsTakeMoreCycles)
   EXPECT_EQ(chosen(parameters), BodyBackend::condensed);
 }
 
+TEST(BackendChoice, KnowsMeshesWithoutCoarserOnes)
+{
+  Parameters parameters = refined(0);
+  MeshOptions &mesh = parameters.mesh;
+  mesh.core_cells = mesh.layers = 32;
+  mesh.rings = 16;
+  EXPECT_EQ(chosen(parameters), BodyBackend::multigrid);
+  EXPECT_NE(choose_backend(parameters, quarter, much).reason, "");
+  mesh.layer_grading = mesh.rim_grading = 0.8; // cells are 40 times as long as wide
+  EXPECT_EQ(chosen(parameters), BodyBackend::condensed);
+}
+
 TEST(BackendChoice, ComparesNothingWhereOnlyOneCanDoIt)
 {
   const auto expect_none = [](const Parameters &parameters, const ModelSymmetry &symmetry)

@@ -12,8 +12,8 @@
 namespace orthocone
 {
 /// A body that is too large to be factorized: products with its stiffness cell by cell, solutions by
-/// conjugate gradients and geometric multigrid over the refinements of its mesh, contact laws on the whole
-/// body.
+/// conjugate gradients and multigrid, geometric over the refinements of its mesh and algebraic on a coarsest
+/// mesh that is large, contact laws on the whole body.
 class MultigridBody : public ElasticBody
 {
 public:
@@ -23,6 +23,11 @@ public:
                 const std::function<LocalAxes(const ContactSurface &)> &axes_of,
                 const std::function<void(const Body &)> &on_meshed, PhaseSeconds &seconds);
   ~MultigridBody() override;
+
+  /// Whether a coarsest mesh with so many degrees of freedom is solved by aggregates of its nodes (Trilinos
+  /// ML) and not by a factorization.
+  static bool aggregates_coarsest(double n_dofs, double n_contact_nodes);
+
   MultigridBody(const MultigridBody &) = delete; // its modules refer to each other
   MultigridBody &operator=(const MultigridBody &) = delete;
 

@@ -5,6 +5,9 @@
 #include <orthocone/body/shapes/refinement.h>
 #include <orthocone/body/shapes/shape.h>
 
+#include <algorithm>
+#include <limits>
+
 namespace orthocone
 {
 /// Hexahedra of the modelled part of the body whose shape the options name. The mesh of a half or a quarter
@@ -42,6 +45,24 @@ public:
 private:
   dealii::Triangulation<2> triangulation_;
 };
+
+/// Longest edge of a cell / its shortest one, the largest of all cells.
+template<int dim>
+double stretch(const dealii::Triangulation<dim> &triangulation)
+{
+  double largest = 1;
+  for (const auto &cell : triangulation.active_cell_iterators())
+  {
+    double longest = 0, shortest = std::numeric_limits<double>::max();
+    for (const unsigned int line : cell->line_indices())
+    {
+      longest = std::max(longest, cell->line(line)->diameter());
+      shortest = std::min(shortest, cell->line(line)->diameter());
+    }
+    largest = std::max(largest, longest / shortest);
+  }
+  return largest;
+}
 
 /// Throws InputError if Mesh/Refined cells names a cell that the mesh of the model does not have, or
 /// TooLargeError as refine().

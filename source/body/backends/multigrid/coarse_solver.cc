@@ -5,23 +5,24 @@
 #include "algebraic_coarse.h"
 #include "factorized_coarse.h"
 
+#include <orthocone/body/backends/multigrid_body.h>
+
 namespace orthocone
 {
-namespace
-{
 /// docs/performance.md, "Large coarsest meshes".
-bool is_large(const Discretization &space)
+bool MultigridBody::aggregates_coarsest(const double n_dofs, const double n_contact_nodes)
 {
-  constexpr unsigned int most_free = 150000;
-  constexpr std::size_t most_contact_nodes = 1500;
-  return space.n_free() > most_free || space.contact_surface().nodes.size() > most_contact_nodes;
+  constexpr double most_dofs = 1.5e5, most_contact_nodes = 1500;
+  return n_dofs > most_dofs || n_contact_nodes > most_contact_nodes;
 }
-} // namespace
 
 std::unique_ptr<CoarseSolver> make_coarse_solver(const Discretization &space, const MaterialOptions &material,
                                                  const CoarseMethod method)
 {
-  if (method == CoarseMethod::algebraic || (method == CoarseMethod::by_size && is_large(space)))
+  const auto n_contact_nodes = static_cast<double>(space.contact_surface().nodes.size());
+  if (method == CoarseMethod::algebraic ||
+      (method == CoarseMethod::by_size &&
+       MultigridBody::aggregates_coarsest(space.n_dofs(), n_contact_nodes)))
     return std::make_unique<AlgebraicCoarse>(space, material);
   return std::make_unique<FactorizedCoarse>(space, material);
 }

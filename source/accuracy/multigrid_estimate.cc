@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/accuracy/estimate.h>
+
+#include <orthocone/body/backends/multigrid_body.h>
+#include <orthocone/scene/load_program.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace orthocone
+{
+namespace
+{
+constexpr double bytes_per_gigabyte = 1e9;
+
+/// The mesh before all cells were halved.
+Parameters on_coarsest(Parameters parameters)
+{
+  parameters.mesh.refined_cells.clear();
+  parameters.mesh.refinements = 0;
+  return parameters;
+}
+
+/// What trilinear elements on the coarsest mesh take: docs/performance.md, "Large coarsest meshes".
+struct CoarsestCost
+{
+  double gigabytes, set_up_seconds;
+  double hold_seconds; ///< in an iteration of Newton's method
+  double cycle_seconds;
+};
+
+CoarsestCost cost_of_coarsest(const Parameters &coarsest, const ModelSymmetry &symmetry)
+{
+  MeshOptions mesh = coarsest.mesh;
+  mesh.degree = 1;
+  const ModelSize size = make_shape(coarsest.geometry, mesh)->size(symmetry);
+  const double n = size.dofs, entries = std::pow(n, 4. / 3);
+  if (MultigridBody::aggregates_coarsest(n, size.contact_nodes))
+    return {7e3 * n / bytes_per_gigabyte, 2e-5 * n, 1.5e-5 * n, 9e-7 * n};
+  const double contact = 3 * size.contact_nodes;
+  return {240 * entries / bytes_per_gigabyte, 6e-10 * n * n, 1e-11 * contact * contact * contact,
+          1.8e-8 * entries};
+}
+} // namespace
+
+/// docs/performance.md, "Multigrid".
+Estimate multigrid_estimate(const Parameters &parameters, const ModelSize &size,
+                            const ModelSymmetry &symmetry)
+{
+  constexpr double program = 0.17, bytes_per_unknown = 1200;
+  constexpr double set_up = 1.5e-5, v_cycle = 3e-7;          // s per unknown
+  constexpr double in_first_cycle = 30, in_later_cycles = 9; // V-cycles of a step
+  constexpr double in_iteration = 5;                         // V-cycles of an iteration of Newton's method
+  constexpr double even = 2.5;                               // stretch of cells that multigrid does not mind
+  const Parameters coarsest = on_coarsest(parameters);
+  const double cycles_per_step =
+      (in_later_cycles + (in_first_cycle - in_later_cycles) / std::max(1U, parameters.load.cycles)) *
+      std::max(1.,
+               stretch(BodyMesh(coarsest.geometry, coarsest.mesh, symmetry.planes()).triangulation()) / even);
+  const CoarsestCost on_coarsest = cost_of_coarsest(coarsest, symmetry);
+  Estimate result{};
+  result.gigabytes = program + (bytes_per_unknown * size.dofs) / bytes_per_gigabyte + on_coarsest.gigabytes +
+                     step_gigabytes(parameters.load, size.contact_nodes);
+  result.set_up_seconds = 0.3 + set_up * size.dofs + on_coarsest.set_up_seconds;
+  result.step_seconds = cycles_per_step * (v_cycle * size.dofs + on_coarsest.cycle_seconds +
+                                           on_coarsest.hold_seconds / in_iteration) +
+                        volume_seconds_per_step(parameters.output, size.dofs);
+  return result;
+}
+} // namespace orthocone
