@@ -15,8 +15,9 @@ namespace
 {
 bool both_can(const Parameters &parameters, const ModelSymmetry &symmetry)
 {
-  const MeshOptions &mesh = parameters.mesh;
-  return !symmetry.is_axisymmetric() && mesh.volumetric_quadrature == VolumetricQuadrature::full &&
+  constexpr double nearly_incompressible = 0.495; // docs/stability.md, "On the whole body"
+  return !symmetry.is_axisymmetric() && parameters.mesh.volumetric_quadrature == VolumetricQuadrature::full &&
+         parameters.material.poisson_ratio < nearly_incompressible &&
          !find_contact_method(parameters.contact_solver.method)->needs_dense;
 }
 
@@ -38,15 +39,19 @@ BackendChoice choose_backend(const Parameters &parameters, const ModelSymmetry &
   const Estimate condensed = usual_estimate(parameters, size, symmetry);
   const double n_steps = n_solved_parts(parameters.load);
   const double seconds_condensed = condensed.set_up_seconds + n_steps * condensed.step_seconds;
+  const bool fits = condensed.gigabytes <= gigabytes;
   const bool is_halved = parameters.mesh.refinements > 0 || !parameters.mesh.refined_cells.empty();
-  if (!is_halved && seconds_condensed < not_worth_comparing && condensed.gigabytes <= gigabytes)
+  if (!is_halved && (fits ? seconds_condensed < not_worth_comparing
+                          : multigrid_gigabytes(parameters, size, symmetry) > gigabytes))
     return {parameters.mesh.backend};
   const Estimate multigrid = multigrid_estimate(parameters, size, symmetry);
   const double seconds_multigrid = multigrid.set_up_seconds + n_steps * multigrid.step_seconds;
   const std::string line = "backend        ";
   const std::string of_condensed = "condensed about " + described(condensed, seconds_condensed);
   const std::string of_multigrid = "multigrid about " + described(multigrid, seconds_multigrid);
-  if (condensed.gigabytes <= gigabytes && seconds_condensed <= seconds_multigrid)
+  // Without coarser meshes contact has nothing to start from: multigrid must be clearly faster.
+  const double margin = is_halved ? 1 : 2;
+  if (fits && seconds_condensed <= margin * seconds_multigrid)
     return {BodyBackend::condensed, line + of_condensed + "; " + of_multigrid};
   return {BodyBackend::multigrid, line + of_multigrid + "; " + of_condensed};
 }

@@ -36,7 +36,7 @@ static std::optional<double> needed_gigabytes(const Parameters &parameters, cons
   constexpr double most_per_unknown = 1e-4, program = 0.2; // far more than any model needs
   const ModelSize size = model_size(parameters, symmetry);
   if (parameters.mesh.backend == BodyBackend::multigrid)
-    return multigrid_estimate(parameters, size, symmetry).gigabytes;
+    return multigrid_gigabytes(parameters, size, symmetry);
   const double steps = step_gigabytes(parameters.load, size.contact_nodes);
   if (const double least = least_estimate(size).gigabytes; least > gigabytes)
     return least;

@@ -98,7 +98,9 @@ int check(const CommandLine &line, const Parameters &given)
   Parameters parameters = given;
   if (given.mesh.accuracy == 0)
     parameters.mesh = resolved_mesh(given.geometry, given.mesh, model.symmetry.is_axisymmetric());
-  const BackendChoice backend = choose_backend(parameters, model.symmetry, memory_limit().gigabytes);
+  const BackendChoice backend = given.mesh.accuracy == 0
+                                    ? choose_backend(parameters, model.symmetry, memory_limit().gigabytes)
+                                    : BackendChoice{parameters.mesh.backend};
   parameters.mesh.backend = backend.backend;
   if (!backend.reason.empty())
     std::cout << backend.reason << "\n";

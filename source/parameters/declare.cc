@@ -78,9 +78,11 @@ void declare_backend(MeshOptions &mesh, EntryTable &table)
   add_choice(
       table, "Backend", mesh.backend,
       "How the elastic body is solved: factorized and condensed to its contact nodes (condensed), or by "
-      "multigrid over all these meshes, without any matrix of the whole (multigrid: solids of degree 1 to 3 "
-      "with Contact solver/Method = newton). auto: what "
-      "takes less time by an estimate.");
+      "multigrid over all these meshes, without a factorization of the whole (multigrid: solids of degree 1 "
+      "to 3 "
+      "with Contact solver/Method = newton). auto: what takes less time by an estimate, or alone fits into "
+      "the "
+      "memory; condensed where no cell is halved and that takes seconds.");
 }
 
 void declare_material(MaterialOptions &material, EntryTable &table)

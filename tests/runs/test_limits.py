@@ -16,9 +16,9 @@ sys.dont_write_bytecode = True  # the source tree stays clean
 from program import PROGRAM, ROOT, RunTest, SMALL, main  # noqa: E402
 
 DONE, WRONG_INPUT, UNSOLVED, INTERRUPTED = 0, 2, 3, 130
-LARGE = ["Mesh/Core cells=64", "Mesh/Layers=48", "Mesh/Degree=2", "Mesh/Model=full"]
+LARGE = ["Mesh/Core cells=64", "Mesh/Layers=48", "Mesh/Degree=2", "Mesh/Model=full", "Mesh/Backend=condensed"]
 MIDDLING = ["Mesh/Core cells=16", "Mesh/Rings=8", "Mesh/Layers=4", "Mesh/Degree=2", "Mesh/Model=full",
-            "Load program/Cycles=1"]
+            "Load program/Cycles=1", "Mesh/Backend=condensed"]
 
 
 class MemoryTest(RunTest):
@@ -58,6 +58,16 @@ class MemoryTest(RunTest):
         self.assertRegex(result.stderr, r"^orthocone: .*case_b\.prm: memory: the model needs about \S+ GB, and this machine "
                                         r"has \S+ GB; .* --insist runs all the same\n$")
         self.assertEqual({file: file.read_bytes() for file in (self.folder / "run").rglob("*") if file.is_file()}, before)
+
+    def test_what_cannot_be_factorized_may_be_solved_by_multigrid(self):
+        """The same model without a backend: --check chooses, and makes no mesh of what is too large for both."""
+        def told(*settings):
+            command = [PROGRAM, self.FILE, "--check", *[f"--set={setting}" for setting in settings]]
+            def limit():
+                resource.setrlimit(resource.RLIMIT_AS, (1500000 * 1024, 1500000 * 1024))
+            return subprocess.run(command, text=True, capture_output=True, timeout=60, check=True, preexec_fn=limit).stdout
+        self.assertRegex(told(*MIDDLING, "Mesh/Backend=auto"), r"(?m)^backend +multigrid about .*; condensed about ")
+        self.assertNotRegex(told(*LARGE, "Mesh/Backend=auto"), r"(?m)^backend ")
 
     def test_check_warns_and_still_tells_all(self):
         result = subprocess.run([PROGRAM, self.FILE, "--check", *[f"--set={setting}" for setting in LARGE]],
@@ -122,7 +132,7 @@ class ThreadTest(RunTest):
 class SignalTest(RunTest):
     def test_sigterm_at_any_moment_of_the_set_up(self):
         """Also while METIS, which has a handler of its own, looks for the order."""
-        settings = ["Mesh/Core cells=16", "Mesh/Layers=12", "Mesh/Model=full"]
+        settings = ["Mesh/Core cells=16", "Mesh/Layers=12", "Mesh/Model=full", "Mesh/Backend=condensed"]
         for moment in (0.3, 0.8, 1.3, 1.8, 2.3, 2.8):
             run = subprocess.Popen(self.command("run", settings=settings), cwd=self.folder, text=True, stderr=subprocess.PIPE)
             time.sleep(moment)

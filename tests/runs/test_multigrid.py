@@ -86,6 +86,12 @@ class SameStatesTest(RunTest):
                     error = max(abs(a - b) for a, b in zip(condensed[column], multigrid[column]))
                     self.assertLessEqual(error, 10 * TOLERANCE * scale, column)
 
+    def test_a_loose_tolerance_leaves_the_body_in_equilibrium(self):
+        """Checks/Equilibrium does not get looser with the contact solver."""
+        result = self.run_program("run", settings=[*ISOTROPIC, *ONE_CYCLE, "Mesh/Backend=multigrid", "Mesh/Refinements=1",
+                                                   "Contact solver/Tolerance=1e-4"])
+        self.assertEqual((result.returncode, result.stderr), (DONE, ""))
+
     def test_a_response_that_is_periodic_takes_no_iterations(self):
         """In the second cycle of case B, every state is that of the first one."""
         result = self.run_program("run", settings=[*ISOTROPIC, "Mesh/Backend=multigrid", "Mesh/Refinements=1",

@@ -23,10 +23,10 @@ def outcome(result, _point):
     if result.code not in (SOLVED, UNSOLVED):
         raise StudyError(f"ended with code {result.code}: {result.errors.strip()}")
     summary_file = result.folder / "summary.json"
-    if not summary_file.exists():
+    summary = json.loads(summary_file.read_text(encoding="utf-8")) if summary_file.exists() else {}
+    if "contact_solver" not in summary:  # the body alone was too much
         return {"verdict": "no-model", "iterations": 0, "residual": math.nan, "steps": 0, "signature": "",
-                "seconds": round(result.seconds, 3), "message": result.errors.splitlines()[0][:200]}
-    summary = json.loads(summary_file.read_text(encoding="utf-8"))
+                "seconds": round(result.seconds, 3), "message": result.errors.partition("\n")[0][:200]}
     verdict = summary["contact_solver"]["verdict"]
     if result.code == UNSOLVED and verdict == "converged":
         verdict = "check"  # solved, but an independent check stopped the run

@@ -27,9 +27,14 @@ Estimate estimate(const Parameters &parameters, const Body &body, const ModelSym
 /// The same from the size alone, for a solid and a usual machine.
 Estimate usual_estimate(const Parameters &parameters, const ModelSize &size, const ModelSymmetry &symmetry);
 
-/// The same for Mesh/Backend = multigrid.
+/// The same for Mesh/Backend = multigrid. Coarsest meshes of up to 200 000 cells are made, to see how far
+/// their cells are from cubes.
 Estimate multigrid_estimate(const Parameters &parameters, const ModelSize &size,
                             const ModelSymmetry &symmetry);
+
+/// Its memory alone, without any mesh.
+double multigrid_gigabytes(const Parameters &parameters, const ModelSize &size,
+                           const ModelSymmetry &symmetry);
 
 /// Estimate for a model of which nothing but its size is known: what its stiffness and its dense compliance
 /// alone take.

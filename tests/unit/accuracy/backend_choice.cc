@@ -2,6 +2,9 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/accuracy/backend_choice.h>
 
+#include <orthocone/accuracy/estimate.h>
+#include <orthocone/body/backends/multigrid_body.h>
+
 #include "body/even_mesh.h"
 
 #include <gtest/gtest.h>
@@ -48,6 +51,7 @@ TEST(BackendChoice, KnowsThatStretchedCellsTakeMoreCycles)
   EXPECT_EQ(chosen(parameters), BodyBackend::condensed);
 }
 
+/// Cells of which none is halved: multigrid must be clearly faster, or alone fit into the memory.
 TEST(BackendChoice, KnowsMeshesWithoutCoarserOnes)
 {
   Parameters parameters = refined(0);
@@ -56,8 +60,27 @@ TEST(BackendChoice, KnowsMeshesWithoutCoarserOnes)
   mesh.rings = 16;
   EXPECT_EQ(chosen(parameters), BodyBackend::multigrid);
   EXPECT_NE(choose_backend(parameters, quarter, much).reason, "");
-  mesh.layer_grading = mesh.rim_grading = 0.8; // cells are 40 times as long as wide
+  EXPECT_EQ(chosen(parameters, 0.1), BodyBackend::automatic); // too large for both
+  mesh.layer_grading = mesh.rim_grading = 0.8;                // cells are 40 times as long as wide
   EXPECT_EQ(chosen(parameters), BodyBackend::condensed);
+  EXPECT_EQ(chosen(parameters, 3), BodyBackend::multigrid);
+}
+
+/// Trilinear elements are their own coarsest mesh, which is factorized up to 1500 contact nodes.
+TEST(BackendChoice, KnowsThatALargeCoarsestMeshIsAggregated)
+{
+  const auto bytes_per_unknown = [](const unsigned int n)
+  {
+    Parameters parameters = refined(0);
+    parameters.mesh.degree = 1;
+    parameters.mesh.core_cells = parameters.mesh.layers = n;
+    parameters.mesh.rings = n / 2;
+    const ModelSize size = model_size(parameters, quarter);
+    EXPECT_EQ(MultigridBody::aggregates_coarsest(size.dofs, size.contact_nodes), n > 38);
+    return 1e9 * multigrid_gigabytes(parameters, size, quarter) / size.dofs;
+  };
+  EXPECT_LT(bytes_per_unknown(48), 0.7 * bytes_per_unknown(38));
+  EXPECT_NEAR(bytes_per_unknown(96), bytes_per_unknown(48), 0.1 * bytes_per_unknown(48));
 }
 
 TEST(BackendChoice, ComparesNothingWhereOnlyOneCanDoIt)
@@ -72,6 +95,9 @@ TEST(BackendChoice, ComparesNothingWhereOnlyOneCanDoIt)
   expect_none(refined(4), ModelSymmetry::of_revolution());
   Parameters other = refined(4);
   other.mesh.volumetric_quadrature = VolumetricQuadrature::reduced;
+  expect_none(other, quarter);
+  other = refined(4);
+  other.material.poisson_ratio = 0.499;
   expect_none(other, quarter);
   other = refined(4);
   other.contact_solver.method = "gauss-seidel";

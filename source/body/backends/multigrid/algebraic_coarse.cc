@@ -3,6 +3,10 @@
 #include "algebraic_coarse.h"
 
 #include <Teuchos_ParameterList.hpp>
+#include <ml_MultiLevelPreconditioner.h>
+
+#include <algorithm>
+#include <stdexcept>
 
 namespace orthocone
 {
@@ -12,15 +16,20 @@ AlgebraicCoarse::AlgebraicCoarse(const Discretization &space, const MaterialOpti
     : stiffness_(space, material),
       rigid_motions_(stiffness_.rigid_motions())
 {
-  aggregate(of_free_, stiffness_.free());
+  if (!aggregate(of_free_, stiffness_.free()))
+    throw std::runtime_error(
+        "multigrid: the nodes of the coarsest mesh cannot be aggregated; cells that are far "
+        "from cubes make it so, or a Poisson ratio next to 0.5");
 }
 
-/// docs/performance.md, "Large coarsest meshes", has what other choices cost.
-void AlgebraicCoarse::aggregate(Hierarchy &hierarchy, const NodeStiffness::Matrix &matrix) const
+/// Whether ML found a hierarchy. The same random numbers every time: a run that goes on must find the same
+/// one.
+bool AlgebraicCoarse::aggregate(Hierarchy &hierarchy, const NodeStiffness::Matrix &matrix) const
 {
   Teuchos::ParameterList options;
-  options.set("default values", "SA");
+  ML_Epetra::SetDefaults("SA", options);
   options.set("ML output", 0);
+  options.set("initialize random seed", true);
   options.set("smoother: type", "Chebyshev");
   options.set("smoother: sweeps", 3);
   options.set("smoother: Chebyshev alpha", 20.);
@@ -32,16 +41,23 @@ void AlgebraicCoarse::aggregate(Hierarchy &hierarchy, const NodeStiffness::Matri
   options.set("null space: type", "pre-computed");
   options.set("null space: dimension", NodeStiffness::n_rigid_motions);
   options.set("null space: vectors", const_cast<double *>(rigid_motions_.data())); // ML only reads them
+  hierarchy.clear();
   hierarchy.initialize(matrix, options);
+  const auto *const ml =
+      dynamic_cast<const ML_Epetra::MultiLevelPreconditioner *>(&hierarchy.trilinos_operator());
+  return ml != nullptr && ml->IsPreconditionerComputed();
 }
 
+/// Where nothing can be aggregated with what contact holds, the aggregates of the free body must do: they
+/// only precondition.
 void AlgebraicCoarse::hold(const std::vector<NodeRelation> &relations)
 {
-  is_held_ = !relations.empty();
+  is_held_ = std::any_of(relations.begin(), relations.end(),
+                         [](const NodeRelation &relation) { return relation.hold != Hold::nothing; });
   if (!is_held_)
     return;
   stiffness_.hold(relations, held_);
-  aggregate(of_held_, held_);
+  is_held_ = aggregate(of_held_, held_);
 }
 
 VectorXd AlgebraicCoarse::solve(VectorXd forces) const
@@ -50,7 +66,7 @@ VectorXd AlgebraicCoarse::solve(VectorXd forces) const
   for (Eigen::Index dof = 0; dof < forces.size(); ++dof)
     right_side[stiffness_.row(dof)] = forces[dof];
   if (is_held_)
-    stiffness_.clear_held(right_side);
+    stiffness_.couple_and_clear_held(right_side);
   (is_held_ ? of_held_ : of_free_).vmult(solution, right_side);
   if (is_held_)
     stiffness_.clear_held(solution);

@@ -16,7 +16,7 @@ namespace orthocone
 class AlgebraicCoarse : public CoarseSolver
 {
 public:
-  /// `space` must outlive this. Throws dealii::ExceptionBase if ML finds no hierarchy.
+  /// `space` must outlive this. Throws std::runtime_error if ML finds no hierarchy.
   AlgebraicCoarse(const Discretization &space, const MaterialOptions &material);
 
   void hold(const std::vector<NodeRelation> &relations) override;
@@ -25,7 +25,7 @@ public:
 private:
   using Hierarchy = dealii::TrilinosWrappers::PreconditionAMG;
 
-  void aggregate(Hierarchy &hierarchy, const NodeStiffness::Matrix &matrix) const;
+  bool aggregate(Hierarchy &hierarchy, const NodeStiffness::Matrix &matrix) const;
 
   NodeStiffness stiffness_;
   std::vector<double> rigid_motions_; ///< one after the other, of all rows

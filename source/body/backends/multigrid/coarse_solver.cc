@@ -9,13 +9,6 @@
 
 namespace orthocone
 {
-/// docs/performance.md, "Large coarsest meshes".
-bool MultigridBody::aggregates_coarsest(const double n_dofs, const double n_contact_nodes)
-{
-  constexpr double most_dofs = 1.5e5, most_contact_nodes = 1500;
-  return n_dofs > most_dofs || n_contact_nodes > most_contact_nodes;
-}
-
 std::unique_ptr<CoarseSolver> make_coarse_solver(const Discretization &space, const MaterialOptions &material,
                                                  const CoarseMethod method)
 {

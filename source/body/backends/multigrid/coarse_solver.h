@@ -23,7 +23,7 @@ public:
   virtual void hold(const std::vector<NodeRelation> &relations) = 0;
 
   /// Displacement of the free degrees of freedom by forces on them (mm, N), exact or close to it. Forces on
-  /// directions that contact holds do not count.
+  /// directions that contact holds count by what friction makes of them, the relations' coupling.
   virtual Eigen::VectorXd solve(Eigen::VectorXd forces) const = 0;
 };
 

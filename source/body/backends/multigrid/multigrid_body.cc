@@ -17,11 +17,13 @@ using Eigen::VectorXd;
 
 namespace
 {
-/// Well below the tolerance of the contact solver, and above rounding.
+/// Well below the tolerance of the contact solver and what Checks/Equilibrium allows, and above rounding.
 double accuracy_of(const Parameters &parameters)
 {
-  constexpr double share = 1e-3, least = 1e-12;
-  return std::max(share * parameters.contact_solver.tolerance, least);
+  constexpr double share = 1e-3, share_of_check = 0.1, least = 1e-12;
+  return std::max(
+      std::min(share * parameters.contact_solver.tolerance, share_of_check * parameters.checks.equilibrium),
+      least);
 }
 } // namespace
 
@@ -61,6 +63,13 @@ MultigridBody::MultigridBody(const Parameters &parameters, const ModelSymmetry &
 }
 
 MultigridBody::~MultigridBody() = default;
+
+/// docs/performance.md, "Large coarsest meshes".
+bool MultigridBody::aggregates_coarsest(const double n_dofs, const double n_contact_nodes)
+{
+  constexpr double most_dofs = 1.5e5, most_contact_nodes = 1500;
+  return n_dofs > most_dofs || n_contact_nodes > most_contact_nodes;
+}
 
 const Compliance &MultigridBody::compliance() const
 {

@@ -13,8 +13,6 @@
 
 namespace orthocone
 {
-using dealii::types::global_dof_index;
-
 namespace
 {
 /// Of every degree of freedom, in the order of cells.
@@ -88,11 +86,11 @@ NodeStiffness::NodeStiffness(const Discretization &space, std::vector<unsigned i
         near_contact_.emplace(column, rows[column]);
 }
 
-double &MatrixRow::in(const global_dof_index column)
+std::size_t MatrixRow::place(const Column column) const
 {
   const auto found = std::find(columns.begin(), columns.end(), column);
-  Assert(found != columns.end(), dealii::ExcInternalError());
-  return values[static_cast<std::size_t>(found - columns.begin())];
+  AssertThrow(found != columns.end(), dealii::ExcInternalError());
+  return static_cast<std::size_t>(found - columns.begin());
 }
 
 /// Of a node that is held along its normal: friction resists.
@@ -102,7 +100,7 @@ MatrixRow NodeStiffness::tangential_row(const unsigned int direction, const Cont
   const auto at = [&](const unsigned int d) { return row_of_dof_[node.dofs[d]]; };
   MatrixRow row = near_contact_.at(at(direction));
   const MatrixRow &normal = near_contact_.at(at(2));
-  const Eigen::Matrix2d robin = bounded_robin(relation, row.in(at(direction)));
+  const Eigen::Matrix2d robin = bounded_robin(relation, near_contact_.at(at(2)).in(at(2)));
   for (std::size_t i = 0; i < normal.columns.size(); ++i)
     row.in(normal.columns[i]) += relation.coupling[direction] * normal.values[i];
   for (unsigned int d = 0; d < 2; ++d)
@@ -116,6 +114,7 @@ void NodeStiffness::hold(const std::vector<NodeRelation> &relations, Matrix &mat
   if (matrix.m() != n_rows())
     matrix.copy_from(free_);
   is_held_.assign(n_rows(), false);
+  couplings_.clear();
   std::map<unsigned int, MatrixRow> changed;
   for (std::size_t i = 0; i < relations.size(); ++i)
     for (unsigned int d = 0; d < 3; ++d)
@@ -125,7 +124,10 @@ void NodeStiffness::hold(const std::vector<NodeRelation> &relations, Matrix &mat
       if (hold == Hold::all || (hold == Hold::normal && d == 2))
         is_held_[row] = true;
       else if (hold == Hold::normal && nodes()[i].is_free[d])
+      {
         changed[row] = tangential_row(d, nodes()[i], relations[i]);
+        couplings_.push_back({row, row_of_dof_[nodes()[i].dofs[2]], relations[i].coupling[d]});
+      }
     }
   for (const auto &[number, free] : near_contact_)
   {
@@ -137,6 +139,13 @@ void NodeStiffness::hold(const std::vector<NodeRelation> &relations, Matrix &mat
     matrix.set(number, row.columns, row.values);
   }
   matrix.compress(dealii::VectorOperation::insert);
+}
+
+void NodeStiffness::couple_and_clear_held(dealii::Vector<double> &forces) const
+{
+  for (const Coupling &coupling : couplings_)
+    forces[coupling.tangential] += coupling.factor * forces[coupling.normal];
+  clear_held(forces);
 }
 
 void NodeStiffness::clear_held(dealii::Vector<double> &vector) const

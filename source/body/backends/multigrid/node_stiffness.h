@@ -24,8 +24,10 @@ struct MatrixRow
     columns.push_back(column);
     values.push_back(value);
   }
-  /// An entry that is there.
-  double &in(Column column);
+  /// Of an entry that is there.
+  std::size_t place(Column column) const;
+  double &in(const Column column) { return values[place(column)]; }
+  double in(const Column column) const { return values[place(column)]; }
 
   std::vector<Column> columns;
   std::vector<double> values;
@@ -51,6 +53,9 @@ public:
   /// here.
   void hold(const std::vector<NodeRelation> &relations, Matrix &matrix);
 
+  /// Tests forces as the equations of the relations do: along x and y, those along z count by the coupling.
+  void couple_and_clear_held(dealii::Vector<double> &forces) const;
+
   /// Sets the directions to zero that contact held the last time.
   void clear_held(dealii::Vector<double> &vector) const;
 
@@ -60,6 +65,13 @@ public:
   std::vector<double> rigid_motions() const;
 
 private:
+  /// What a force on one row counts on another one.
+  struct Coupling
+  {
+    unsigned int tangential, normal; ///< rows
+    double factor;
+  };
+
   NodeStiffness(const Discretization &space, const MaterialOptions &material,
                 std::vector<unsigned int> row_of_dof);
   NodeStiffness(const Discretization &space, std::vector<unsigned int> row_of_dof,
@@ -74,5 +86,6 @@ private:
   Matrix free_;
   std::map<unsigned int, MatrixRow> near_contact_; ///< rows that contact changes, where it holds nothing
   std::vector<bool> is_held_;                      ///< of rows
+  std::vector<Coupling> couplings_;
 };
 } // namespace orthocone

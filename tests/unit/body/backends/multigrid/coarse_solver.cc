@@ -83,6 +83,31 @@ TEST(NodeStiffness, MultipliesAsProductsCellByCell)
   }
 }
 
+/// The same as the levels where friction resists more than any preconditioner bears.
+TEST(NodeStiffness, BoundsFrictionAsLevelsDo)
+{
+  const RefinedBody refined(default_geometry, even_mesh(1, 1), quarter);
+  const Discretization &space = refined.body.discretization;
+  std::vector<NodeRelation> relations = mixed_relations(refined);
+  for (NodeRelation &relation : relations)
+    relation.robin *= 1e7;
+  Level level(space, default_material);
+  level.hold(relations);
+  NodeStiffness stiffness(space, default_material);
+  NodeStiffness::Matrix matrix;
+  stiffness.hold(relations, matrix);
+  Level::Vector displacement = level.make_vector(), forces = displacement;
+  displacement = refined.all(random_numbers(space.n_free(), 3));
+  level.clear_held(displacement);
+  level.vmult(forces, displacement);
+  dealii::Vector<double> by_node(stiffness.n_rows()), image(stiffness.n_rows());
+  for (unsigned int dof = 0; dof < space.n_free(); ++dof)
+    by_node[stiffness.row(dof)] = displacement.local_element(dof);
+  matrix.vmult(image, by_node);
+  for (unsigned int dof = 0; dof < space.n_dofs(); ++dof)
+    ASSERT_NEAR(image[stiffness.row(dof)], forces.local_element(dof), 1e-6 * forces.l2_norm());
+}
+
 /// The stiffness does no work on a rigid motion, but by what holds the face.
 TEST(NodeStiffness, KnowsRigidMotions)
 {
@@ -105,7 +130,7 @@ TEST(NodeStiffness, KnowsRigidMotions)
   }
 }
 
-/// Thousands of cells that no coarser ones are known of, by both solvers of the coarsest mesh.
+/// More than a thousand cells that no coarser ones are known of, by both solvers of the coarsest mesh.
 TEST(AlgebraicCoarse, DoesWithoutCoarserMeshes)
 {
   constexpr unsigned int most_iterations = 15;
@@ -134,19 +159,31 @@ TEST(AlgebraicCoarse, KnowsWhatContactHolds)
   }
 }
 
-/// A run that goes on builds its hierarchy anew: it must be the same, to the last bit.
+/// A run that goes on builds its hierarchy anew, after fewer others: it must be the same, to the last bit.
 TEST(AlgebraicCoarse, IsTheSameWhenMadeAgain)
 {
-  const RefinedBody refined(default_geometry, even_mesh(1, 2), quarter);
+  const RefinedBody refined(default_geometry, cells_without_hierarchy(1, 6), quarter);
   const VectorXd forces = random_numbers(refined.body.discretization.n_free(), 3);
   AlgebraicCoarse first(refined.body.discretization, default_material);
   const VectorXd expected = first.solve(forces);
   first.hold(mixed_relations(refined));
   const VectorXd held = first.solve(forces);
+  EXPECT_NE(held, expected);
   AlgebraicCoarse second(refined.body.discretization, default_material);
   second.hold(mixed_relations(refined));
   EXPECT_EQ(second.solve(forces), held);
   second.hold({});
   EXPECT_EQ(second.solve(forces), expected);
+}
+
+/// Nodes that are all open are held by nothing.
+TEST(AlgebraicCoarse, IsFreeWhereNothingIsHeld)
+{
+  const RefinedBody refined(default_geometry, cells_without_hierarchy(1, 4), quarter);
+  const VectorXd forces = random_numbers(refined.body.discretization.n_free(), 3);
+  AlgebraicCoarse coarse(refined.body.discretization, default_material);
+  const VectorXd expected = coarse.solve(forces);
+  coarse.hold(std::vector<NodeRelation>(refined.nodes().size()));
+  EXPECT_EQ(coarse.solve(forces), expected);
 }
 } // namespace orthocone::test
