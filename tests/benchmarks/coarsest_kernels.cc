@@ -112,6 +112,7 @@ struct Aggregates
   {
     const Eigen::VectorXd solution =
         coarse.solve(Eigen::Map<const Eigen::VectorXd>(forces.begin(), coarse_size));
+    displacement = 0;
     std::copy(solution.begin(), solution.end(), displacement.begin());
   }
   const AlgebraicCoarse &coarse;
