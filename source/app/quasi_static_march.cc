@@ -6,6 +6,7 @@
 #include "quasi_static_problem.h"
 #include "step_messages.h"
 
+#include <orthocone/base/errors.h>
 #include <orthocone/base/text.h>
 
 namespace orthocone
@@ -15,15 +16,22 @@ QuasiStaticProblem::Outcome QuasiStaticProblem::march_on()
   log_.start_steps(state_.step, steps_);
   let_steps_finish();
   outcome_ = {};
-  switch (march(steps_, solver_, state_, *this))
+  try
   {
-  case MarchEnd::done:
-  case MarchEnd::stopped:
-    save_checkpoint();
-    return outcome_;
-  case MarchEnd::unsolved:
-  case MarchEnd::refused:
-    break;
+    switch (march(steps_, solver_, state_, *this))
+    {
+    case MarchEnd::done:
+    case MarchEnd::stopped:
+      save_checkpoint();
+      return outcome_;
+    case MarchEnd::unsolved:
+    case MarchEnd::refused:
+      break;
+    }
+  }
+  catch (const SolveError &error)
+  {
+    outcome_ = {ExitCode::unsolved_step, broken_step_text(steps_[state_.step], steps_, error.what())};
   }
   return with_checkpoint(outcome_);
 }

@@ -51,6 +51,11 @@ std::string no_equilibrium_text(const LoadStep &step, const std::vector<LoadStep
   return text.str();
 }
 
+std::string broken_step_text(const LoadStep &step, const std::vector<LoadStep> &steps, const std::string &why)
+{
+  return name_of(step, steps) + " is not solved: " + why + ". The files of the steps before stay";
+}
+
 std::string wrong_step_text(const LoadStep &step, const std::vector<LoadStep> &steps,
                             const std::string &which)
 {

@@ -26,6 +26,10 @@ std::string no_equilibrium_text(const LoadStep &step, const std::vector<LoadStep
 std::string wrong_step_text(const LoadStep &step, const std::vector<LoadStep> &steps,
                             const std::string &which);
 
+/// Of a step that cannot be solved because the body cannot, which `why` tells.
+std::string broken_step_text(const LoadStep &step, const std::vector<LoadStep> &steps,
+                             const std::string &why);
+
 /// What a log begins with, behind the model.
 void tell_versions_and_warnings(const Parameters &parameters, Log &log);
 } // namespace orthocone

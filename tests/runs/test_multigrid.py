@@ -133,6 +133,21 @@ class UnsolvedTest(RunTest):
         self.assertEqual((result.returncode, result.stderr), (DONE, ""))
 
 
+    def test_a_body_that_cannot_be_solved_ends_the_run_at_its_step(self):
+        """Multigrid gives up on bodies that hardly change their volume, after 200 iterations."""
+        result = self.run_program("run", settings=[*ISOTROPIC, *ONE_CYCLE, "Mesh/Backend=multigrid",
+                                                   "Material/Poisson ratio=0.49999"])
+        self.assertEqual(result.returncode, 3)
+        self.assertRegex(result.stderr, r"^orthocone: load step 1 of 6 \(u_z = -0.05 mm\) is not solved: multigrid: .*"
+                                        r"not in equilibrium.*Poisson ratio.*The files of the steps before stay\n$")
+        summary = json.loads((self.folder / "run/summary.json").read_text())
+        self.assertEqual(summary["steps"], {"planned": 6, "solved": 0})
+        self.assertIn("is not solved: multigrid", summary["status"])
+        resumed = self.run_program("run", "--resume", settings=[*ISOTROPIC, *ONE_CYCLE, "Mesh/Backend=multigrid",
+                                                                "Material/Poisson ratio=0.49999"])
+        self.assertEqual((resumed.returncode, resumed.stderr), (3, result.stderr))
+
+
 class ChosenTest(RunTest):
     """Mesh/Backend = auto."""
     SETTINGS = [*ISOTROPIC, "Load program/Cycles=1"]

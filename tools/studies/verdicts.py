@@ -29,7 +29,8 @@ def outcome(result, _point):
                 "seconds": round(result.seconds, 3), "message": result.errors.partition("\n")[0][:200]}
     verdict = summary["contact_solver"]["verdict"]
     if result.code == UNSOLVED and verdict == "converged":
-        verdict = "check"  # solved, but an independent check stopped the run
+        # Solved, but an independent check stopped the run; or the body alone was too much.
+        verdict = "no-model" if "is not solved: " in summary["status"] else "check"
     steps = history(result.folder) if (result.folder / "history.csv").exists() else []
     sums = [math.fsum(float(row[name]) for row in steps) for name in SIGNATURE]
     return {"verdict": verdict, "iterations": max((int(row["iterations"]) for row in steps), default=0),

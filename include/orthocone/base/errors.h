@@ -30,6 +30,13 @@ struct FileError : std::runtime_error
   using std::runtime_error::runtime_error;
 };
 
+/// A body cannot be solved: an iteration does not settle, or there is nothing to precondition it with.
+/// `what()` is the complete sentence for the user, without a full stop.
+struct SolveError : std::runtime_error
+{
+  using std::runtime_error::runtime_error;
+};
+
 /// A model has more cells, unknowns or entries than the program can count or mesh, whatever the memory.
 struct TooLargeError : std::runtime_error
 {

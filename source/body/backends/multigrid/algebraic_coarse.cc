@@ -2,11 +2,12 @@
 // Copyright (C) 2026 the orthocone authors
 #include "algebraic_coarse.h"
 
+#include <orthocone/base/errors.h>
+
 #include <Teuchos_ParameterList.hpp>
 #include <ml_MultiLevelPreconditioner.h>
 
 #include <algorithm>
-#include <stdexcept>
 
 namespace orthocone
 {
@@ -17,9 +18,8 @@ AlgebraicCoarse::AlgebraicCoarse(const Discretization &space, const MaterialOpti
       rigid_motions_(stiffness_.rigid_motions())
 {
   if (!aggregate(of_free_, stiffness_.free()))
-    throw std::runtime_error(
-        "multigrid: the nodes of the coarsest mesh cannot be aggregated; cells that are far "
-        "from cubes make it so, or a Poisson ratio next to 0.5");
+    throw SolveError("multigrid: the nodes of the coarsest mesh cannot be aggregated; cells that are far "
+                     "from cubes make it so, or a Poisson ratio next to 0.5");
 }
 
 /// Whether ML found a hierarchy. The same random numbers every time: a run that goes on must find the same

@@ -16,7 +16,7 @@ namespace orthocone
 class AlgebraicCoarse : public CoarseSolver
 {
 public:
-  /// `space` must outlive this. Throws std::runtime_error if ML finds no hierarchy.
+  /// `space` must outlive this. Throws SolveError if ML finds no hierarchy.
   AlgebraicCoarse(const Discretization &space, const MaterialOptions &material);
 
   void hold(const std::vector<NodeRelation> &relations) override;

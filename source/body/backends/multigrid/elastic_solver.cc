@@ -2,11 +2,12 @@
 // Copyright (C) 2026 the orthocone authors
 #include "elastic_solver.h"
 
+#include <orthocone/base/errors.h>
+
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
 
 #include <algorithm>
-#include <stdexcept>
 #include <string>
 #include <utility>
 
@@ -98,9 +99,9 @@ ElasticSolver::Vector ElasticSolver::solve(const Vector &forces, const double ac
   }
   catch (const dealii::SolverControl::NoConvergence &)
   {
-    throw std::runtime_error("multigrid: after " + std::to_string(most_iterations) +
-                             " iterations the elastic body is not in equilibrium; cells that are far from "
-                             "cubes make it so, or a Poisson ratio next to 0.5");
+    throw SolveError("multigrid: after " + std::to_string(most_iterations) +
+                     " iterations the elastic body is not in equilibrium; cells that are far from "
+                     "cubes make it so, or a Poisson ratio next to 0.5");
   }
   near.displacement += correction;
   learn(near.displacement, forces);

@@ -25,7 +25,7 @@ public:
   /// What is referred to must outlive this.
   ElasticSolver(const MatrixFreeStiffness<double> &stiffness, VCycle &cycle);
 
-  /// Until ||K u - forces|| <= accuracy ||forces||. Throws std::runtime_error if that is out of reach.
+  /// Until ||K u - forces|| <= accuracy ||forces||. Throws SolveError if that is out of reach.
   Vector solve(const Vector &forces, double accuracy) const;
 
   /// The best that earlier solutions can tell, for one product with K.
