@@ -66,7 +66,7 @@ VectorXd AlgebraicCoarse::solve(VectorXd forces) const
   for (Eigen::Index dof = 0; dof < forces.size(); ++dof)
     right_side[stiffness_.row(dof)] = forces[dof];
   if (is_held_)
-    stiffness_.couple_and_clear_held(right_side);
+    stiffness_.test(right_side);
   (is_held_ ? of_held_ : of_free_).vmult(solution, right_side);
   if (is_held_)
     stiffness_.clear_held(solution);

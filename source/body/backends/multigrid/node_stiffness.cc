@@ -109,13 +109,12 @@ MatrixRow NodeStiffness::tangential_row(const unsigned int direction, const Cont
   return row;
 }
 
-void NodeStiffness::hold(const std::vector<NodeRelation> &relations, Matrix &matrix)
+/// Rows of directions in which friction resists; which ones are held is noted on the way.
+std::map<unsigned int, MatrixRow> NodeStiffness::resisting_rows(const std::vector<NodeRelation> &relations)
 {
-  if (matrix.m() != n_rows())
-    matrix.copy_from(free_);
   is_held_.assign(n_rows(), false);
   couplings_.clear();
-  std::map<unsigned int, MatrixRow> changed;
+  std::map<unsigned int, MatrixRow> rows;
   for (std::size_t i = 0; i < relations.size(); ++i)
     for (unsigned int d = 0; d < 3; ++d)
     {
@@ -125,14 +124,22 @@ void NodeStiffness::hold(const std::vector<NodeRelation> &relations, Matrix &mat
         is_held_[row] = true;
       else if (hold == Hold::normal && nodes()[i].is_free[d])
       {
-        changed[row] = tangential_row(d, nodes()[i], relations[i]);
+        rows[row] = tangential_row(d, nodes()[i], relations[i]);
         couplings_.push_back({row, row_of_dof_[nodes()[i].dofs[2]], relations[i].coupling[d]});
       }
     }
+  return rows;
+}
+
+void NodeStiffness::hold(const std::vector<NodeRelation> &relations, Matrix &matrix)
+{
+  if (matrix.m() != n_rows())
+    matrix.copy_from(free_);
+  std::map<unsigned int, MatrixRow> resisting = resisting_rows(relations);
   for (const auto &[number, free] : near_contact_)
   {
-    const auto found = changed.find(number);
-    MatrixRow row = found == changed.end() ? free : std::move(found->second);
+    const auto found = resisting.find(number);
+    MatrixRow row = found == resisting.end() ? free : std::move(found->second);
     for (std::size_t i = 0; i < row.columns.size(); ++i)
       if (row.columns[i] != number && (is_held_[number] || is_held_[row.columns[i]]))
         row.values[i] = 0;
@@ -141,7 +148,7 @@ void NodeStiffness::hold(const std::vector<NodeRelation> &relations, Matrix &mat
   matrix.compress(dealii::VectorOperation::insert);
 }
 
-void NodeStiffness::couple_and_clear_held(dealii::Vector<double> &forces) const
+void NodeStiffness::test(dealii::Vector<double> &forces) const
 {
   for (const Coupling &coupling : couplings_)
     forces[coupling.tangential] += coupling.factor * forces[coupling.normal];

@@ -53,8 +53,8 @@ public:
   /// here.
   void hold(const std::vector<NodeRelation> &relations, Matrix &matrix);
 
-  /// Tests forces as the equations of the relations do: along x and y, those along z count by the coupling.
-  void couple_and_clear_held(dealii::Vector<double> &forces) const;
+  /// Forces as the equations of the relations that were held last see them, as HeldStiffness::test().
+  void test(dealii::Vector<double> &forces) const;
 
   /// Sets the directions to zero that contact held the last time.
   void clear_held(dealii::Vector<double> &vector) const;
@@ -76,6 +76,7 @@ private:
                 std::vector<unsigned int> row_of_dof);
   NodeStiffness(const Discretization &space, std::vector<unsigned int> row_of_dof,
                 const std::vector<MatrixRow> &rows);
+  std::map<unsigned int, MatrixRow> resisting_rows(const std::vector<NodeRelation> &relations);
   MatrixRow tangential_row(unsigned int direction, const ContactNode &node,
                            const NodeRelation &relation) const;
 
