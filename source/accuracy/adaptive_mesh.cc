@@ -35,8 +35,8 @@ public:
   WatchOfSpace(const Scene &scene, const DisplacementSpace<dim> &space)
       : scene_(scene),
         space_(space),
-        squared_errors_(VectorXd::Zero(space_.n_cells())),
-        is_on_border_(space_.n_cells(), false)
+        squared_errors_(VectorXd::Zero(space_.size().cells)),
+        is_on_border_(space_.size().cells, false)
   {
     for (const auto &cell : space.dof_handler().active_cell_iterators())
       is_on_border_[cell->active_cell_index()] =
@@ -64,7 +64,7 @@ public:
   {
     constexpr double share = 0.5;
     std::vector<bool> is_marked = is_on_border_;
-    std::vector<unsigned int> order(space_.n_cells());
+    std::vector<unsigned int> order(space_.size().cells);
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(),
                      [&](const unsigned int a, const unsigned int b)
@@ -110,7 +110,7 @@ private:
 
 std::string size_of(const Scene &scene)
 {
-  return std::to_string(scene.body().unknowns().n_cells()) + " cells, " +
+  return std::to_string(scene.body().unknowns().size().cells) + " cells, " +
          std::to_string(scene.surface().nodes.size()) + " contact nodes: ";
 }
 } // namespace
@@ -146,7 +146,7 @@ MeshOptions adapted_mesh(const Parameters &parameters, const ModelChoice &choice
       tell(line + "the next mesh would need more memory than this machine has");
       break;
     }
-    tell(line + std::to_string(Body(finer, choice.symmetry).unknowns().n_cells()) + " cells follow");
+    tell(line + std::to_string(Body(finer, choice.symmetry).unknowns().size().cells) + " cells follow");
     adapted = finer;
   }
   return adapted.mesh;

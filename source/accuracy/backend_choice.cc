@@ -3,11 +3,13 @@
 #include <orthocone/accuracy/backend_choice.h>
 
 #include <orthocone/accuracy/estimate.h>
+#include <orthocone/base/ranks.h>
 #include <orthocone/contact/solvers/contact_method.h>
 #include <orthocone/scene/load_program.h>
 
 #include <iomanip>
 #include <sstream>
+#include <string>
 
 namespace orthocone
 {
@@ -16,9 +18,7 @@ namespace
 bool both_can(const Parameters &parameters, const ModelSymmetry &symmetry)
 {
   constexpr double nearly_incompressible = 0.495; // docs/stability.md, "On the whole body"
-  return !symmetry.is_axisymmetric() && parameters.mesh.volumetric_quadrature == VolumetricQuadrature::full &&
-         parameters.material.poisson_ratio < nearly_incompressible &&
-         !find_contact_method(parameters.contact_solver.method)->needs_dense;
+  return multigrid_can(parameters, symmetry) && parameters.material.poisson_ratio < nearly_incompressible;
 }
 
 std::string described(const Estimate &cost, const double seconds)
@@ -29,12 +29,20 @@ std::string described(const Estimate &cost, const double seconds)
 }
 } // namespace
 
+bool multigrid_can(const Parameters &parameters, const ModelSymmetry &symmetry)
+{
+  return !symmetry.is_axisymmetric() && parameters.mesh.volumetric_quadrature == VolumetricQuadrature::full &&
+         !find_contact_method(parameters.contact_solver.method)->needs_dense;
+}
+
 BackendChoice choose_backend(const Parameters &parameters, const ModelSymmetry &symmetry,
                              const double gigabytes)
 {
   constexpr double not_worth_comparing = 20; // s, where no cell is halved
-  if (parameters.mesh.backend != BodyBackend::automatic || !both_can(parameters, symmetry))
+  if (parameters.mesh.backend != BodyBackend::automatic || !(n_ranks() > 1 || both_can(parameters, symmetry)))
     return {parameters.mesh.backend};
+  if (n_ranks() > 1)
+    return {BodyBackend::multigrid, "backend        multigrid: " + std::to_string(n_ranks()) + " processes"};
   const ModelSize size = model_size(parameters, symmetry);
   const Estimate condensed = usual_estimate(parameters, size, symmetry);
   const double n_steps = n_solved_parts(parameters.load);

@@ -93,8 +93,8 @@ ModelSize model_size(const Parameters &parameters, const ModelSymmetry &symmetry
     return size;
   const Body body(parameters, symmetry); // whose cells nothing but meshing counts
   const BodyUnknowns &unknowns = body.unknowns();
-  const double dofs = unknowns.n_dofs();
-  return {static_cast<double>(unknowns.n_cells()),
+  const double dofs = unknowns.size().dofs;
+  return {static_cast<double>(unknowns.size().cells),
           static_cast<double>(unknowns.contact_surface().nodes.size()), dofs,
           dofs / size.dofs * size.stiffness_entries};
 }
@@ -132,9 +132,10 @@ Estimate estimate(const Parameters &parameters, const Body &body, const ModelSym
   const BodyUnknowns &unknowns = body.unknowns();
   dealii::SparsityPattern pattern;
   body.make_pattern(pattern);
-  const ModelSize size{
-      static_cast<double>(unknowns.n_cells()), static_cast<double>(unknowns.contact_surface().nodes.size()),
-      static_cast<double>(unknowns.n_dofs()), static_cast<double>(pattern.n_nonzero_elements())};
+  const ModelSize size{static_cast<double>(unknowns.size().cells),
+                       static_cast<double>(unknowns.contact_surface().nodes.size()),
+                       static_cast<double>(unknowns.size().dofs),
+                       static_cast<double>(pattern.n_nonzero_elements())};
   Estimate result = of_factorization(
       parameters, size, symmetry, factorization_cost(pattern, unknowns.n_interior()), measured_flop_rate());
   const double n_drawn = drawn_nodes(unknowns.contact_surface(), symmetry);

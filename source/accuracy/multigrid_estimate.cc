@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/accuracy/estimate.h>
 
-#include <orthocone/body/backends/multigrid_body.h>
+#include <orthocone/multigrid/multigrid_body.h>
 #include <orthocone/scene/load_program.h>
 
 #include <algorithm>

@@ -3,6 +3,7 @@
 #include "interrupt.h"
 
 #include <orthocone/base/errors.h>
+#include <orthocone/base/ranks.h>
 
 #include <unistd.h>
 
@@ -16,11 +17,14 @@ namespace
 {
 volatile std::sig_atomic_t was_interrupted = 0;
 volatile std::sig_atomic_t lets_steps_finish = 0;
+volatile std::sig_atomic_t speaks = 1;
 
 /// Nothing can be done about a failure here.
 template<std::size_t size>
 void tell(const char (&text)[size])
 {
+  if (speaks == 0)
+    return;
   [[maybe_unused]] const auto n = ::write(STDERR_FILENO, text, size - 1);
 }
 
@@ -40,6 +44,7 @@ void on_signal(int)
 
 void catch_signals()
 {
+  speaks = is_first_rank() ? 1 : 0;
   std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
   struct sigaction action

@@ -3,6 +3,8 @@
 #include "batch.h"
 #include "commands.h"
 #include "interrupt.h"
+#include "launch.h"
+#include "shareable.h"
 
 #include <orthocone/base/memory.h>
 #include <orthocone/base/text.h>
@@ -24,6 +26,7 @@ namespace orthocone
 {
 int fail(const ExitCode code, const std::string &message)
 {
+  leave_word_to_first_rank();
   std::cerr << "orthocone: " << message << std::endl;
   return static_cast<int>(code);
 }
@@ -34,6 +37,7 @@ ModelChoice resolve(const CommandLine &line, const Parameters &parameters)
   {
     check_parameters(parameters);
     const ModelChoice choice = choose_model(parameters);
+    require_shareable(parameters, choice);
     require_refined_cells(parameters.geometry, parameters.mesh, choice.symmetry);
     return choice;
   }
@@ -130,8 +134,10 @@ int guarded_dispatch(const int argc, const char *const *const argv)
 
 int main(const int argc, const char *const *const argv)
 {
+  orthocone::Launch launch(argc, argv);
   const int code = orthocone::guarded_dispatch(argc, argv);
   std::cout.flush();
+  launch.end(code);
   // No file is open any more. Without memory OpenBLAS, told to end, would wait for its threads for ever.
   ::_exit(code);
 }

@@ -7,6 +7,7 @@
 #include "step_messages.h"
 
 #include <orthocone/base/errors.h>
+#include <orthocone/base/ranks.h>
 #include <orthocone/base/text.h>
 
 namespace orthocone
@@ -40,7 +41,7 @@ bool QuasiStaticProblem::goes_on(const LoadStep &)
 {
   if (cycles_.is_to_stop())
     return false;
-  if (!stop_is_requested())
+  if (!any_rank(stop_is_requested()))
     return true;
   outcome_ = {ExitCode::interrupted, "interrupted after load step " + std::to_string(state_.step) + " of " +
                                          std::to_string(steps_.size()) +
@@ -114,7 +115,7 @@ void QuasiStaticProblem::accepted(ContactState &state)
 {
   if (ended_cycle_)
     timed(record_.seconds.output, [&] { end_cycle(*ended_cycle_, state); });
-  if (since_checkpoint_.seconds() >= checkpoint_pause_)
+  if (of_first_rank(since_checkpoint_.seconds() >= checkpoint_pause_))
     save_checkpoint();
 }
 

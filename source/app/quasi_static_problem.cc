@@ -4,10 +4,12 @@
 
 #include "step_messages.h"
 
+#include <orthocone/base/ranks.h>
 #include <orthocone/base/text.h>
 #include <orthocone/base/threads.h>
 #include <orthocone/base/version.h>
 #include <orthocone/contact/problem/critical_friction.h>
+#include <orthocone/march/rank_memory.h>
 #include <orthocone/parameters/parameters.h>
 
 #include <algorithm>
@@ -67,7 +69,9 @@ ChosenModel QuasiStaticProblem::with_scene(ChosenModel chosen, const ModelChoice
 void QuasiStaticProblem::announce(const ModelChoice &choice, const Body &body) const
 {
   log_.line(describe_model(parameters_, choice, body.unknowns()));
-  const ThreadChoice &threads = threads_.choose(body.unknowns().n_dofs());
+  if (n_ranks() > 1)
+    log_.line("processes      " + std::to_string(n_ranks()));
+  const ThreadChoice &threads = threads_.choose(body.unknowns().size().dofs);
   log_.line("threads        " + std::to_string(threads.number) + " (" + threads.reason + ")");
   tell_versions_and_warnings(parameters_, log_);
 }
@@ -135,7 +139,9 @@ void QuasiStaticProblem::begin(const std::optional<Checkpoint> &checkpoint)
     log_.line("warning: the steps before were computed by version " + checkpoint->program +
               ", these are by " + program_version() + "; last digits may differ");
   state_ = checkpoint->state;
-  solver_.restore(checkpoint->starts);
+  solver_.restore(part_of_this_rank(checkpoint->starts, checkpoint->n_ranks));
+  if (checkpoint->n_ranks != n_ranks())
+    solver_.settle(state_);
   totals_ = compute_totals(evaluator_, state_);
   const double stretch = record_.stretch;
   record_ = checkpoint->record;
@@ -171,10 +177,12 @@ void QuasiStaticProblem::save_checkpoint()
 {
   const Stopwatch watch;
   take_stock();
+  const StartMemory starts = gathered(solver_.memory());
   output_.flush();
-  write_checkpoint(folder_,
-                   {entry_values(chosen_.given), entry_values(parameters_), gap_file_, program_version(),
-                    folder_.tables(), output_.fields(), state_, solver_.memory(), cycles_.memory(), record_});
+  if (is_first_rank())
+    write_checkpoint(folder_, {entry_values(chosen_.given), entry_values(parameters_), gap_file_,
+                               program_version(), folder_.tables(), output_.fields(), state_, starts,
+                               cycles_.memory(), record_, n_ranks()});
   since_checkpoint_ = Stopwatch();
   record_.seconds.output += watch.seconds();
   // Writing takes a twentieth of the time at most, unless every step was asked for.

@@ -7,6 +7,7 @@
 #include <orthocone/accuracy/backend_choice.h>
 #include <orthocone/accuracy/estimate.h>
 #include <orthocone/accuracy/memory_need.h>
+#include <orthocone/base/ranks.h>
 #include <orthocone/base/text.h>
 #include <orthocone/body/backends/stiffness_factor.h>
 #include <orthocone/body/shapes/mesh_ladder.h>
@@ -15,6 +16,7 @@
 #include <filesystem>
 #include <iostream>
 #include <new>
+#include <optional>
 #include <sstream>
 
 namespace orthocone
@@ -108,7 +110,8 @@ void require_memory_for(const Assignment &task)
     return;
   parameters.mesh =
       resolved_mesh(parameters.geometry, parameters.mesh, task.model.symmetry.is_axisymmetric());
-  const MemoryLimit limit = memory_limit();
+  MemoryLimit limit = memory_limit();
+  limit.gigabytes = of_first_rank(limit.gigabytes); // all must find the same
   parameters.mesh.backend = choose_backend(parameters, task.model.symmetry, limit.gigabytes).backend;
   try
   {
@@ -142,13 +145,24 @@ double unknowns_of_search(const Assignment &task)
   return model_size(parameters, task.model.symmetry).dofs;
 }
 
+/// The first process reads it for all.
+std::optional<Checkpoint> checkpoint_to_resume(const Assignment &task, const RunFolder &folder)
+{
+  std::optional<Checkpoint> checkpoint;
+  if (task.line.resume && is_first_rank())
+    checkpoint = find_checkpoint(folder, task.file.parameters, shown_path(task.line.parameter_file));
+  if (!task.line.resume || n_ranks() == 1)
+    return checkpoint;
+  const std::string bytes = of_first_rank(checkpoint ? encode(*checkpoint) : std::string());
+  return bytes.empty() ? std::nullopt : std::optional(decode(bytes));
+}
+
 /// The mesh, the folder, and the steps. Throws what the libraries throw.
 QuasiStaticProblem::Outcome solve(Assignment &task, const RunFolder &folder)
 {
   const Parameters &given = task.file.parameters;
   folder.require_own(probe_files(given.output.probes));
-  const auto checkpoint =
-      task.line.resume ? find_checkpoint(folder, given, shown_path(task.line.parameter_file)) : std::nullopt;
+  const auto checkpoint = checkpoint_to_resume(task, folder);
   if (checkpoint)
     task.threads.go_on_with(checkpoint->record.threads.number);
   // A search may take minutes: what is wrong with the folder is told before, and an older run in it is no
@@ -199,7 +213,7 @@ int run(const CommandLine &line, const ParameterFile &file)
 {
   Assignment task{line, file, resolve(line, file.parameters), ThreadChooser(line)};
   require_memory_for(task);
-  const RunFolder folder(run_folder_of(line));
+  const RunFolder folder(is_first_rank() ? std::optional(run_folder_of(line)) : std::nullopt);
   QuasiStaticProblem::Outcome outcome;
   bool is_thrown = true;
   try
@@ -229,6 +243,8 @@ int run(const CommandLine &line, const ParameterFile &file)
   }
   if (is_thrown)
     keep_failure(folder, task, outcome.message);
+  else
+    wait_for_all_ranks(); // mpirun ends all processes when the first one fails, perhaps while another writes
   return outcome.code == ExitCode::done ? static_cast<int>(outcome.code)
                                         : fail(outcome.code, outcome.message);
 }

@@ -2,7 +2,11 @@
 // Copyright (C) 2026 the orthocone authors
 #include "thread_chooser.h"
 
+#include <orthocone/base/ranks.h>
+
 #include <deal.II/base/multithread_info.h>
+
+#include <string>
 
 namespace orthocone
 {
@@ -10,6 +14,8 @@ ThreadChoice ThreadChooser::decide(const double unknowns) const
 {
   if (on_command_line_ > 0)
     return {on_command_line_, "--threads"};
+  if (n_ranks() > 1)
+    return {1, "one for each of " + std::to_string(n_ranks()) + " processes"};
   if (of_run_before_ > 0)
     return {of_run_before_, "as in the run before"};
   if (auto given = threads_of_environment())

@@ -35,7 +35,7 @@ const BodyUnknowns &Body::unknowns() const
 
 unsigned int Body::n_levels() const
 {
-  return visit([](const auto &space) { return space.dof_handler().get_triangulation().n_levels(); });
+  return visit([](const auto &space) { return space.dof_handler().get_triangulation().n_global_levels(); });
 }
 
 double Body::stretch() const

@@ -165,13 +165,24 @@ void StepSolver::accept(const ContactState &before, const ContactState &after, c
 void StepSolver::accept_undivided(const ContactState &before, const ContactState &after, const LoadStep &step)
 {
   starts_.remember(before, after, step);
+  if (coarser_ != nullptr)
+    coarser_->accept(step);
+  keep_bodies(after);
+}
+
+void StepSolver::keep_bodies(const ContactState &state)
+{
   std::vector<MarchMemory> coarser;
   if (coarser_ != nullptr)
-  {
-    coarser_->accept(step);
     coarser.push_back(coarser_->memory());
-  }
-  starts_.keep(scene_.system().compliance().settle(after.force), std::move(coarser));
+  starts_.keep(scene_.system().compliance().settle(state.force), std::move(coarser));
+}
+
+void StepSolver::settle(const ContactState &state)
+{
+  if (coarser_ != nullptr)
+    coarser_->settle();
+  keep_bodies(state);
 }
 
 void StepSolver::reject()

@@ -160,6 +160,7 @@ Checkpoint from_json(const Json &json)
   checkpoint.starts = starts_from(json.at("starts"), checkpoint.state);
   checkpoint.cycles = cycles_from(json.at("cycles"), checkpoint.state);
   checkpoint.record = record_from(json.at("record"));
+  checkpoint.n_ranks = count_from(json.at("n_ranks"));
   return checkpoint;
 }
 } // namespace
@@ -175,7 +176,8 @@ std::string encode(const Checkpoint &checkpoint)
                   {"state", state_json(checkpoint.state)},
                   {"starts", starts_json(checkpoint.starts)},
                   {"cycles", cycles_json(checkpoint.cycles)},
-                  {"record", record_json(checkpoint.record)}};
+                  {"record", record_json(checkpoint.record)},
+                  {"n_ranks", checkpoint.n_ranks}};
   std::string content;
   Json::to_cbor(json, content);
   std::ostringstream bytes;

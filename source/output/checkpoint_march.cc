@@ -80,12 +80,11 @@ Json bodies_json(const std::vector<Eigen::VectorXd> &bodies)
   return json;
 }
 
-/// All of one size.
 std::vector<Eigen::VectorXd> bodies_from(const Json &json)
 {
   std::vector<Eigen::VectorXd> bodies;
   for (const Json &body : json)
-    bodies.push_back(array_from(body, static_cast<Index>(json.at(0).get_binary().size() / sizeof(double))));
+    bodies.push_back(array_from(body, static_cast<Index>(body.get_binary().size() / sizeof(double))));
   return bodies;
 }
 

@@ -18,27 +18,52 @@ FieldList::FieldList(const RunFolder &folder, const std::string &name)
 {
 }
 
-std::string field_file(const std::string &kind, const unsigned int step)
+std::string field_file(const std::string &kind, const unsigned int step, const std::string &ending)
 {
   constexpr std::size_t digits = 4;
   const std::string number = std::to_string(step);
-  return kind + "-" + std::string(digits - std::min(digits, number.size()), '0') + number + ".vtu";
+  return kind + "-" + std::string(digits - std::min(digits, number.size()), '0') + number + "." + ending;
 }
+
+namespace
+{
+/// The field file of a step as it has been written.
+std::string written_file(const RunFolder &folder, const std::string &kind, const unsigned int step)
+{
+  const std::string of_pieces = field_file(kind, step, "pvtu");
+  return folder.has(of_pieces) ? of_pieces : field_file(kind, step);
+}
+
+/// The file, and the pieces that it names.
+std::vector<std::string> with_pieces(const RunFolder &folder, const std::string &file)
+{
+  std::vector<std::string> files{file};
+  const std::string text =
+      folder.has(file) && file.find(".pvtu") != std::string::npos ? folder.read(file) : "";
+  const std::string mark = "Source=\"";
+  for (std::size_t at = text.find(mark); at != std::string::npos; at = text.find(mark, at))
+  {
+    at += mark.size();
+    files.push_back(text.substr(at, text.find('"', at) - at));
+  }
+  return files;
+}
+} // namespace
 
 void require_fields(const RunFolder &folder, const std::string &kind, const std::vector<unsigned int> &steps)
 {
   for (const unsigned int step : steps)
-    if (const std::string file = field_file(kind, step);
-        !folder.has(file) || !folder.ends_with(file, "</VTKFile>\n"))
-      throw FileError(folder.path(file) + (folder.has(file) ? ": is cut off" : ": is missing") +
-                      ", so that the run cannot be continued; without --resume it starts anew");
+    for (const std::string &file : with_pieces(folder, written_file(folder, kind, step)))
+      if (!folder.has(file) || !folder.ends_with(file, "</VTKFile>\n"))
+        throw FileError(folder.path(file) + (folder.has(file) ? ": is cut off" : ": is missing") +
+                        ", so that the run cannot be continued; without --resume it starts anew");
 }
 
 void FieldList::set(const std::vector<unsigned int> &steps)
 {
   files_.clear();
   for (const unsigned int step : steps)
-    files_.emplace_back(step, field_file(name_, step));
+    files_.emplace_back(step, written_file(folder_, name_, step));
   is_up_to_date_ = files_.empty();
   if (files_.empty())
     folder_.remove(name_ + ".pvd");
@@ -56,6 +81,8 @@ std::vector<unsigned int> FieldList::steps() const
 
 void FieldList::add(const unsigned int step, const std::function<std::string()> &make)
 {
+  if (folder_.is_nowhere())
+    return;
   write_pending();
   pending_step_ = step;
   try
@@ -72,12 +99,29 @@ void FieldList::write_pending()
 {
   if (!pending_.valid())
     return;
-  const std::string file = field_file(name_, pending_step_);
-  folder_.write(file, pending_.get());
-  files_.emplace_back(pending_step_, file);
+  write_file(pending_step_, field_file(name_, pending_step_), pending_.get());
+}
+
+void FieldList::write_file(const unsigned int step, const std::string &file, const std::string &content)
+{
+  folder_.write(file, content);
+  files_.emplace_back(step, file);
   is_up_to_date_ = false;
   if (since_writing_.seconds() >= least_seconds_)
     write_list();
+}
+
+void FieldList::add_pieces(const unsigned int step, const std::vector<std::string> &pieces,
+                           const std::function<std::string(const std::vector<std::string> &)> &list)
+{
+  std::vector<std::string> names;
+  for (const std::string &piece : pieces)
+    if (!piece.empty())
+    {
+      names.push_back(field_file(name_, step, std::to_string(names.size()) + ".vtu"));
+      folder_.write(names.back(), piece);
+    }
+  write_file(step, field_file(name_, step, "pvtu"), list(names));
 }
 
 bool FieldList::has(const unsigned int step) const

@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/output/log.h>
 
+#include <orthocone/base/ranks.h>
+
 #include <sys/ioctl.h>
 #include <unistd.h>
 
@@ -25,7 +27,7 @@ std::string fitted(const std::string &text)
 Log::Log(const RunFolder &folder, const bool is_quiet)
     : folder_(folder),
       is_quiet_(is_quiet),
-      is_terminal_(isatty(STDOUT_FILENO) == 1)
+      is_terminal_(isatty(STDOUT_FILENO) == 1 && !is_launched()) // mpirun makes a terminal of every file
 {
 }
 

@@ -18,12 +18,19 @@ bool is_step_number(const std::string &text)
          text.find_first_not_of("0123456789") == std::string::npos;
 }
 
-/// What stands in a name for the placeholder of a pattern; nothing where the rest differs.
+/// What stands in a name for the first placeholder of a pattern; nothing where the rest differs.
 std::optional<std::string> filled_in(const std::string &pattern, const std::string &name)
 {
   const std::size_t place = pattern.find_first_of(placeholders);
   const std::string before = pattern.substr(0, place);
   const std::string after = pattern.substr(place + 1);
+  if (after.find_first_of(placeholders) != std::string::npos)
+  {
+    const std::size_t end = name.find_first_not_of("0123456789", place);
+    const bool fits =
+        name.compare(0, place, before) == 0 && end != std::string::npos && filled_in(after, name.substr(end));
+    return fits ? std::optional(name.substr(place, end - place)) : std::nullopt;
+  }
   if (name.size() < before.size() + after.size() || name.compare(0, before.size(), before) != 0 ||
       name.compare(name.size() - after.size(), after.size(), after) != 0)
     return std::nullopt;
@@ -58,6 +65,8 @@ const std::vector<RunFile> &run_files()
       {"contact-#.vtu", FileKind::file, "fields on the contact surface"},
       {"volume.pvd", FileKind::file, "names the files of the volume"},
       {"volume-#.vtu", FileKind::file, "fields of the modelled part"},
+      {"volume-#.pvtu", FileKind::file, "the same of several processes: names their pieces"},
+      {"volume-#.*.vtu", FileKind::file, "the piece of a process"},
       {"input.prm", FileKind::file, "the parameter file as given"},
       {"input.json", FileKind::file, "the parameter file as given"},
       {"parameters.prm", FileKind::file, "all values used"},

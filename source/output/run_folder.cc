@@ -17,9 +17,11 @@ namespace fs = std::filesystem;
 using run_folder::fail;
 using run_folder::names_in;
 
-RunFolder::RunFolder(const fs::path &path)
-    : path_(path)
+RunFolder::RunFolder(const std::optional<fs::path> &path)
+    : path_(path.value_or(fs::path()))
 {
+  if (!path)
+    return;
   std::error_code code;
   if (fs::exists(path_, code) && !fs::is_directory(path_, code))
     fail(path_, "cannot be the run folder",
@@ -40,7 +42,8 @@ void RunFolder::require_same_folder() const
 
 RunFolder::~RunFolder()
 {
-  posix::close(lock_);
+  if (!is_nowhere())
+    posix::close(lock_);
 }
 
 void RunFolder::lock()
@@ -54,6 +57,8 @@ void RunFolder::lock()
 
 void RunFolder::remove_fields_after(const unsigned int step) const
 {
+  if (is_nowhere())
+    return;
   for (const std::string &name : names_in(path_))
     if (run_folder::step_of(name).value_or(0) > step)
       remove(name);
@@ -107,12 +112,16 @@ void RunFolder::replace(const std::string &name, const std::string &content, con
 
 void RunFolder::write(const std::string &name, const std::string &content) const
 {
+  if (is_nowhere())
+    return;
   replace(name, content, false);
   not_on_disk_.insert(name);
 }
 
 void RunFolder::write_durably(const std::string &name, const std::string &content) const
 {
+  if (is_nowhere())
+    return;
   for (const std::string &file : not_on_disk_)
     if (has(file))
       posix::synchronize(path_ / file);
@@ -125,6 +134,8 @@ void RunFolder::write_durably(const std::string &name, const std::string &conten
 
 void RunFolder::append(const std::string &name, const std::string &content) const
 {
+  if (is_nowhere())
+    return;
   require_listed(name);
   require_same_folder();
   auto known = growing_.find(name);
@@ -149,7 +160,7 @@ std::string RunFolder::read(const std::string &name) const
 bool RunFolder::has(const std::string &name) const
 {
   std::error_code code;
-  return fs::exists(path_ / name, code);
+  return !is_nowhere() && fs::exists(path_ / name, code);
 }
 
 bool RunFolder::ends_with(const std::string &name, const std::string &end) const
@@ -159,6 +170,8 @@ bool RunFolder::ends_with(const std::string &name, const std::string &end) const
 
 void RunFolder::remove(const std::string &name) const
 {
+  if (is_nowhere())
+    return;
   require_same_folder();
   std::error_code code;
   fs::remove(path_ / name, code);
@@ -184,6 +197,8 @@ TableMarks RunFolder::tables() const
 
 void RunFolder::require_tables(const TableMarks &marks) const
 {
+  if (is_nowhere())
+    return;
   for (const auto &[name, mark] : marks)
   {
     if (!has(name))
@@ -201,6 +216,8 @@ void RunFolder::require_tables(const TableMarks &marks) const
 
 void RunFolder::cut_tables(const TableMarks &marks) const
 {
+  if (is_nowhere())
+    return;
   require_tables(marks);
   for (const std::string &name : own_tables())
     if (const auto kept = marks.find(name); kept == marks.end())

@@ -92,6 +92,8 @@ std::vector<std::string> RunFolder::marked_lines() const
 
 void RunFolder::mark(const std::string &parameter_file, const std::vector<std::string> &probes) const
 {
+  if (is_nowhere())
+    return;
   std::vector<std::string> lines{marker_line, parameter_file};
   lines.insert(lines.end(), probes.begin(), probes.end());
   if (const std::string text = with_line_ends(lines); !has(marker) || read(marker) != text)
@@ -129,6 +131,8 @@ std::vector<std::string> RunFolder::files() const
 
 void RunFolder::require_own(const std::vector<std::string> &probes) const
 {
+  if (is_nowhere())
+    return;
   std::vector<std::string> foreign;
   const bool is_own = is_of_a_run();
   if (!is_own)
@@ -150,6 +154,8 @@ std::optional<std::string> RunFolder::start_anew(const std::string &parameters,
                                                  const std::string &parameter_file,
                                                  const std::vector<std::string> &probes) const
 {
+  if (is_nowhere())
+    return std::nullopt;
   require_own(probes);
   const std::vector<std::string> old = files();
   // Before anything is removed, everything must be removable, and there must be room for the new parameters.

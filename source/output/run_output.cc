@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/output/run_output.h>
 
+#include <orthocone/base/ranks.h>
 #include <orthocone/output/vtu.h>
 
 namespace orthocone
@@ -54,8 +55,17 @@ void RunOutput::write_fields(const ContactState &state, const Eigen::VectorXd &v
   if (is_due(options_.contact_interval, state.step) && !contact_.has(state.step))
     contact_.add(state.step, [this, state] { return contact_vtu(evaluator_, state); });
   if (is_due(options_.volume_interval, state.step) && !volume_.has(state.step))
-    volume_.add(state.step, [this, u = scene_.body().with_motion(state.motion, volume)]
-                { return volume_vtu(scene_.body().mesh(), scene_.parameters().material, u); });
+    write_volume(state, volume);
+}
+
+/// The pieces of other processes come to the first one, which alone writes.
+void RunOutput::write_volume(const ContactState &state, const Eigen::VectorXd &volume)
+{
+  const auto make = [this, u = scene_.body().with_motion(state.motion, volume)]
+  { return volume_vtu(scene_.body().mesh(), scene_.parameters().material, u); };
+  if (n_ranks() == 1)
+    return volume_.add(state.step, make);
+  volume_.add_pieces(state.step, gather_on_first(make()), volume_pvtu);
 }
 
 void RunOutput::end_with(const ContactState &state)

@@ -183,14 +183,15 @@ std::string describe_model(const Parameters &parameters, const ModelChoice &mode
 {
   const ContactSolverOptions &solver = parameters.contact_solver;
   std::ostringstream text;
-  text << describe_model(model) << "mesh           " << unknowns.n_cells()
+  text << describe_model(model) << "mesh           " << unknowns.size().cells
        << (model.symmetry.is_axisymmetric() ? " quadrilaterals" : " hexahedra") << " of degree "
        << parameters.mesh.degree << ", " << parameters.mesh.n_quadrature_points()
        << " Gauss points per direction"
        << (parameters.mesh.volumetric_quadrature == VolumetricQuadrature::reduced
                ? ", volumetric part reduced\n"
                : "\n")
-       << "unknowns       " << unknowns.n_free() << " of " << unknowns.n_dofs() << " degrees of freedom\n"
+       << "unknowns       " << unknowns.size().free_dofs << " of " << unknowns.size().dofs
+       << " degrees of freedom\n"
        << describe_obstacle(parameters.obstacle) << "contact nodes  "
        << unknowns.contact_surface().nodes.size() << (model.symmetry.is_axisymmetric() ? " (rings)" : "")
        << "\n"

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/base/numbers.h>
+#include <orthocone/base/ranks.h>
 #include <orthocone/base/version.h>
 #include <orthocone/output/summary.h>
 #include <orthocone/parameters/parameters.h>
@@ -33,10 +34,10 @@ Json model_json(const Summary &summary)
   return {{"kind", summary.model.symmetry.name()},
           {"reason", summary.model.reason},
           {"symmetry_planes", planes},
-          {"cells", unknowns.n_cells()},
+          {"cells", unknowns.size().cells},
           {"degree", summary.parameters.mesh.degree},
-          {"dofs", unknowns.n_dofs()},
-          {"free_dofs", unknowns.n_free()},
+          {"dofs", unknowns.size().dofs},
+          {"free_dofs", unknowns.size().free_dofs},
           {"contact_nodes", unknowns.contact_surface().nodes.size()}};
 }
 
@@ -178,6 +179,7 @@ std::string summary_json(const Summary &summary)
   json["total_dissipation_Nmm"] = summary.total_dissipation;
   for (const auto &[name, version] : versions())
     json["versions"][name] = version;
+  json["processes"] = n_ranks();
   json["threads"] = {{"number", summary.record.threads.number}, {"reason", summary.record.threads.reason}};
   json["seconds"] = seconds_json(summary.record);
   // Names of folders need not be UTF-8.

@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <sstream>
+#include <tuple>
 
 namespace orthocone
 {
@@ -43,6 +44,24 @@ dealii::DataOutBase::Patch<dim, 3> patch_of(const std::vector<PointFields> &poin
     fill_column(points[column], column, patch.data);
   return patch;
 }
+
+std::vector<std::string> row_names()
+{
+  std::vector<std::string> names(3, "displacement");
+  names.insert(names.end(), 9, "stress");
+  names.emplace_back("von_mises_stress");
+  return names;
+}
+
+using Ranges = std::vector<std::tuple<unsigned int, unsigned int, std::string,
+                                      dealii::DataComponentInterpretation::DataComponentInterpretation>>;
+
+Ranges row_ranges()
+{
+  using namespace dealii::DataComponentInterpretation;
+  return {{0, 2, "displacement", component_is_part_of_vector},
+          {3, 11, "stress", component_is_part_of_tensor}};
+}
 } // namespace
 
 template<int dim>
@@ -54,17 +73,21 @@ std::string volume_vtu(const DisplacementSpace<dim> &space, const MaterialOption
                          displacement);
   std::vector<dealii::DataOutBase::Patch<dim, 3>> patches;
   for (const auto &cell : space.dof_handler().active_cell_iterators())
-    patches.push_back(patch_of<dim>(fields.in(cell), patches.size(), degree));
-  std::vector<std::string> names(3, "displacement");
-  names.insert(names.end(), 9, "stress");
-  names.emplace_back("von_mises_stress");
-  using namespace dealii::DataComponentInterpretation;
+    if (cell->is_locally_owned())
+      patches.push_back(patch_of<dim>(fields.in(cell), patches.size(), degree));
+  if (patches.empty())
+    return {};
   std::ostringstream text;
   // The section has rectangles, which Lagrange cells draw without loss.
-  dealii::DataOutBase::write_vtu(
-      patches, names,
-      {{0, 2, "displacement", component_is_part_of_vector}, {3, 11, "stress", component_is_part_of_tensor}},
-      dim == 2 ? lagrange_vtu_flags(degree) : vtu_flags(), text);
+  dealii::DataOutBase::write_vtu(patches, row_names(), row_ranges(),
+                                 dim == 2 ? lagrange_vtu_flags(degree) : vtu_flags(), text);
+  return text.str();
+}
+
+std::string volume_pvtu(const std::vector<std::string> &pieces)
+{
+  std::ostringstream text;
+  dealii::DataOutBase::write_pvtu_record(text, pieces, row_names(), row_ranges(), vtu_flags());
   return text.str();
 }
 

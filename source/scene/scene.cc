@@ -4,7 +4,7 @@
 
 #include <orthocone/base/errors.h>
 #include <orthocone/body/backends/factorized_body.h>
-#include <orthocone/body/backends/multigrid_body.h>
+#include <orthocone/multigrid/multigrid_body.h>
 #include <orthocone/scene/change_length.h>
 
 namespace orthocone

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 //
 // The elastic body: what a linear elastic solve costs, and what condensation adds.
-#include "body/backends/multigrid/matrix_free_stiffness.h"
+#include "multigrid/matrix_free_stiffness.h"
 #include "sizes.h"
 
 namespace

@@ -4,8 +4,8 @@
 // A quarter of trilinear cells that multigrid knows no coarser ones of, factorized or aggregated, and what
 // aggregates of the nodes of quadratic cells would be worth (docs/performance.md, "Large coarsest meshes").
 // tools/benchmark leaves them out.
-#include "body/backends/multigrid/algebraic_coarse.h"
-#include "body/backends/multigrid/elastic_solver.h"
+#include "multigrid/algebraic_coarse.h"
+#include "multigrid/elastic_solver.h"
 
 #include <orthocone/body/shapes/body_mesh.h>
 #include <orthocone/surface/local_axes.h>

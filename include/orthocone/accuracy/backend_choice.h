@@ -16,6 +16,9 @@ struct BackendChoice
   std::string reason{};
 };
 
+/// Whether multigrid can compute such a model at all.
+bool multigrid_can(const Parameters &parameters, const ModelSymmetry &symmetry);
+
 /// What Mesh/Backend = auto stands for: what takes less time by estimates that know nothing of this machine
 /// but its memory, which the factorization must fit into. Nothing is compared where only one can do it
 /// (multigrid needs a solid, full quadrature, Newton's method and a Poisson ratio below 0.495), nor where no

@@ -9,16 +9,28 @@
 
 namespace orthocone
 {
+/// Cells and degrees of freedom of a body, of all processes.
+struct BodySize
+{
+  unsigned int cells = 0;
+  unsigned int dofs = 0;
+  unsigned int free_dofs = 0;
+};
+
 /// What condensation, checks and reports need to know of a body, whatever its mesh: its degrees of freedom in
 /// four ranges, interior (free, not on the contact surface), contact (free, on the contact surface), held
-/// (zero) and hanging (moved by others), and its contact surface.
+/// (zero) and hanging (moved by others), and its contact surface. Where several processes share a body, these
+/// are the ones that this process owns. Behind them come those of others that it works with, too.
 class BodyUnknowns
 {
 public:
+  /// With those of other processes.
   unsigned int n_dofs() const { return directions_.size(); }
+  unsigned int n_owned() const { return n_owned_; }
   unsigned int n_interior() const { return n_interior_; }
   unsigned int n_free() const { return n_free_; }
-  unsigned int n_cells() const { return n_cells_; }
+
+  const BodySize &size() const { return size_; }
 
   /// Direction in which a degree of freedom moves, 0: x (r in an axisymmetric body), 1: y, 2: z.
   unsigned int direction(const unsigned int dof) const { return directions_[dof]; }
@@ -41,9 +53,10 @@ public:
   const HangingDofs &hanging() const { return hanging_; }
 
 protected:
+  BodySize size_;
   unsigned int n_interior_ = 0;
   unsigned int n_free_ = 0;
-  unsigned int n_cells_ = 0;
+  unsigned int n_owned_ = 0;
   std::vector<unsigned char> directions_;
   Eigen::Matrix3Xd positions_; ///< of the degrees of freedom
   Eigen::Vector3d held_centre_ = Eigen::Vector3d::Zero();

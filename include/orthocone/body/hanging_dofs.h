@@ -11,7 +11,7 @@
 namespace orthocone
 {
 /// Degrees of freedom that cannot move by themselves: those of nodes where a cell borders on smaller ones.
-/// The displacement there is that of the larger cell, a sum over its nodes. They have the last numbers.
+/// The displacement there is that of the larger cell, a sum over its nodes.
 class HangingDofs
 {
 public:
@@ -25,16 +25,20 @@ public:
 
   HangingDofs() = default;
 
-  /// One sum a hanging degree of freedom, which begin with number `first`. No term hangs itself.
-  HangingDofs(const unsigned int first, std::vector<Terms> sums)
-      : first_(first),
-        sums_(std::move(sums))
+  /// One sum for each of the hanging degrees of freedom, whose numbers of all `n_dofs` are given. No term
+  /// hangs itself.
+  HangingDofs(std::vector<unsigned int> numbers, std::vector<Terms> sums, const unsigned int n_dofs)
+      : numbers_(std::move(numbers)),
+        sums_(std::move(sums)),
+        places_(n_dofs, none)
   {
+    for (unsigned int i = 0; i < numbers_.size(); ++i)
+      places_[numbers_[i]] = i;
   }
 
   bool empty() const { return sums_.empty(); }
-  bool contains(const unsigned int dof) const { return dof >= first_; }
-  const Terms &terms(const unsigned int dof) const { return sums_[dof - first_]; }
+  bool contains(const unsigned int dof) const { return !empty() && places_[dof] != none; }
+  const Terms &terms(const unsigned int dof) const { return sums_[places_[dof]]; }
 
   /// Gives the hanging ones their displacement by that of the others.
   template<typename Number>
@@ -45,7 +49,7 @@ public:
       double sum = 0;
       for (const Term &term : sums_[i])
         sum += term.weight * static_cast<double>(displacement[term.dof]);
-      displacement[first_ + i] = static_cast<Number>(sum);
+      displacement[numbers_[i]] = static_cast<Number>(sum);
     }
   }
 
@@ -56,14 +60,17 @@ public:
     for (std::size_t i = 0; i < sums_.size(); ++i)
     {
       for (const Term &term : sums_[i])
-        forces[term.dof] += static_cast<Number>(term.weight) * forces[first_ + i];
-      forces[first_ + i] = 0;
+        forces[term.dof] += static_cast<Number>(term.weight) * forces[numbers_[i]];
+      forces[numbers_[i]] = 0;
     }
   }
 
 private:
-  unsigned int first_ = std::numeric_limits<unsigned int>::max();
+  static constexpr unsigned int none = std::numeric_limits<unsigned int>::max();
+
+  std::vector<unsigned int> numbers_;
   std::vector<Terms> sums_;
+  std::vector<unsigned int> places_; ///< in these two, of all degrees of freedom
 };
 
 /// What moves the nodes of a cell: the degrees of freedom, none of which hangs, and the displacement of all

@@ -31,6 +31,9 @@ public:
   /// The step that was solved last is accepted.
   void accept(const LoadStep &step);
 
+  /// StepSolver::settle().
+  void settle() { solver_.settle(state_); }
+
   MarchMemory memory() const { return {state_, solver_.memory()}; }
   void restore(const MarchMemory &memory);
 

@@ -104,6 +104,9 @@ public:
   /// forgotten.
   void reject();
 
+  /// Where the bodies that were remembered are not known: computes that of an accepted state.
+  void settle(const ContactState &state);
+
   /// What a solver of the same problem needs to go on as this one would.
   const StartMemory &memory() const { return starts_.memory(); }
   void restore(const StartMemory &memory);
@@ -118,6 +121,7 @@ private:
   };
 
   SolverReport solve_in_one(ContactState &state, const LoadStep &step) const;
+  void keep_bodies(const ContactState &state);
   void accept_undivided(const ContactState &before, const ContactState &after, const LoadStep &step);
   Eigen::VectorXd start_of(const Attempt &attempt, const ContactState &state, const LoadStep &step) const;
   Attempt attempt(const ContactState &state, const FaceTarget &target) const;

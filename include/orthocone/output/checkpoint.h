@@ -29,6 +29,7 @@ struct Checkpoint
   StartMemory starts;
   CycleMemory cycles;
   RunRecord record;
+  unsigned int n_ranks = 1; ///< whose bodies `starts` has, one behind the other
 };
 
 /// What is wrong with the bytes of a checkpoint: not one, of another version, cut off, damaged.
@@ -38,7 +39,7 @@ struct CheckpointError : std::runtime_error
 };
 
 /// Version of the bytes; another one is refused.
-constexpr unsigned int checkpoint_format = 8;
+constexpr unsigned int checkpoint_format = 9;
 
 /// Checksum of the gaps in the file that the options name; 0 if they name none. Throws as read_gap_file().
 std::uint32_t gap_file_checksum(const ObstacleOptions &options);

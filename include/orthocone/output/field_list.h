@@ -20,8 +20,9 @@ struct FieldSteps
   std::vector<unsigned int> volume;
 };
 
-/// Name of the field file of a step; `kind`: "contact" or "volume".
-std::string field_file(const std::string &kind, unsigned int step);
+/// Name of the field file of a step; `kind`: "contact" or "volume". `ending` is "pvtu" where it names the
+/// pieces of several processes.
+std::string field_file(const std::string &kind, unsigned int step, const std::string &ending = "vtu");
 
 /// Throws FileError if the field file of one of the steps is missing or cut off.
 void require_fields(const RunFolder &folder, const std::string &kind, const std::vector<unsigned int> &steps);
@@ -41,6 +42,10 @@ public:
   /// Begins to make the field file of a step. `make` returns its content, and must not write anything else.
   void add(unsigned int step, const std::function<std::string()> &make);
 
+  /// Writes the pieces of several processes. `list` returns the content of the file that names them.
+  void add_pieces(unsigned int step, const std::vector<std::string> &pieces,
+                  const std::function<std::string(const std::vector<std::string> &)> &list);
+
   /// Steps whose files are written.
   std::vector<unsigned int> steps() const;
 
@@ -52,6 +57,7 @@ public:
 
 private:
   void write_pending();
+  void write_file(unsigned int step, const std::string &file, const std::string &content);
   void write_list();
 
   const RunFolder &folder_;

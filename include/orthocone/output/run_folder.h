@@ -34,13 +34,14 @@ struct TableMark
 using TableMarks = std::map<std::string, TableMark>;
 
 /// Folder that receives the files of one run. All writing throws FileError, naming file and cause, and leaves
-/// what was written before as it was.
+/// what was written before as it was. Where several processes share a run, the first one has the folder.
+/// Those of the others have no path: they are empty, and what is written there is gone.
 class RunFolder
 {
 public:
   /// Creates the folder if need be and makes sure that no other run writes there until this object is
   /// destroyed (or the process ends in whatever way).
-  explicit RunFolder(const std::filesystem::path &path);
+  explicit RunFolder(const std::optional<std::filesystem::path> &path);
   ~RunFolder();
   RunFolder(const RunFolder &) = delete;
   RunFolder &operator=(const RunFolder &) = delete;
@@ -74,6 +75,7 @@ public:
   std::string read(const std::string &name) const;
 
   bool has(const std::string &name) const;
+  bool is_nowhere() const { return path_.empty(); }
 
   /// Whether the file is there and its last bytes are these.
   bool ends_with(const std::string &name, const std::string &end) const;

@@ -39,6 +39,7 @@ public:
 
 private:
   bool is_due(unsigned int interval, unsigned int step) const;
+  void write_volume(const ContactState &state, const Eigen::VectorXd &volume);
   void write_fields(const ContactState &state, const Eigen::VectorXd &volume);
 
   const RunFolder &folder_;

@@ -6,6 +6,7 @@
 #include <orthocone/results/contact_fields.h>
 
 #include <string>
+#include <vector>
 
 namespace orthocone
 {
@@ -16,7 +17,8 @@ std::string contact_vtu(const ContactFieldEvaluator &evaluator, const ContactSta
 
 /// VTU text of the modelled part of the body: displacement (mm), stress and von Mises stress (MPa). Each
 /// element has points of its own, because stress jumps between elements. Between them are trilinear
-/// hexahedra. A section lies in the plane y = 0 and has one Lagrange cell an element.
+/// hexahedra. A section lies in the plane y = 0 and has one Lagrange cell an element. Where several processes
+/// share the body, only the cells of this one, and nothing if there are none.
 template<int dim>
 std::string volume_vtu(const DisplacementSpace<dim> &space, const MaterialOptions &material,
                        const Eigen::VectorXd &displacement);
@@ -28,4 +30,7 @@ inline std::string volume_vtu(const Body &body, const MaterialOptions &material,
   return body.visit([&](const auto &discretization)
                     { return volume_vtu(discretization, material, displacement); });
 }
+
+/// PVTU text that names the pieces of several processes.
+std::string volume_pvtu(const std::vector<std::string> &pieces);
 } // namespace orthocone

@@ -43,6 +43,9 @@ public:
   virtual std::vector<Eigen::VectorXd> settle(const NodeVector &force) const;
   virtual void restore(const std::vector<Eigen::VectorXd> &settled) const;
 
+  /// Norm of the forces that a body lacks, BodyPart::rest, of all processes that have a part of it.
+  virtual double norm(const Eigen::VectorXd &rest) const { return rest.norm(); }
+
   /// The 3 x 3 block of W of one node.
   virtual Eigen::Matrix3d diagonal_block(Eigen::Index node) const = 0;
 

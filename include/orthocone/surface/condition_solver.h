@@ -36,7 +36,8 @@ struct ContactConditions
 };
 
 /// What stands behind contact nodes where no dense compliance does: the displacement of all free degrees of
-/// freedom of the body (mm), and the forces (N) that it lacks of its equilibrium. Else both are empty.
+/// freedom of the body (mm) that this process has, and the forces (N) that they lack of their equilibrium.
+/// Else both are empty.
 struct BodyPart
 {
   Eigen::VectorXd displacement{};

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <array>
+#include <limits>
 #include <vector>
 
 namespace orthocone
@@ -10,11 +11,16 @@ namespace orthocone
 /// A node of the contact surface.
 struct ContactNode
 {
+  static constexpr unsigned int no_dof = std::numeric_limits<unsigned int>::max();
+
   std::array<double, 2> position;   ///< x, y in mm
   double area;                      ///< lumped face weight of the model's faces, or of their rings (mm^2)
-  std::array<unsigned int, 3> dofs; ///< of u_x, u_y, u_z
+  std::array<unsigned int, 3> dofs; ///< of u_x, u_y, u_z, where this process has them
   std::array<bool, 3> is_free;      ///< false where symmetry holds the direction
   double height = 0;                ///< z in mm; 0 where the base is flat
+
+  /// Whether this process has the node's part of the body; one of all does.
+  bool is_here() const { return dofs[2] != no_dof; }
 };
 
 /// A place where a face borders on smaller ones. Its displacement and its fields are those of the larger

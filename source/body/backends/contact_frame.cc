@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/body/backends/contact_frame.h>
 
+#include <orthocone/base/ranks.h>
+
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -40,7 +42,7 @@ Wrench ContactFrame::wrench(const NodeVector &force) const
 VectorXd ContactFrame::with_motion(const RigidMotion &held, const VectorXd &elastic) const
 {
   VectorXd displacement = VectorXd::Zero(unknowns_.n_dofs());
-  displacement.head(unknowns_.n_free()) = elastic;
+  displacement.head(elastic.size()) = elastic;
   unknowns_.hanging().distribute(displacement.data());
   for (unsigned int dof = 0; dof < unknowns_.n_dofs(); ++dof)
     displacement[dof] += held.at(unknowns_.position(dof) - unknowns_.held_centre())[unknowns_.direction(dof)];
@@ -52,6 +54,8 @@ VectorXd ContactFrame::on_free_unknowns(const NodeVector &force) const
   VectorXd forces = VectorXd::Zero(unknowns_.n_free());
   for (std::size_t i = 0; i < nodes().size(); ++i)
   {
+    if (!nodes()[i].is_here())
+      continue;
     const Vector3d global = global_in_local(i) * force.segment<3>(3 * static_cast<Index>(i));
     for (Index d = 0; d < 3; ++d)
       if (nodes()[i].is_free[d])
@@ -65,11 +69,13 @@ double ContactFrame::difference(const NodeVector &displacement, const VectorXd &
   double largest = 0;
   for (std::size_t i = 0; i < nodes().size(); ++i)
   {
+    if (!nodes()[i].is_here())
+      continue;
     const Vector3d global = global_in_local(i) * displacement.segment<3>(3 * static_cast<Index>(i));
     for (Index d = 0; d < 3; ++d)
       largest =
           std::max(largest, std::abs(global[d] - (nodes()[i].is_free[d] ? free[nodes()[i].dofs[d]] : 0)));
   }
-  return largest;
+  return largest_of_ranks(largest);
 }
 } // namespace orthocone

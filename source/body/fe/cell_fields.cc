@@ -2,9 +2,9 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/body/fe/cell_fields.h>
 
-#include "cell_dofs.h"
 #include "dof_places.h"
 #include "strain_terms.h"
+#include <orthocone/body/fe/cell_dofs.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
@@ -63,7 +63,7 @@ CellFields<dim>::CellFields(const DisplacementSpace<dim> &space, const Material 
 template<int dim>
 VectorXd CellFields<dim>::nodal_values(const typename DisplacementSpace<dim>::Cell &cell) const
 {
-  const auto dofs = dofs_by_node<dim>(cell);
+  const auto dofs = dofs_by_node(space_, cell);
   VectorXd values(dofs.size());
   for (std::size_t i = 0; i < dofs.size(); ++i)
     values[static_cast<Eigen::Index>(i)] = displacement_[static_cast<Eigen::Index>(dofs[i])];

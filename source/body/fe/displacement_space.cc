@@ -2,15 +2,21 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/body/fe/displacement_space.h>
 
+#include "contact_faces.h"
 #include "dof_places.h"
 #include "dof_ranges.h"
+#include "local_dofs.h"
 
 #include <orthocone/base/numbers.h>
+#include <orthocone/base/ranks.h>
 
 #include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_tools.h>
 #include <deal.II/fe/fe_values.h>
+
+#include <map>
+#include <utility>
 
 namespace orthocone
 {
@@ -64,38 +70,63 @@ DisplacementSpace<dim>::DisplacementSpace(const dealii::Triangulation<dim> &tria
       volumetric_quadrature_(options.volumetric_quadrature),
       hierarchic_(dealii::FETools::lexicographic_to_hierarchic_numbering<dim>(options.degree))
 {
-  n_cells_ = triangulation.n_active_cells();
   dof_handler_.distribute_dofs(fe_);
   const DofRanges ranges = number_by_range(dof_handler_, held_dofs(top_face));
   n_interior_ = ranges.n_interior;
   n_free_ = ranges.n_free;
-  if (ranges.n_not_hanging < dof_handler_.n_dofs())
-    hanging_ = HangingDofs(ranges.n_not_hanging, hanging_sums(dof_handler_, ranges));
-  directions_ = directions_of<dim>(dof_handler_, directions<dim>());
-  positions_ = positions_of(mapping_, dof_handler_);
+  n_owned_ = dof_handler_.n_locally_owned_dofs();
+  size_ = {static_cast<unsigned int>(triangulation.n_global_active_cells()),
+           static_cast<unsigned int>(dof_handler_.n_dofs()),
+           static_cast<unsigned int>(is_shared() ? sum_over_ranks(n_free_) : n_free_)};
+  held_ = held_dofs(top_face);
+  const auto hanging = hanging_constraints(dof_handler_);
+  partitioner_ = make_partitioner(dof_handler_, hanging);
+  hanging_ = local_hanging_dofs(*partitioner_, hanging, held_);
+  DofPlaces places = places_of<dim>(mapping_, dof_handler_, *partitioner_, directions<dim>());
+  directions_ = std::move(places.directions);
+  positions_ = std::move(places.positions);
   held_centre_ = held_centre_of(triangulation);
   if (dim == 2)
     make_axis_face_basis();
-  find_contact_surface();
+  find_contact_surface(hanging);
 }
 
 template<int dim>
-std::vector<bool> DisplacementSpace<dim>::held_dofs(const TopFace top_face) const
+dealii::IndexSet DisplacementSpace<dim>::held_dofs(const TopFace top_face) const
 {
-  std::vector<bool> is_held(dof_handler_.n_dofs(), false);
+  dealii::IndexSet held(dof_handler_.n_dofs());
   std::vector<bool> of_top(dim, top_face == TopFace::clamped);
   of_top.back() = true;
-  hold(dof_handler_, Boundary::top_face, of_top, is_held);
+  hold(dof_handler_, Boundary::top_face, of_top, held);
   const auto hold_component = [&](const Boundary boundary, const unsigned int component)
   {
-    std::vector<bool> held(dim, false);
-    held[component] = true;
-    hold(dof_handler_, boundary, held, is_held);
+    std::vector<bool> of_boundary(dim, false);
+    of_boundary[component] = true;
+    hold(dof_handler_, boundary, of_boundary, held);
   };
   hold_component(dim == 2 ? Boundary::axis : Boundary::plane_normal_to_x, 0);
   if (dim == 3)
     hold_component(Boundary::plane_normal_to_y, 1);
-  return is_held;
+  held.compress();
+  return held;
+}
+
+template<int dim>
+bool DisplacementSpace<dim>::is_shared() const
+{
+  return is_distributed(dof_handler_.get_triangulation());
+}
+
+template<int dim>
+dealii::AffineConstraints<double> DisplacementSpace<dim>::constraints() const
+{
+  const auto hanging = hanging_constraints(dof_handler_);
+  dealii::AffineConstraints<double> all(hanging.get_local_lines());
+  for (const auto dof : held_)
+    all.add_line(dof);
+  all.close();
+  all.merge(hanging, dealii::AffineConstraints<double>::left_object_wins, true);
+  return all;
 }
 
 template<int dim>
@@ -127,111 +158,75 @@ void DisplacementSpace<dim>::make_axis_face_basis()
 }
 
 template<int dim>
-void DisplacementSpace<dim>::find_contact_surface()
+void DisplacementSpace<dim>::find_contact_surface(const dealii::AffineConstraints<double> &hanging)
 {
-  contact_surface_.degree = scalar_fe_.degree;
-  node_of_dof_.assign(n_dofs(), dealii::numbers::invalid_unsigned_int);
+  std::vector<ContactFace> faces;
+  std::map<dealii::CellId, unsigned int> cells;
   for (const auto &cell : dof_handler_.active_cell_iterators())
-    for (const unsigned int face : cell->face_indices())
-      if (cell->face(face)->at_boundary() && cell->face(face)->boundary_id() == Boundary::contact_surface)
-      {
-        AssertThrow(face == lower_face<dim>,
-                    dealii::ExcMessage("the contact surface is not the lower face of a cell"));
-        add_contact_face(cell);
-      }
-  separate_hanging_nodes();
+    if (cell->is_locally_owned())
+      for (const unsigned int face : cell->face_indices())
+        if (cell->face(face)->at_boundary() && cell->face(face)->boundary_id() == Boundary::contact_surface)
+        {
+          AssertThrow(face == lower_face<dim>,
+                      dealii::ExcMessage("the contact surface is not the lower face of a cell"));
+          faces.push_back(contact_face(cell, hanging));
+          cells[cell->id()] = cell->active_cell_index();
+        }
+  const ContactFaces all(std::move(faces), is_shared());
+  contact_surface_ = all.surface(scalar_fe_.degree, *partitioner_);
+  for (const ContactFace &face : all.faces())
+    contact_cells_.push_back(cells.count(face.cell) > 0 ? cells[face.cell]
+                                                        : dealii::numbers::invalid_unsigned_int);
   for (const ContactNode &node : contact_surface_.nodes)
     AssertThrow(node.area > 0,
                 dealii::ExcMessage("the mesh is too distorted: a contact node has no positive area"));
 }
 
-/// Numbers them behind the contact nodes, which get their areas.
 template<int dim>
-void DisplacementSpace<dim>::separate_hanging_nodes()
-{
-  if (hanging_.empty())
-    return;
-  std::vector<ContactNode> all;
-  std::swap(all, contact_surface_.nodes);
-  const auto hangs = [&](const ContactNode &node) { return hanging_.contains(node.dofs[2]); };
-  std::vector<unsigned int> new_number(all.size());
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (!hangs(all[i]))
-    {
-      new_number[i] = node_of_dof_[all[i].dofs[2]] = contact_surface_.nodes.size();
-      contact_surface_.nodes.push_back(all[i]);
-    }
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if (hangs(all[i]))
-      new_number[i] = hanging_place(all[i]);
-  for (auto &face : contact_surface_.faces)
-    for (unsigned int &place : face)
-      place = new_number[place];
-}
-
-/// Number of the place where a node hangs, whose area goes to the contact nodes that move it. In the middle
-/// of an edge of even degree this is a contact node.
-template<int dim>
-unsigned int DisplacementSpace<dim>::hanging_place(ContactNode hanging)
-{
-  std::vector<HangingNode::Term> terms;
-  for (const HangingDofs::Term &term : hanging_.terms(hanging.dofs[2]))
-  {
-    terms.push_back({node_of_dof_[term.dof], term.weight});
-    contact_surface_.nodes[terms.back().node].area += term.weight * hanging.area;
-  }
-  if (terms.size() == 1)
-    return terms.front().node;
-  hanging.area = 0;
-  contact_surface_.hanging.push_back({hanging, terms});
-  return contact_surface_.n_places() - 1;
-}
-
-template<int dim>
-void DisplacementSpace<dim>::add_contact_face(const Cell &cell)
+ContactFace DisplacementSpace<dim>::contact_face(const Cell &cell,
+                                                 const dealii::AffineConstraints<double> &hanging)
 {
   Eigen::VectorXd weights = face_weights(cell);
   if (has_axis_face(cell))
     weights = axis_face_values_.transpose() * weights;
-  std::vector<unsigned int> nodes;
-  for (unsigned int i = 0; i < weights.size(); ++i)
+  ContactFace face{cell->id(), {}};
+  for (unsigned int point = 0; point < weights.size(); ++point)
   {
-    nodes.push_back(contact_node(cell, i));
-    contact_surface_.nodes[nodes.back()].area += weights[i];
+    face.nodes.push_back(face_node(cell, point));
+    FaceNode &node = face.nodes.back();
+    node.weight = weights[point];
+    node.hangs = hanging.is_constrained(node.dofs[2]) && !held_.is_element(node.dofs[2]);
+    if (node.hangs)
+      for (const auto &mover : *hanging.get_constraint_entries(node.dofs[2]))
+        if (!held_.is_element(mover.first))
+          node.movers.push_back(mover);
   }
-  contact_surface_.faces.push_back(nodes);
-  contact_cells_.push_back(cell->active_cell_index());
+  return face;
 }
 
-/// Number of a node of a contact face, which is added if it is new.
+/// Numbers and place of a node of a contact face.
 template<int dim>
-unsigned int DisplacementSpace<dim>::contact_node(const Cell &cell, const unsigned int point)
+FaceNode DisplacementSpace<dim>::face_node(const Cell &cell, const unsigned int point)
 {
   std::vector<dealii::types::global_dof_index> dofs(fe_.n_dofs_per_cell());
   cell->get_dof_indices(dofs);
-  ContactNode node{};
-  // Nothing moves around the axis: a section has no such degree of freedom.
-  node.dofs.fill(dealii::numbers::invalid_unsigned_int);
-  for (unsigned int c = 0; c < dim; ++c)
-  {
-    const unsigned int direction = directions<dim>()[c];
-    node.dofs[direction] = dofs[fe_.component_to_system_index(c, hierarchic_[point])];
-    node.is_free[direction] = node.dofs[direction] < n_free_ || hanging_.contains(node.dofs[direction]);
-  }
-  unsigned int &number = node_of_dof_[node.dofs[2]];
-  if (number != dealii::numbers::invalid_unsigned_int)
-    return number;
   dealii::Point<dim> unit_point = scalar_fe_.unit_support_point(hierarchic_[point]);
   if (has_axis_face(cell))
     unit_point[0] = axis_face_points_[point];
   const Eigen::Vector3d place = in_space(mapping_.transform_unit_to_real_cell(cell, unit_point));
+  FaceNode node{};
+  node.place = {{place[0], place[1], place[2]}};
+  // Nothing moves around the axis: a section has no such degree of freedom.
+  node.dofs.fill(dealii::numbers::invalid_dof_index);
   for (unsigned int c = 0; c < dim; ++c)
-    positions_.col(node.dofs[directions<dim>()[c]]) = place;
-  node.position = {{place[0], place[1]}};
-  node.height = place[2];
-  number = contact_surface_.nodes.size();
-  contact_surface_.nodes.push_back(node);
-  return number;
+  {
+    const unsigned int direction = directions<dim>()[c];
+    const auto dof = dofs[fe_.component_to_system_index(c, hierarchic_[point])];
+    node.dofs[direction] = dof;
+    node.is_free[direction] = !held_.is_element(dof);
+    positions_.col(local_dof(dof)) = place;
+  }
+  return node;
 }
 
 /// Integrals of the shape functions of FE_Q over a contact face, or its ring, mm^2.

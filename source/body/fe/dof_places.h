@@ -2,15 +2,19 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
+#include "local_dofs.h"
+
+#include <orthocone/base/ranks.h>
 #include <orthocone/body/shapes/boundary.h>
 
 #include <deal.II/dofs/dof_handler.h>
-#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping.h>
 
 #include <Eigen/Dense>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace orthocone
@@ -25,16 +29,41 @@ inline Eigen::Vector3d in_space(const dealii::Point<2> &point)
   return {point[0], 0, point[1]};
 }
 
-/// Column i: the place of degree of freedom i, mm.
-template<int dim>
-Eigen::Matrix3Xd positions_of(const dealii::Mapping<dim> &mapping, const dealii::DoFHandler<dim> &dof_handler)
+/// Of all local degrees of freedom, the place (mm) and the direction, where component c moves along
+/// `axes[c]`. Those that no cell of this process has get none.
+struct DofPlaces
 {
-  std::vector<dealii::Point<dim>> points(dof_handler.n_dofs());
-  dealii::DoFTools::map_dofs_to_support_points(mapping, dof_handler, points);
-  Eigen::Matrix3Xd positions(3, points.size());
-  for (std::size_t dof = 0; dof < points.size(); ++dof)
-    positions.col(static_cast<Eigen::Index>(dof)) = in_space(points[dof]);
-  return positions;
+  Eigen::Matrix3Xd positions;
+  std::vector<unsigned char> directions;
+};
+
+template<int dim>
+DofPlaces places_of(const dealii::Mapping<dim> &mapping, const dealii::DoFHandler<dim> &dof_handler,
+                    const dealii::Utilities::MPI::Partitioner &partitioner,
+                    const std::array<unsigned char, dim> &axes)
+{
+  const auto &fe = dof_handler.get_fe();
+  const auto n = partitioner.locally_owned_size() + partitioner.n_ghost_indices();
+  DofPlaces places{Eigen::Matrix3Xd::Zero(3, n), std::vector<unsigned char>(n, 0)};
+  const auto &scalar_fe = fe.base_element(0);
+  dealii::FEValues<dim> values(mapping, scalar_fe,
+                               dealii::Quadrature<dim>(scalar_fe.get_unit_support_points()),
+                               dealii::update_quadrature_points);
+  std::vector<dealii::types::global_dof_index> of_cell(fe.n_dofs_per_cell());
+  for (const auto &cell : dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned())
+    {
+      values.reinit(typename dealii::Triangulation<dim>::active_cell_iterator(cell));
+      cell->get_dof_indices(of_cell);
+      for (unsigned int i = 0; i < of_cell.size(); ++i)
+      {
+        const auto [component, node] = fe.system_to_component_index(i);
+        const unsigned int dof = partitioner.global_to_local(of_cell[i]);
+        places.positions.col(dof) = in_space(values.quadrature_point(node));
+        places.directions[dof] = axes[component];
+      }
+    }
+  return places;
 }
 
 /// Centroid of the held face of the whole body: of the modelled part's, but in the planes of symmetry, or on
@@ -46,20 +75,32 @@ Eigen::Vector3d held_centre_of(const dealii::Triangulation<dim> &triangulation)
   Eigen::Vector3d moment = Eigen::Vector3d::Zero();
   Eigen::Vector3d is_inside = Eigen::Vector3d::Ones();
   double extent = 0;
-  for (const auto &face : triangulation.active_face_iterators())
-    if (face->at_boundary())
-    {
-      const Eigen::Vector3d centre = in_space(face->center());
-      if (face->boundary_id() == Boundary::plane_normal_to_x || face->boundary_id() == Boundary::axis)
-        is_inside[0] = 0;
-      if (face->boundary_id() == Boundary::plane_normal_to_y)
-        is_inside[1] = 0;
-      extent = std::max(extent, centre.norm());
-      if (face->boundary_id() != Boundary::top_face)
-        continue;
-      area += face->measure();
-      moment += face->measure() * centre;
-    }
+  const auto add = [&](const auto &face)
+  {
+    const Eigen::Vector3d centre = in_space(face->center());
+    if (face->boundary_id() == Boundary::plane_normal_to_x || face->boundary_id() == Boundary::axis)
+      is_inside[0] = 0;
+    if (face->boundary_id() == Boundary::plane_normal_to_y)
+      is_inside[1] = 0;
+    extent = std::max(extent, centre.norm());
+    if (face->boundary_id() != Boundary::top_face)
+      return;
+    area += face->measure();
+    moment += face->measure() * centre;
+  };
+  for (const auto &cell : triangulation.active_cell_iterators())
+    if (cell->is_locally_owned())
+      for (const auto &face : cell->face_iterators())
+        if (face->at_boundary())
+          add(face);
+  if (is_distributed(triangulation))
+  {
+    area = sum_over_ranks(area);
+    sum_over_ranks(moment.data(), 3);
+    extent = largest_of_ranks(extent);
+    for (double &inside : is_inside)
+      inside = -largest_of_ranks(-inside);
+  }
   if (area == 0)
     return Eigen::Vector3d::Zero();
   constexpr double rounding = 1e-12;

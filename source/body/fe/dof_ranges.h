@@ -2,18 +2,20 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
-#include <orthocone/body/hanging_dofs.h>
 #include <orthocone/body/shapes/boundary.h>
 
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/dofs/dof_tools.h>
 #include <deal.II/lac/affine_constraints.h>
 
+#include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace orthocone
 {
-/// Ends of the ranges of degrees of freedom: interior, contact, held; what is behind them hangs.
+/// Ends of the ranges of the degrees of freedom that this process owns, from the first of them on: interior,
+/// contact, held; what is behind them hangs.
 struct DofRanges
 {
   unsigned int n_interior;
@@ -21,97 +23,105 @@ struct DofRanges
   unsigned int n_not_hanging;
 };
 
-/// Marks the degrees of freedom of these components on a boundary.
+/// Adds the degrees of freedom of these components on a boundary.
 template<int dim>
 void hold(const dealii::DoFHandler<dim> &dof_handler, const Boundary boundary,
-          const std::vector<bool> &components, std::vector<bool> &is_held)
+          const std::vector<bool> &components, dealii::IndexSet &held)
 {
-  for (const auto dof :
-       dealii::DoFTools::extract_boundary_dofs(dof_handler, dealii::ComponentMask(components), {boundary}))
-    is_held[dof] = true;
+  held.add_indices(
+      dealii::DoFTools::extract_boundary_dofs(dof_handler, dealii::ComponentMask(components), {boundary}));
 }
 
-/// Where cells border on smaller ones, the displacement of their common nodes by that of others.
+/// Where cells border on smaller ones, the displacement of their common nodes by that of others: of all cells
+/// that this process knows.
 template<int dim>
 dealii::AffineConstraints<double> hanging_constraints(const dealii::DoFHandler<dim> &dof_handler)
 {
-  dealii::AffineConstraints<double> constraints;
+  dealii::AffineConstraints<double> constraints(dealii::DoFTools::extract_locally_relevant_dofs(dof_handler));
   dealii::DoFTools::make_hanging_node_constraints(dof_handler, constraints);
   constraints.close();
   return constraints;
 }
 
-/// Numbers the degrees of freedom in these ranges; within a range their order stays. What is held does not
-/// hang.
+/// The cells that this process owns, in an order that does not depend on how many there are.
 template<int dim>
-DofRanges number_by_range(dealii::DoFHandler<dim> &dof_handler, const std::vector<bool> &is_held)
+std::vector<typename dealii::DoFHandler<dim>::active_cell_iterator>
+owned_cells(const dealii::DoFHandler<dim> &dof_handler)
 {
-  const dealii::IndexSet on_contact = dealii::DoFTools::extract_boundary_dofs(
-      dof_handler, dealii::ComponentMask(dim, true), {Boundary::contact_surface});
+  using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
+  std::vector<std::pair<dealii::CellId, Cell>> cells;
+  for (const auto &cell : dof_handler.active_cell_iterators())
+    if (cell->is_locally_owned())
+      cells.emplace_back(cell->id(), cell);
+  std::sort(cells.begin(), cells.end(), [](const auto &a, const auto &b) { return a.first < b.first; });
+  std::vector<Cell> sorted;
+  for (const auto &cell : cells)
+    sorted.push_back(cell.second);
+  return sorted;
+}
+
+/// The degrees of freedom that this process owns, in the order of the cells: how they came to be numbered may
+/// depend on how the mesh came to be, where there are several processes.
+template<int dim>
+std::vector<dealii::types::global_dof_index> in_order_of_cells(const dealii::DoFHandler<dim> &dof_handler)
+{
+  const dealii::IndexSet &owned = dof_handler.locally_owned_dofs();
+  std::vector<dealii::types::global_dof_index> order, of_cell(dof_handler.get_fe().n_dofs_per_cell());
+  std::vector<bool> is_there(owned.n_elements(), false);
+  for (const auto &cell : owned_cells(dof_handler))
+  {
+    cell->get_dof_indices(of_cell);
+    for (const auto dof : of_cell)
+      if (owned.is_element(dof) && !is_there[owned.index_within_set(dof)])
+      {
+        is_there[owned.index_within_set(dof)] = true;
+        order.push_back(dof);
+      }
+  }
+  return order;
+}
+
+/// Numbers the degrees of freedom that this process owns in these ranges; within a range their order stays
+/// where there is one process. What is held does not hang.
+template<int dim>
+DofRanges number_by_range(dealii::DoFHandler<dim> &dof_handler, const dealii::IndexSet &held)
+{
+  enum Range : unsigned char
+  {
+    in_interior,
+    in_contact,
+    is_held,
+    hangs
+  };
+  const dealii::IndexSet &owned = dof_handler.locally_owned_dofs();
+  std::vector<Range> range(owned.n_elements(), in_interior);
+  const auto put = [&](const dealii::types::global_dof_index dof, const Range which)
+  {
+    if (owned.is_element(dof))
+      range[owned.index_within_set(dof)] = which;
+  };
+  for (const auto dof : dealii::DoFTools::extract_boundary_dofs(dof_handler, dealii::ComponentMask(dim, true),
+                                                                {Boundary::contact_surface}))
+    put(dof, in_contact);
   const auto constraints = hanging_constraints(dof_handler);
-  enum Range
+  for (const auto &line : constraints.get_lines())
+    put(line.index, hangs);
+  for (const auto dof : held)
+    put(dof, is_held);
+  std::vector<dealii::types::global_dof_index> order(owned.begin(), owned.end());
+  if (owned.n_elements() < dof_handler.n_dofs())
+    order = in_order_of_cells(dof_handler);
+  const auto first = owned.is_empty() ? 0 : *owned.begin();
+  std::vector<dealii::types::global_dof_index> new_number(order.size());
+  unsigned int ends[4], next = 0;
+  for (const Range wanted : {in_interior, in_contact, is_held, hangs})
   {
-    interior,
-    contact,
-    held,
-    hanging
-  };
-  const auto range = [&](const unsigned int dof)
-  {
-    return is_held[dof]                      ? held
-           : constraints.is_constrained(dof) ? hanging
-           : on_contact.is_element(dof)      ? contact
-                                             : interior;
-  };
-  std::vector<dealii::types::global_dof_index> new_number(dof_handler.n_dofs());
-  DofRanges ranges{0, 0, 0};
-  unsigned int next = 0;
-  for (const Range wanted : {interior, contact, held, hanging})
-  {
-    for (unsigned int dof = 0; dof < new_number.size(); ++dof)
-      if (range(dof) == wanted)
-        new_number[dof] = next++;
-    if (wanted == interior)
-      ranges.n_interior = next;
-    if (wanted == contact)
-      ranges.n_free = next;
-    if (wanted == held)
-      ranges.n_not_hanging = next;
+    for (const auto dof : order)
+      if (range[dof - first] == wanted)
+        new_number[dof - first] = first + next++;
+    ends[wanted] = next;
   }
   dof_handler.renumber_dofs(new_number);
-  return ranges;
-}
-
-/// The sums of the hanging ones, in the order of their numbers. Held degrees of freedom have no part in them.
-template<int dim>
-std::vector<HangingDofs::Terms> hanging_sums(const dealii::DoFHandler<dim> &dof_handler,
-                                             const DofRanges &ranges)
-{
-  const auto constraints = hanging_constraints(dof_handler);
-  std::vector<HangingDofs::Terms> sums;
-  for (unsigned int dof = ranges.n_not_hanging; dof < dof_handler.n_dofs(); ++dof)
-  {
-    sums.emplace_back();
-    for (const auto &[other, weight] : *constraints.get_constraint_entries(dof))
-      if (other < ranges.n_free)
-        sums.back().push_back({static_cast<unsigned int>(other), weight});
-  }
-  return sums;
-}
-
-/// Direction of every degree of freedom, where component c moves along `axes[c]`.
-template<int dim>
-std::vector<unsigned char> directions_of(const dealii::DoFHandler<dim> &dof_handler,
-                                         const std::array<unsigned char, dim> &axes)
-{
-  std::vector<unsigned char> directions(dof_handler.n_dofs());
-  for (unsigned int c = 0; c < dim; ++c)
-  {
-    dealii::ComponentMask component(dim, false);
-    component.set(c, true);
-    for (const auto dof : dealii::DoFTools::extract_dofs(dof_handler, component))
-      directions[dof] = axes[c];
-  }
-  return directions;
+  return {ends[in_interior], ends[in_contact], ends[is_held]};
 }
 } // namespace orthocone

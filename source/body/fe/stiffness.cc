@@ -2,8 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/body/fe/stiffness.h>
 
-#include "cell_dofs.h"
 #include "cell_stiffness.h"
+#include <orthocone/body/fe/cell_dofs.h>
 
 #include <deal.II/base/work_stream.h>
 #include <deal.II/lac/dynamic_sparsity_pattern.h>
@@ -31,7 +31,7 @@ void assemble(const DisplacementSpace<dim> &space, const Material &material,
   const auto work = [&space](const typename DisplacementSpace<dim>::Cell &cell, CellStiffness<dim> &stiffness,
                              CellMatrix<dim> &copy)
   {
-    const CellBasis moving(space.hanging(), dofs_by_node<dim>(cell));
+    const CellBasis moving(space.hanging(), dofs_by_node(space, cell));
     copy.matrix = moving.reduced(stiffness.of(cell));
     copy.dofs = moving.dofs;
   };
@@ -50,7 +50,7 @@ void make_stiffness_pattern(const DisplacementSpace<dim> &space, dealii::Sparsit
   std::vector<dealii::types::global_dof_index> columns;
   for (const auto &cell : space.dof_handler().active_cell_iterators())
   {
-    auto dofs = CellBasis(space.hanging(), dofs_by_node<dim>(cell)).dofs;
+    auto dofs = CellBasis(space.hanging(), dofs_by_node(space, cell)).dofs;
     std::sort(dofs.begin(), dofs.end());
     columns.clear();
     for (const auto row : dofs)
@@ -85,7 +85,9 @@ Eigen::VectorXd diagonal_beside_hanging_nodes(const Discretization &space, const
   CellStiffness<3> stiffness(space, Material(material));
   for (const auto &cell : space.dof_handler().active_cell_iterators())
   {
-    const auto dofs = dofs_by_node<3>(cell);
+    if (!cell->is_locally_owned())
+      continue;
+    const auto dofs = dofs_by_node(space, cell);
     const CellBasis moving(space.hanging(), dofs);
     if (moving.basis.size() == 0)
       continue;

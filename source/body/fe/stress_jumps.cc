@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/body/fe/stress_jumps.h>
 
-#include "cell_dofs.h"
+#include <orthocone/body/fe/cell_dofs.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/lac/vector.h>
@@ -20,7 +20,7 @@ dealii::Vector<double> nodal_values(const DisplacementSpace<dim> &space, const E
   for (const auto &cell : space.dof_handler().active_cell_iterators())
     if (space.has_axis_face(cell))
     {
-      const auto dofs = dofs_by_node<dim>(cell);
+      const auto dofs = dofs_by_node(space, cell);
       Eigen::VectorXd of_cell(dofs.size());
       for (std::size_t i = 0; i < dofs.size(); ++i)
         of_cell[i] = displacement[dofs[i]];
@@ -35,7 +35,7 @@ dealii::Vector<double> nodal_values(const DisplacementSpace<dim> &space, const E
 template<int dim>
 Eigen::VectorXd squared_jumps(const DisplacementSpace<dim> &space, const Eigen::VectorXd &displacement)
 {
-  dealii::Vector<float> jumps(space.n_cells());
+  dealii::Vector<float> jumps(space.size().cells);
   dealii::KellyErrorEstimator<dim>::estimate(space.mapping(), space.dof_handler(),
                                              dealii::QGauss<dim - 1>(space.scalar_fe().degree + 1), {},
                                              nodal_values(space, displacement), jumps);

@@ -4,16 +4,21 @@
 
 #include <orthocone/base/errors.h>
 
+#include <deal.II/grid/cell_id.h>
 #include <deal.II/grid/tria_accessor.h>
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <string>
 
 namespace orthocone
 {
 namespace
 {
+template<int dim>
+constexpr double n_children = 1 << dim;
+
 /// Single cells are counted by meshing them, which must not itself be too much: a million hexahedra take a
 /// GB.
 void require_meshable(const double n_cells)
@@ -39,27 +44,56 @@ std::vector<bool> marks(const dealii::Triangulation<dim> &triangulation, const M
   }
   return is_marked;
 }
+
+/// Sets the refinement flags of a round.
+template<int dim>
+void mark(dealii::Triangulation<dim> &triangulation, const MeshOptions &options, const std::size_t round)
+{
+  const auto is_marked = marks(triangulation, options, round);
+  const auto n_marked = std::count(is_marked.begin(), is_marked.end(), true);
+  require_meshable(triangulation.n_active_cells() + (n_children<dim> - 1) * static_cast<double>(n_marked));
+  for (const auto &cell : triangulation.active_cell_iterators())
+    if (is_marked[cell->active_cell_index()])
+      cell->set_refine_flag();
+}
 } // namespace
 
 template<int dim>
 void refine(dealii::Triangulation<dim> &triangulation, const MeshOptions &options)
 {
-  constexpr double children = 1 << dim;
   if (!options.refined_cells.empty())
-    require_meshable(triangulation.n_active_cells() * std::pow(children, options.refinements));
+    require_meshable(triangulation.n_active_cells() * std::pow(n_children<dim>, options.refinements));
   triangulation.refine_global(options.refinements);
   for (std::size_t round = 0; round < options.refined_cells.size(); ++round)
   {
-    const auto is_marked = marks(triangulation, options, round);
-    const auto n_marked = std::count(is_marked.begin(), is_marked.end(), true);
-    require_meshable(triangulation.n_active_cells() + (children - 1) * static_cast<double>(n_marked));
-    for (const auto &cell : triangulation.active_cell_iterators())
-      if (is_marked[cell->active_cell_index()])
-        cell->set_refine_flag();
+    mark(triangulation, options, round);
     triangulation.execute_coarsening_and_refinement();
   }
   for (unsigned int i = 0; i < options.coarsenings; ++i)
     triangulation.coarsen_global();
+}
+
+void refine_shared(dealii::Triangulation<3> &shared, dealii::Triangulation<3> &whole,
+                   const MeshOptions &options)
+{
+  shared.refine_global(options.refinements);
+  if (!options.refined_cells.empty())
+    whole.refine_global(options.refinements);
+  for (std::size_t round = 0; round < options.refined_cells.size(); ++round)
+  {
+    mark(whole, options, round);
+    std::set<dealii::CellId> marked;
+    for (const auto &cell : whole.active_cell_iterators())
+      if (cell->refine_flag_set())
+        marked.insert(cell->id());
+    for (const auto &cell : shared.active_cell_iterators())
+      if (cell->is_locally_owned() && marked.count(cell->id()) > 0)
+        cell->set_refine_flag();
+    whole.execute_coarsening_and_refinement();
+    shared.execute_coarsening_and_refinement();
+  }
+  for (unsigned int i = 0; i < options.coarsenings; ++i)
+    shared.coarsen_global();
 }
 
 template void refine(dealii::Triangulation<2> &, const MeshOptions &);

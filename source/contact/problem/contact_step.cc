@@ -139,7 +139,7 @@ double ContactStep::near_residual(const VectorXd &unknowns) const
   if (near.body.rest.size() > 0)
   {
     map.conservativeResize(map.size() + 1);
-    map.tail<1>()[0] = near.body.rest.norm();
+    map.tail<1>()[0] = system_->compliance().norm(near.body.rest);
   }
   return residual_of(map, unknowns);
 }

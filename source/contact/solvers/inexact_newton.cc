@@ -22,7 +22,8 @@ struct BodyIterate
         displacement(std::move(displacement_)),
         body(std::move(body_)),
         linearization(linearize(step, unknowns, displacement, rho_factor)),
-        error(std::hypot(linearization.error, body.rest.norm()))
+        rest_norm(step.system().compliance().norm(body.rest)),
+        error(std::hypot(linearization.error, rest_norm))
   {
     linearization.conditions.rest = body.rest;
   }
@@ -31,7 +32,8 @@ struct BodyIterate
   NodeVector displacement;
   BodyPart body;
   Linearization linearization;
-  double error; ///< of the law and of the body's equilibrium, N
+  double rest_norm; ///< of what the body lacks, N
+  double error;     ///< of the law and of the body's equilibrium, N
 };
 
 /// Contact forces that carry what drives the face, as evenly as can be: where nothing touches yet, no force
@@ -150,7 +152,7 @@ SolverReport InexactNewton::solve(const ContactStep &step, VectorXd &unknowns) c
     trace.add(n, residual, step.force_scale(iterate.unknowns));
     if (residual > options_.tolerance)
       continue;
-    if (iterate.body.rest.norm() <= rest_share * wanted)
+    if (iterate.rest_norm <= rest_share * wanted)
     {
       if (is_solved(step, iterate, unknowns))
         break;

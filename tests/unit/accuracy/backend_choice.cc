@@ -3,7 +3,7 @@
 #include <orthocone/accuracy/backend_choice.h>
 
 #include <orthocone/accuracy/estimate.h>
-#include <orthocone/body/backends/multigrid_body.h>
+#include <orthocone/multigrid/multigrid_body.h>
 
 #include "body/even_mesh.h"
 

@@ -23,16 +23,16 @@ public:
   /// Row d: the global direction d (x, y, z) in local components (normal, x, y) of the node.
   Eigen::Matrix3d global_in_local(const std::size_t node) const { return axes_.global_in_local(node); }
 
-  /// ElasticBody::moved_with(), wrench(), with_motion().
+  /// ElasticBody::moved_with(), wrench(), with_motion(); `elastic` may have all local degrees of freedom.
   NodeVector moved_with(const RigidMotion &held) const;
   Wrench wrench(const NodeVector &force) const;
   Eigen::VectorXd with_motion(const RigidMotion &held, const Eigen::VectorXd &elastic) const;
 
-  /// Contact forces (N) as forces on the free degrees of freedom.
+  /// Contact forces (N) as forces on the free degrees of freedom of this process.
   Eigen::VectorXd on_free_unknowns(const NodeVector &force) const;
 
   /// Largest difference between displacements of the contact nodes and those of the free degrees of freedom,
-  /// mm.
+  /// mm, of all processes.
   double difference(const NodeVector &displacement, const Eigen::VectorXd &free) const;
 
 private:

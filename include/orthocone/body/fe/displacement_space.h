@@ -5,15 +5,23 @@
 #include <orthocone/body/body_unknowns.h>
 #include <orthocone/parameters/options.h>
 
+#include <deal.II/base/partitioner.h>
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
 #include <deal.II/fe/mapping_q.h>
+#include <deal.II/lac/affine_constraints.h>
 
 #include <Eigen/Dense>
 
+#include <memory>
+#include <vector>
+
 namespace orthocone
 {
+struct ContactFace;
+struct FaceNode;
+
 /// Displacement space FE_Q on a mesh: of a solid (u_x, u_y, u_z), isoparametric, or of a section (u_r, u_z).
 /// Forces and areas of a section are those of whole rings.
 ///
@@ -38,7 +46,24 @@ public:
   unsigned int n_quadrature_points() const { return n_quadrature_points_; }
   VolumetricQuadrature volumetric_quadrature() const { return volumetric_quadrature_; }
 
-  /// Number of the active cell that every face of the contact surface belongs to.
+  /// Which degrees of freedom of the DoFHandler this process owns or works with; their order here.
+  const std::shared_ptr<const dealii::Utilities::MPI::Partitioner> &partitioner() const
+  {
+    return partitioner_;
+  }
+  unsigned int local_dof(const dealii::types::global_dof_index dof) const
+  {
+    return partitioner_->global_to_local(dof);
+  }
+
+  /// Whether several processes share its cells.
+  bool is_shared() const;
+
+  /// Held and hanging degrees of freedom of all cells that this process knows as constraints, by the
+  /// DoFHandler's numbers: zero, or as others move them.
+  dealii::AffineConstraints<double> constraints() const;
+
+  /// Number of the active cell that every face of the contact surface belongs to, if it is of this process.
   const std::vector<unsigned int> &contact_cells() const { return contact_cells_; }
 
   using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
@@ -51,23 +76,22 @@ public:
   const Eigen::MatrixXd &axis_face_basis() const { return axis_face_basis_; }
 
 private:
-  std::vector<bool> held_dofs(TopFace top_face) const;
+  dealii::IndexSet held_dofs(TopFace top_face) const;
   void make_axis_face_basis();
-  void find_contact_surface();
-  void separate_hanging_nodes();
-  unsigned int hanging_place(ContactNode hanging);
-  void add_contact_face(const Cell &cell);
-  unsigned int contact_node(const Cell &cell, unsigned int point);
+  void find_contact_surface(const dealii::AffineConstraints<double> &hanging);
+  ContactFace contact_face(const Cell &cell, const dealii::AffineConstraints<double> &hanging);
+  FaceNode face_node(const Cell &cell, unsigned int point);
   Eigen::VectorXd face_weights(const Cell &cell) const;
 
   dealii::FE_Q<dim> scalar_fe_;
   dealii::FESystem<dim> fe_;
   dealii::MappingQ<dim> mapping_;
   dealii::DoFHandler<dim> dof_handler_;
+  dealii::IndexSet held_; ///< of all that this process knows
+  std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner_;
   unsigned int n_quadrature_points_;
   VolumetricQuadrature volumetric_quadrature_;
-  std::vector<unsigned int> hierarchic_;  ///< numbers in scalar_fe_ of the nodes in lexicographic order
-  std::vector<unsigned int> node_of_dof_; ///< of u_z
+  std::vector<unsigned int> hierarchic_; ///< numbers in scalar_fe_ of the nodes in lexicographic order
   std::vector<unsigned int> contact_cells_;
   // Of a section:
   std::vector<double> axis_face_points_; ///< 0 to 1

@@ -2,31 +2,29 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
+#include <orthocone/base/ranks.h>
 #include <orthocone/body/shapes/refinement.h>
 #include <orthocone/body/shapes/shape.h>
 
 #include <algorithm>
 #include <limits>
+#include <memory>
 
 namespace orthocone
 {
 /// Hexahedra of the modelled part of the body whose shape the options name. The mesh of a half or a quarter
 /// consists of exactly those cells of the full mesh that lie there. Where cells of different sizes meet,
-/// their edges differ by a factor of two at most, also across an edge or a corner.
+/// their edges differ by a factor of two at most, also across an edge or a corner. Several processes share
+/// the cells.
 class BodyMesh
 {
 public:
-  BodyMesh(const GeometryOptions &geometry, const MeshOptions &options, const SymmetryPlanes &planes)
-      : triangulation_(dealii::Triangulation<3>::limit_level_difference_at_vertices)
-  {
-    make_shape(geometry, options)->make_solid(planes, triangulation_);
-    refine(triangulation_, options);
-  }
+  BodyMesh(const GeometryOptions &geometry, const MeshOptions &options, const SymmetryPlanes &planes);
 
-  const dealii::Triangulation<3> &triangulation() const { return triangulation_; }
+  const dealii::Triangulation<3> &triangulation() const { return *triangulation_; }
 
 private:
-  dealii::Triangulation<3> triangulation_;
+  std::unique_ptr<dealii::Triangulation<3>> triangulation_;
 };
 
 /// Rectangles of the section (r, z) of a body of revolution.
@@ -53,6 +51,8 @@ double stretch(const dealii::Triangulation<dim> &triangulation)
   double largest = 1;
   for (const auto &cell : triangulation.active_cell_iterators())
   {
+    if (!cell->is_locally_owned())
+      continue;
     double longest = 0, shortest = std::numeric_limits<double>::max();
     for (const unsigned int line : cell->line_indices())
     {
@@ -61,7 +61,7 @@ double stretch(const dealii::Triangulation<dim> &triangulation)
     }
     largest = std::max(largest, longest / shortest);
   }
-  return largest;
+  return largest_of_ranks(largest);
 }
 
 /// Throws InputError if Mesh/Refined cells names a cell that the mesh of the model does not have, or

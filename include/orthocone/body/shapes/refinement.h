@@ -14,4 +14,9 @@ namespace orthocone
 /// Throws InputError for a number that no cell has, TooLargeError for millions of cells.
 template<int dim>
 void refine(dealii::Triangulation<dim> &triangulation, const MeshOptions &options);
+
+/// The same with the cells that several processes share. `whole`: the unrefined mesh, which every process
+/// refines for itself where single cells are halved: their numbers are those of one mesh.
+void refine_shared(dealii::Triangulation<3> &shared, dealii::Triangulation<3> &whole,
+                   const MeshOptions &options);
 } // namespace orthocone

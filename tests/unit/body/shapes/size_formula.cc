@@ -19,7 +19,7 @@ void expect_size_of(const Parameters &parameters, const ModelSymmetry &symmetry)
   body.make_pattern(pattern);
   const auto entries = static_cast<double>(pattern.n_nonzero_elements());
   const bool has_planes = symmetry.n_copies() > 1 || symmetry.is_axisymmetric();
-  EXPECT_EQ(size.cells, body.unknowns().n_cells());
+  EXPECT_EQ(size.cells, body.unknowns().size().cells);
   EXPECT_EQ(size.contact_nodes, body.unknowns().contact_surface().nodes.size());
   EXPECT_EQ(size.dofs, body.unknowns().n_dofs());
   EXPECT_NEAR(size.stiffness_entries, entries, (has_planes ? 0.2 : 1e-12) * entries)

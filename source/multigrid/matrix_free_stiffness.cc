@@ -70,7 +70,7 @@ public:
     for (unsigned int component = 0; component < 3; ++component)
       for (const unsigned int node : space_.scalar_fe().get_poly_space_numbering_inverse())
       {
-        *to = of_cell_[space_.fe().component_to_system_index(component, node)];
+        *to = space_.local_dof(of_cell_[space_.fe().component_to_system_index(component, node)]);
         to += lanes;
       }
     values_.reinit(static_cast<typename dealii::Triangulation<3>::cell_iterator>(cell));
@@ -89,7 +89,7 @@ private:
 
   unsigned int n_geometry() const { return CellBatches<Number>::n_geometry * values_.n_quadrature_points; }
 
-  /// Lanes without a cell stay as they are here: no volume, and a degree of freedom that is not free.
+  /// Lanes without a cell stay as they are here: no volume, and some degree of freedom.
   void add_batch()
   {
     batches_.dofs.resize(batches_.dofs.size() + of_cell_.size() * lanes, space_.n_dofs() - 1);
@@ -112,29 +112,33 @@ MatrixFreeStiffness<Number>::MatrixFreeStiffness(const Discretization &space, co
   BatchWriter<Number> writer(space, cells_);
   unsigned int n_cells = 0;
   for (const auto &cell : space.dof_handler().active_cell_iterators())
-    writer.add(cell, n_cells++ % Lanes<Number>::n);
+    if (cell->is_locally_owned())
+      writer.add(cell, n_cells++ % Lanes<Number>::n);
   if (!space.hanging().empty())
-    with_hanging_ = make_vector();
+    with_hanging_.resize(space.n_dofs());
 }
 
 template<typename Number>
 void MatrixFreeStiffness<Number>::vmult(BodyVector<Number> &forces,
                                         const BodyVector<Number> &displacement) const
 {
-  Assert(std::all_of(displacement.begin() + space_.n_free(), displacement.end(),
+  Assert(std::all_of(displacement.begin() + space_.n_free(), displacement.begin() + space_.n_owned(),
                      [](const Number held) { return held == 0; }),
          dealii::ExcMessage("a held degree of freedom moves"));
   const HangingDofs &hanging = space_.hanging();
   forces = 0;
+  displacement.update_ghost_values();
   if (hanging.empty())
     add_products(cells_, displacement.begin(), forces.begin());
   else
   {
-    with_hanging_ = displacement;
-    hanging.distribute(with_hanging_.begin());
-    add_products(cells_, with_hanging_.begin(), forces.begin());
+    std::copy_n(displacement.begin(), space_.n_dofs(), with_hanging_.begin());
+    hanging.distribute(with_hanging_.data());
+    add_products(cells_, with_hanging_.data(), forces.begin());
     hanging.collect(forces.begin());
   }
+  displacement.zero_out_ghost_values();
+  forces.compress(dealii::VectorOperation::add);
   clear_held(forces);
 }
 
@@ -146,6 +150,7 @@ BodyVector<Number> MatrixFreeStiffness<Number>::diagonal() const
   const Eigen::VectorXd beside_hanging = diagonal_beside_hanging_nodes(space_, material_);
   for (Eigen::Index i = 0; i < beside_hanging.size(); ++i)
     diagonal.local_element(i) += static_cast<Number>(beside_hanging[i]);
+  diagonal.compress(dealii::VectorOperation::add);
   clear_held(diagonal);
   return diagonal;
 }
@@ -153,7 +158,7 @@ BodyVector<Number> MatrixFreeStiffness<Number>::diagonal() const
 template<typename Number>
 void MatrixFreeStiffness<Number>::clear_held(BodyVector<Number> &vector) const
 {
-  std::fill(vector.begin() + space_.n_free(), vector.end(), Number{0});
+  std::fill(vector.begin() + space_.n_free(), vector.begin() + space_.n_owned(), Number{0});
 }
 
 template class MatrixFreeStiffness<float>;

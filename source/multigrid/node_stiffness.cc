@@ -2,8 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include "node_stiffness.h"
 
-#include "../../fe/cell_dofs.h"
-#include "../../fe/dof_places.h"
+#include <orthocone/body/fe/cell_dofs.h>
 
 #include <orthocone/body/fe/stiffness.h>
 
@@ -22,7 +21,7 @@ std::vector<unsigned int> rows_by_node(const Discretization &space)
   std::vector<unsigned int> row_of_dof(space.n_dofs(), none);
   unsigned int next = 0;
   for (const auto &cell : space.dof_handler().active_cell_iterators())
-    for (const auto dof : dofs_by_node<3>(cell))
+    for (const auto dof : dofs_by_node(space, cell))
       if (row_of_dof[dof] == none)
         row_of_dof[dof] = next++; // the three of a node are new together
   return row_of_dof;
@@ -164,14 +163,13 @@ void NodeStiffness::clear_held(dealii::Vector<double> &vector) const
 
 std::vector<double> NodeStiffness::rigid_motions() const
 {
-  const Eigen::Matrix3Xd positions = positions_of(space_.mapping(), space_.dof_handler());
   Eigen::MatrixXd motions = Eigen::MatrixXd::Zero(n_rows(), n_rigid_motions);
   for (unsigned int dof = 0; dof < n_rows(); ++dof)
   {
     const unsigned int row = row_of_dof_[dof], d = row % 3;
     motions(row, d) = 1;
     for (unsigned int axis = 0; axis < 3; ++axis)
-      motions(row, 3 + axis) = Eigen::Vector3d::Unit(axis).cross(positions.col(dof))[d];
+      motions(row, 3 + axis) = Eigen::Vector3d::Unit(axis).cross(space_.position(dof))[d];
   }
   return {motions.data(), motions.data() + motions.size()};
 }

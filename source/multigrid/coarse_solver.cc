@@ -5,7 +5,7 @@
 #include "algebraic_coarse.h"
 #include "factorized_coarse.h"
 
-#include <orthocone/body/backends/multigrid_body.h>
+#include <orthocone/multigrid/multigrid_body.h>
 
 namespace orthocone
 {

@@ -4,6 +4,9 @@
 
 #include "contact_change.h"
 
+#include <orthocone/base/ranks.h>
+
+#include <cmath>
 #include <utility>
 
 namespace orthocone
@@ -85,9 +88,11 @@ void MultigridCompliance::learn(const NodeVector &force, const BodyPart &body) c
 /// A direction that symmetry holds has a compliance of its own.
 NodeVector MultigridCompliance::of_nodes(const BodyVector<double> &body, const NodeVector &force) const
 {
-  NodeVector displacement(force.size());
+  NodeVector displacement = NodeVector::Zero(force.size());
   for (std::size_t i = 0; i < frame_.nodes().size(); ++i)
   {
+    if (!frame_.nodes()[i].is_here())
+      continue;
     const auto place = 3 * static_cast<Index>(i);
     const Vector3d pushed = frame_.global_in_local(i) * force.segment<3>(place);
     Vector3d moved;
@@ -96,6 +101,7 @@ NodeVector MultigridCompliance::of_nodes(const BodyVector<double> &body, const N
                                               : of_nodes_[static_cast<Index>(i)] * pushed[d];
     displacement.segment<3>(place) = frame_.global_in_local(i).transpose() * moved;
   }
+  sum_over_ranks(displacement.data(), static_cast<std::size_t>(displacement.size()));
   return displacement;
 }
 
@@ -124,6 +130,11 @@ Eigen::Matrix3d MultigridCompliance::diagonal_block(const Index node) const
 std::unique_ptr<ConditionSolver> MultigridCompliance::condition_solver(double) const
 {
   return std::make_unique<WholeBodyConditions>(frame_, stiffness_, cycle_);
+}
+
+double MultigridCompliance::norm(const VectorXd &rest) const
+{
+  return std::sqrt(sum_over_ranks(rest.squaredNorm()));
 }
 
 /// A scale: it need not be accurate, and solutions are dear. One V-cycle is close to one.

@@ -10,7 +10,7 @@ void HeldStiffness::add_displacement(Vector &displacement, const Vector &free) c
 {
   displacement += free;
   for (std::size_t i = 0; i < nodes_.size(); ++i)
-    if (relations_[i].hold == Hold::normal)
+    if (nodes_[i].is_here() && relations_[i].hold == Hold::normal)
       displacement.local_element(nodes_[i].dofs[2]) -= relations_[i].follows.dot(tangential(free, nodes_[i]));
 }
 
@@ -20,7 +20,7 @@ void HeldStiffness::vmult(Vector &result, const Vector &free) const
   add_displacement(displacement, free);
   stiffness_.vmult(result, displacement);
   for (std::size_t i = 0; i < nodes_.size(); ++i)
-    if (relations_[i].hold == Hold::normal)
+    if (nodes_[i].is_here() && relations_[i].hold == Hold::normal)
       add_tangential<double>(result, nodes_[i], relations_[i].robin * tangential(free, nodes_[i]));
   test(result);
 }
@@ -29,7 +29,7 @@ void HeldStiffness::vmult(Vector &result, const Vector &free) const
 void HeldStiffness::test(Vector &forces) const
 {
   for (std::size_t i = 0; i < nodes_.size(); ++i)
-    if (relations_[i].hold == Hold::normal)
+    if (nodes_[i].is_here() && relations_[i].hold == Hold::normal)
       add_tangential<double>(forces, nodes_[i],
                              relations_[i].coupling * forces.local_element(nodes_[i].dofs[2]));
   clear_held(forces);
@@ -38,7 +38,7 @@ void HeldStiffness::test(Vector &forces) const
 void HeldStiffness::clear_held(Vector &vector) const
 {
   for (std::size_t i = 0; i < nodes_.size(); ++i)
-    if (relations_[i].hold != Hold::nothing)
+    if (nodes_[i].is_here() && relations_[i].hold != Hold::nothing)
     {
       vector.local_element(nodes_[i].dofs[2]) = 0;
       if (relations_[i].hold == Hold::all)
@@ -50,7 +50,7 @@ HeldStiffness::Vector HeldStiffness::given() const
 {
   Vector displacement = stiffness_.make_vector();
   for (std::size_t i = 0; i < nodes_.size(); ++i)
-    if (relations_[i].hold != Hold::nothing)
+    if (nodes_[i].is_here() && relations_[i].hold != Hold::nothing)
     {
       displacement.local_element(nodes_[i].dofs[2]) = relations_[i].displacement[2];
       add_tangential<double>(displacement, nodes_[i], relations_[i].displacement.head<2>());
@@ -66,6 +66,8 @@ HeldStiffness::Vector HeldStiffness::right_side(const Vector &forces, const Eige
     right_side.local_element(i) += rest[i];
   for (std::size_t i = 0; i < nodes_.size(); ++i)
   {
+    if (!nodes_[i].is_here())
+      continue;
     add_tangential<double>(right_side, nodes_[i], relations_[i].force.head<2>());
     if (relations_[i].hold == Hold::nothing)
       right_side.local_element(nodes_[i].dofs[2]) += relations_[i].force[2];

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include "refined_body.h"
 
-#include "body/backends/multigrid/held_stiffness.h"
+#include "multigrid/held_stiffness.h"
 
 #include <gtest/gtest.h>
 

@@ -2,8 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include "refined_body.h"
 
-#include "body/backends/multigrid/algebraic_coarse.h"
-#include "body/backends/multigrid/held_stiffness.h"
+#include "multigrid/algebraic_coarse.h"
+#include "multigrid/held_stiffness.h"
 
 #include <gtest/gtest.h>
 
@@ -142,7 +142,7 @@ TEST(AlgebraicCoarse, DoesWithoutCoarserMeshes)
   {
     const RefinedBody refined(default_geometry, cells_without_hierarchy(degree, n), quarter, LocalAxes(0),
                               CoarseMethod::algebraic);
-    EXPECT_EQ(refined.body.discretization.n_cells(), 6 * n * n * n);
+    EXPECT_EQ(refined.body.discretization.size().cells, 6 * n * n * n);
     EXPECT_LE(iterations(refined, pressed_base(refined), most_iterations), most_iterations) << degree;
   }
 }

@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include "contact_change.h"
 
+#include <orthocone/base/ranks.h>
+
 #include <utility>
 
 namespace orthocone
@@ -23,10 +25,12 @@ ContactChange contact_change(const ContactFrame &frame, const BodyVector<double>
     change.body.displacement[i] = displacement.local_element(i);
     left[i] += forces.local_element(i);
   }
-  change.force.resize(3 * frame.nodes().size());
-  change.displacement.resize(change.force.size());
+  change.force.setZero(3 * frame.nodes().size());
+  change.displacement.setZero(change.force.size());
   for (std::size_t i = 0; i < frame.nodes().size(); ++i)
   {
+    if (!frame.nodes()[i].is_here())
+      continue;
     Vector3d force = Vector3d::Zero(), moved = Vector3d::Zero();
     for (unsigned int d = 0; d < 3; ++d)
       if (frame.nodes()[i].is_free[d])
@@ -39,6 +43,8 @@ ContactChange contact_change(const ContactFrame &frame, const BodyVector<double>
     change.force.segment<3>(place) = frame.global_in_local(i).transpose() * force;
     change.displacement.segment<3>(place) = frame.global_in_local(i).transpose() * moved;
   }
+  sum_over_ranks(change.force.data(), static_cast<std::size_t>(change.force.size()));
+  sum_over_ranks(change.displacement.data(), static_cast<std::size_t>(change.displacement.size()));
   left *= -1;
   if (rest.size() > 0)
     left -= rest;

@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
+#include <orthocone/body/fe/displacement_space.h>
+
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/lac/sparse_matrix.h>
 
@@ -11,10 +13,10 @@
 
 namespace orthocone
 {
-/// Degrees of freedom of a cell, numbered node by node.
+/// Local degrees of freedom of a cell, numbered node by node.
 template<int dim>
-std::vector<dealii::types::global_dof_index>
-dofs_by_node(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell)
+std::vector<dealii::types::global_dof_index> dofs_by_node(const DisplacementSpace<dim> &space,
+                                                          const typename DisplacementSpace<dim>::Cell &cell)
 {
   const auto &fe = cell->get_fe();
   std::vector<dealii::types::global_dof_index> dofs(fe.n_dofs_per_cell());
@@ -23,7 +25,7 @@ dofs_by_node(const typename dealii::DoFHandler<dim>::active_cell_iterator &cell)
   for (unsigned int i = 0; i < dofs.size(); ++i)
   {
     const auto [component, node] = fe.system_to_component_index(i);
-    sorted[dim * node + component] = dofs[i];
+    sorted[dim * node + component] = space.local_dof(dofs[i]);
   }
   return sorted;
 }

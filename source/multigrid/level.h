@@ -37,7 +37,7 @@ public:
   const std::vector<NodeRelation> &relations() const { return relations_; }
 
   void vmult(Vector &result, const Vector &vector) const;
-  dealii::types::global_dof_index m() const { return space_.n_dofs(); }
+  dealii::types::global_dof_index m() const { return space_.size().dofs; }
 
   /// Sets held directions to zero.
   void clear_held(Vector &vector) const;

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include <orthocone/body/backends/multigrid_body.h>
+#include <orthocone/multigrid/multigrid_body.h>
 
 #include "multigrid_compliance.h"
 
+#include <orthocone/base/ranks.h>
 #include <orthocone/base/stopwatch.h>
 #include <orthocone/body/node_compliance.h>
 
@@ -93,7 +94,11 @@ VectorXd MultigridBody::elastic_displacement(const NodeVector &force) const
 
 VectorXd MultigridBody::with_motion(const RigidMotion &held, const VectorXd &elastic) const
 {
-  return modules_->frame.with_motion(held, elastic);
+  BodyVector<double> displacement = modules_->stiffness->make_vector();
+  std::copy(elastic.begin(), elastic.end(), displacement.begin());
+  displacement.update_ghost_values();
+  return modules_->frame.with_motion(
+      held, Eigen::Map<const VectorXd>(displacement.begin(), static_cast<Index>(unknowns().n_dofs())));
 }
 
 VectorXd MultigridBody::prolonged(const VectorXd &coarser) const
@@ -112,7 +117,8 @@ BodyMismatch MultigridBody::mismatch(const NodeVector &force, const NodeVector &
   double rest = 0;
   for (Index i = 0; i < forces.size(); ++i)
     rest += (image.local_element(i) - forces[i]) * (image.local_element(i) - forces[i]);
-  mismatch.unbalanced = rest == 0 ? 0 : std::sqrt(rest) / forces.norm();
+  rest = sum_over_ranks(rest);
+  mismatch.unbalanced = rest == 0 ? 0 : std::sqrt(rest / sum_over_ranks(forces.squaredNorm()));
   mismatch.displacement = modules_->frame.difference(elastic, mismatch.volume);
   return mismatch;
 }

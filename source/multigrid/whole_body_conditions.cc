@@ -5,6 +5,8 @@
 #include "contact_change.h"
 #include "held_stiffness.h"
 
+#include <orthocone/base/ranks.h>
+
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/solver_gmres.h>
 
@@ -38,7 +40,7 @@ WholeBodyConditions::relations_of(const std::vector<NodeCondition> &conditions) 
 /// What the conditions ask for, N: an inexact Newton step must leave no more than a share of it.
 static double size_of(const ContactConditions &conditions)
 {
-  double sum = conditions.rest.squaredNorm() + conditions.face_right_side.squaredNorm();
+  double sum = sum_over_ranks(conditions.rest.squaredNorm()) + conditions.face_right_side.squaredNorm();
   for (const NodeCondition &node : conditions.nodes)
     sum += node.right_side.squaredNorm() + node.fixed.squaredNorm();
   return std::sqrt(sum);

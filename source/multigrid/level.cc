@@ -37,7 +37,7 @@ void Level::invert_blocks()
   blocks_.assign(relations_.size(), Eigen::Matrix2f::Zero());
   robin_.assign(relations_.size(), Eigen::Matrix2f::Zero());
   for (std::size_t i = 0; i < relations_.size(); ++i)
-    if (relations_[i].hold == Hold::normal)
+    if (nodes()[i].is_here() && relations_[i].hold == Hold::normal)
     {
       Eigen::Matrix2d block =
           bounded_robin(relations_[i], 1 / inverse_diagonal_.local_element(nodes()[i].dofs[2]));
@@ -50,11 +50,11 @@ void Level::invert_blocks()
 
 void Level::clear_held(Vector &vector) const
 {
-  for (unsigned int i = space_.n_free(); i < space_.n_dofs(); ++i)
+  for (unsigned int i = space_.n_free(); i < space_.n_owned(); ++i)
     vector.local_element(i) = 0;
   for (std::size_t i = 0; i < relations_.size(); ++i)
   {
-    if (relations_[i].hold == Hold::nothing)
+    if (!nodes()[i].is_here() || relations_[i].hold == Hold::nothing)
       continue;
     vector.local_element(nodes()[i].dofs[2]) = 0;
     if (relations_[i].hold == Hold::all)
@@ -66,7 +66,7 @@ void Level::vmult(Vector &result, const Vector &vector) const
 {
   stiffness_.vmult(result, vector);
   for (std::size_t i = 0; i < relations_.size(); ++i)
-    if (relations_[i].hold == Hold::normal)
+    if (nodes()[i].is_here() && relations_[i].hold == Hold::normal)
       add_tangential<float>(result, nodes()[i],
                             robin_[i] * tangential(vector, nodes()[i]) +
                                 relations_[i].coupling.cast<float>() *
@@ -79,7 +79,7 @@ void Level::Jacobi::vmult(Vector &result, const Vector &vector) const
   result = vector;
   result.scale(level_.inverse_diagonal_);
   for (std::size_t i = 0; i < level_.relations_.size(); ++i)
-    if (level_.relations_[i].hold == Hold::normal)
+    if (level_.nodes()[i].is_here() && level_.relations_[i].hold == Hold::normal)
       set_tangential<float>(result, level_.nodes()[i],
                             level_.blocks_[i] * tangential(vector, level_.nodes()[i]));
   level_.clear_held(result);

@@ -8,13 +8,15 @@
 
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <vector>
+
 namespace orthocone
 {
 template<typename Number>
 using BodyVector = dealii::LinearAlgebra::distributed::Vector<Number>;
 
 /// Products with the stiffness of a body without its entries, cell by cell. Vectors hold all degrees of
-/// freedom, mm or N; those of the held and of the hanging ones are zero.
+/// freedom that this process owns, mm or N; those of the held and of the hanging ones are zero.
 template<typename Number>
 class MatrixFreeStiffness
 {
@@ -22,7 +24,7 @@ public:
   /// `space` must outlive this.
   MatrixFreeStiffness(const Discretization &space, const MaterialOptions &material);
 
-  BodyVector<Number> make_vector() const { return BodyVector<Number>(space_.n_dofs()); }
+  BodyVector<Number> make_vector() const { return BodyVector<Number>(space_.partitioner()); }
   void vmult(BodyVector<Number> &forces, const BodyVector<Number> &displacement) const;
 
   /// N/mm; 0 at held and at hanging degrees of freedom.
@@ -34,6 +36,6 @@ private:
   const Discretization &space_;
   MaterialOptions material_;
   CellBatches<Number> cells_;
-  mutable BodyVector<Number> with_hanging_; ///< displacement, where nodes hang
+  mutable std::vector<Number> with_hanging_; ///< displacement, where nodes hang
 };
 } // namespace orthocone

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include "body/backends/multigrid/refined_body.h"
+#include "multigrid/refined_body.h"
 
 #include <orthocone/body/fe/cell_fields.h>
 #include <orthocone/body/fe/stress_jumps.h>

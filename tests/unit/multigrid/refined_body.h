@@ -2,11 +2,11 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
-#include "body/backends/multigrid/elastic_solver.h"
-#include "body/backends/multigrid/whole_body_conditions.h"
 #include "body/bodies.h"
 #include "body/even_mesh.h"
 #include "body/mpi.h"
+#include "multigrid/elastic_solver.h"
+#include "multigrid/whole_body_conditions.h"
 
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>

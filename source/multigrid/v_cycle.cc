@@ -2,6 +2,10 @@
 // Copyright (C) 2026 the orthocone authors
 #include "v_cycle.h"
 
+#include "replicated_coarse.h"
+
+#include <orthocone/base/ranks.h>
+
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/numerics/rtree.h>
 
@@ -39,18 +43,10 @@ std::vector<std::size_t> nearest_nodes(const std::vector<ContactNode> &coarse,
   return nearest;
 }
 
-/// Held and hanging degrees of freedom as constraints: zero, or as others move them.
 dealii::AffineConstraints<float> constraints_of(const Discretization &space)
 {
   dealii::AffineConstraints<float> constraints;
-  for (unsigned int dof = space.n_free(); dof < space.n_dofs(); ++dof)
-  {
-    constraints.add_line(dof);
-    if (space.hanging().contains(dof))
-      for (const auto &[other, weight] : space.hanging().terms(dof))
-        constraints.add_entry(dof, other, static_cast<float>(weight));
-  }
-  constraints.close();
+  constraints.copy_from(space.constraints());
   return constraints;
 }
 
@@ -91,14 +87,16 @@ VCycle::VCycle(const Discretization &space, const MeshOptions &mesh, const Geome
         std::make_unique<Mesh>(triangulations.front(), with_degree(mesh, 1), geometry.top_face));
   for (std::size_t i = 0; i + 1 < triangulations.size(); ++i)
     meshes_.push_back(std::make_unique<Mesh>(triangulations[i], mesh, geometry.top_face));
-  coarsest_ = make_coarse_solver(space_of(0), material, on_coarsest);
+  coarsest_ = space.is_shared()
+                  ? std::make_unique<ReplicatedCoarse>(space_of(0), mesh, geometry, material, on_coarsest)
+                  : make_coarse_solver(space_of(0), material, on_coarsest);
   for (std::size_t level = 1; level <= meshes_.size(); ++level)
     levels_.push_back(std::make_unique<Level>(space_of(level), material));
   for (std::size_t level = 1; level <= meshes_.size(); ++level)
     connect(level);
   for (std::size_t level = 0; level <= meshes_.size(); ++level)
   {
-    const Vector vector = level == 0 ? Vector(space_of(0).n_dofs()) : levels_[level - 1]->make_vector();
+    const Vector vector = level == 0 ? Vector(space_of(0).partitioner()) : levels_[level - 1]->make_vector();
     work_.push_back({vector, vector, vector});
   }
 }
@@ -188,10 +186,11 @@ void VCycle::solve(const std::size_t level, Vector &displacement, const Vector &
 Eigen::VectorXd VCycle::prolonged(const Eigen::VectorXd &coarser) const
 {
   Vector &coarse = work_[levels_.size() - 1].displacement, &fine = work_.back().rest;
-  const double size = coarser.lpNorm<Eigen::Infinity>();
+  const double size = largest_of_ranks(coarser.lpNorm<Eigen::Infinity>());
   Eigen::VectorXd result = Eigen::VectorXd::Zero(finest_.n_free());
   if (size == 0)
     return result;
+  AssertThrow(coarser.size() == space_of(levels_.size() - 1).n_free(), dealii::ExcInternalError());
   coarse = 0;
   fine = 0;
   for (Eigen::Index i = 0; i < coarser.size(); ++i)
@@ -211,7 +210,7 @@ void VCycle::vmult(BodyVector<double> &displacement, const BodyVector<double> &f
   if (size == 0)
     return;
   Workspace &work = work_.back();
-  for (unsigned int i = 0; i < finest_.n_dofs(); ++i)
+  for (unsigned int i = 0; i < finest_.n_owned(); ++i)
     work.forces.local_element(i) = static_cast<float>(forces.local_element(i) / size);
   solve(levels_.size(), work.displacement, work.forces);
   for (unsigned int i = 0; i < finest_.n_free(); ++i)

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <vector>
+
+namespace orthocone
+{
+// The processes of one run, its ranks: several where mpirun has started them, else one. What is said here of
+// all ranks must be called by all of them.
+
+/// Whether a launcher of MPI has started this process.
+bool is_launched();
+
+unsigned int n_ranks();
+unsigned int this_rank();
+inline bool is_first_rank()
+{
+  return this_rank() == 0;
+}
+
+/// Sums over all ranks, entry by entry, with the same bits on each of them.
+void sum_over_ranks(double *values, std::size_t n);
+double sum_over_ranks(double value);
+double largest_of_ranks(double value);
+bool any_rank(bool value);
+
+/// What the first rank has, on all of them.
+bool of_first_rank(bool value);
+double of_first_rank(double value);
+std::string of_first_rank(std::string text);
+
+/// What every rank has, on the first one; nothing on the others.
+std::vector<std::string> gather_on_first(const std::string &text);
+
+void wait_for_all_ranks();
+} // namespace orthocone

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <memory>
+
+namespace orthocone
+{
+/// What belongs to a process that mpirun has started with others. The first one speaks for all.
+class Launch
+{
+public:
+  Launch(int argc, const char *const *argv);
+  ~Launch();
+
+  /// To be called when the exit code is known. Where a process fails, mpirun ends the others.
+  void end(int code);
+
+private:
+  struct Mpi;
+  std::unique_ptr<Mpi> mpi_;
+};
+
+/// Lets the first process say first why all fail, and end them.
+void leave_word_to_first_rank();
+} // namespace orthocone

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/base/ranks.h>
+
+#include <mpi.h>
+
+#include <algorithm>
+#include <cstdlib>
+#include <limits>
+#include <utility>
+
+namespace orthocone
+{
+namespace
+{
+bool is_started()
+{
+  int started = 0, ended = 0;
+  MPI_Initialized(&started);
+  MPI_Finalized(&ended);
+  return started != 0 && ended == 0;
+}
+
+unsigned int asked(int (*const ask)(MPI_Comm, int *), const int otherwise)
+{
+  int answer = otherwise;
+  if (is_started())
+    ask(MPI_COMM_WORLD, &answer);
+  return static_cast<unsigned int>(answer);
+}
+
+/// MPI counts in int.
+constexpr std::size_t most_at_once = std::numeric_limits<int>::max() / 2;
+constexpr int tag = 0;
+} // namespace
+
+bool is_launched()
+{
+  // Of Open MPI, of MPICH and its descendants, and of srun.
+  const char *const names[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"};
+  return std::any_of(std::begin(names), std::end(names),
+                     [](const char *const name) { return std::getenv(name) != nullptr; });
+}
+
+unsigned int n_ranks()
+{
+  return asked(MPI_Comm_size, 1);
+}
+
+unsigned int this_rank()
+{
+  return asked(MPI_Comm_rank, 0);
+}
+
+void sum_over_ranks(double *values, std::size_t n)
+{
+  if (n_ranks() == 1)
+    return;
+  for (std::size_t part = std::min(n, most_at_once); n > 0; n -= part, values += part)
+  {
+    part = std::min(n, most_at_once);
+    MPI_Allreduce(MPI_IN_PLACE, values, static_cast<int>(part), MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+  }
+}
+
+double sum_over_ranks(double value)
+{
+  sum_over_ranks(&value, 1);
+  return value;
+}
+
+double largest_of_ranks(double value)
+{
+  if (n_ranks() > 1)
+    MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_DOUBLE, MPI_MAX, MPI_COMM_WORLD);
+  return value;
+}
+
+bool any_rank(const bool value)
+{
+  return largest_of_ranks(value ? 1 : 0) > 0;
+}
+
+bool of_first_rank(const bool value)
+{
+  return any_rank(value && is_first_rank());
+}
+
+double of_first_rank(double value)
+{
+  if (n_ranks() > 1)
+    MPI_Bcast(&value, 1, MPI_DOUBLE, 0, MPI_COMM_WORLD);
+  return value;
+}
+
+std::string of_first_rank(std::string text)
+{
+  if (n_ranks() == 1)
+    return text;
+  unsigned long long size = text.size();
+  MPI_Bcast(&size, 1, MPI_UNSIGNED_LONG_LONG, 0, MPI_COMM_WORLD);
+  text.resize(size);
+  for (std::size_t at = 0; at < size; at += most_at_once)
+    MPI_Bcast(text.data() + at, static_cast<int>(std::min(most_at_once, text.size() - at)), MPI_CHAR, 0,
+              MPI_COMM_WORLD);
+  return text;
+}
+
+std::vector<std::string> gather_on_first(const std::string &text)
+{
+  std::vector<std::string> texts{text};
+  if (!is_first_rank())
+  {
+    unsigned long long size = text.size();
+    MPI_Send(&size, 1, MPI_UNSIGNED_LONG_LONG, 0, tag, MPI_COMM_WORLD);
+    for (std::size_t at = 0; at < size; at += most_at_once)
+      MPI_Send(text.data() + at, static_cast<int>(std::min(most_at_once, text.size() - at)), MPI_CHAR, 0, tag,
+               MPI_COMM_WORLD);
+    return {};
+  }
+  for (unsigned int rank = 1; rank < n_ranks(); ++rank)
+  {
+    const int from = static_cast<int>(rank);
+    unsigned long long size = 0;
+    MPI_Recv(&size, 1, MPI_UNSIGNED_LONG_LONG, from, tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+    std::string &other = texts.emplace_back(size, '\0');
+    for (std::size_t at = 0; at < size; at += most_at_once)
+      MPI_Recv(other.data() + at, static_cast<int>(std::min(most_at_once, other.size() - at)), MPI_CHAR, from,
+               tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
+  }
+  return texts;
+}
+
+void wait_for_all_ranks()
+{
+  if (n_ranks() > 1)
+    MPI_Barrier(MPI_COMM_WORLD);
+}
+} // namespace orthocone

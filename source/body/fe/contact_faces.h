@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/surface/contact_surface.h>
+
+#include <deal.II/base/partitioner.h>
+#include <deal.II/grid/cell_id.h>
+
+#include <boost/serialization/array.hpp>
+#include <boost/serialization/utility.hpp>
+#include <boost/serialization/vector.hpp>
+
+#include <array>
+#include <utility>
+#include <vector>
+
+namespace orthocone
+{
+/// A node of a contact face, by numbers that all processes know.
+struct FaceNode
+{
+  using Dof = dealii::types::global_dof_index;
+
+  std::array<Dof, 3> dofs; ///< of u_x, u_y, u_z
+  std::array<bool, 3> is_free;
+  std::array<double, 3> place; ///< mm
+  double weight;               ///< mm^2
+  bool hangs;
+  std::vector<std::pair<Dof, double>> movers; ///< of u_z, where it hangs
+
+  template<typename Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    archive &dofs &is_free &place &weight &hangs &movers;
+  }
+};
+
+/// A face of the contact surface, its nodes in lexicographic order.
+struct ContactFace
+{
+  dealii::CellId cell;
+  std::vector<FaceNode> nodes;
+
+  template<typename Archive>
+  void serialize(Archive &archive, const unsigned int)
+  {
+    archive &cell &nodes;
+  }
+};
+
+/// The surface that these faces make, the same on every process and whatever their number.
+class ContactFaces
+{
+public:
+  /// `of_this_process`: faces of the cells that it owns. `is_distributed`: others have more.
+  ContactFaces(std::vector<ContactFace> of_this_process, bool is_distributed);
+
+  /// In the order of the surface's faces.
+  const std::vector<ContactFace> &faces() const { return faces_; }
+
+  ContactSurface surface(unsigned int degree, const dealii::Utilities::MPI::Partitioner &partitioner) const;
+
+private:
+  std::vector<ContactFace> faces_;
+};
+} // namespace orthocone
