@@ -69,7 +69,7 @@ void Launch::end(const int code)
 
 void leave_word_to_first_rank()
 {
-  constexpr std::chrono::seconds enough{2};
+  constexpr std::chrono::seconds enough{10};
   if (!is_first_rank())
     std::this_thread::sleep_for(enough);
 }

@@ -245,7 +245,8 @@ int run(const CommandLine &line, const ParameterFile &file)
     keep_failure(folder, task, outcome.message);
   else
     wait_for_all_ranks(); // mpirun ends all processes when the first one fails, perhaps while another writes
-  return outcome.code == ExitCode::done ? static_cast<int>(outcome.code)
-                                        : fail(outcome.code, outcome.message);
+  const bool has_been_told = !is_thrown && !is_first_rank();
+  return outcome.code == ExitCode::done || has_been_told ? static_cast<int>(outcome.code)
+                                                         : fail(outcome.code, outcome.message);
 }
 } // namespace orthocone

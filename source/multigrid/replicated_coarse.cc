@@ -29,8 +29,7 @@ void ReplicatedCoarse::number(const Discretization &shared)
     if (cell->is_locally_owned())
     {
       cell->get_dof_indices(here);
-      const auto same = triangulation_.create_cell_iterator(cell->id());
-      Discretization::Cell(&triangulation_, same->level(), same->index(), &whole_->dof_handler())
+      Discretization::Cell(&triangulation_, cell->level(), cell->index(), &whole_->dof_handler())
           ->get_dof_indices(there);
       for (std::size_t i = 0; i < here.size(); ++i)
         if (const unsigned int dof = shared.local_dof(here[i]); dof < shared.n_free())

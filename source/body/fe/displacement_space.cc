@@ -170,7 +170,7 @@ void DisplacementSpace<dim>::find_contact_surface(const dealii::AffineConstraint
           AssertThrow(face == lower_face<dim>,
                       dealii::ExcMessage("the contact surface is not the lower face of a cell"));
           faces.push_back(contact_face(cell, hanging));
-          cells[cell->id()] = cell->active_cell_index();
+          cells[common_id(cell)] = cell->active_cell_index();
         }
   const ContactFaces all(std::move(faces), is_shared());
   contact_surface_ = all.surface(scalar_fe_.degree, *partitioner_);
@@ -189,7 +189,7 @@ ContactFace DisplacementSpace<dim>::contact_face(const Cell &cell,
   Eigen::VectorXd weights = face_weights(cell);
   if (has_axis_face(cell))
     weights = axis_face_values_.transpose() * weights;
-  ContactFace face{cell->id(), {}};
+  ContactFace face{common_id(cell), {}};
   for (unsigned int point = 0; point < weights.size(); ++point)
   {
     face.nodes.push_back(face_node(cell, point));

@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
+#include "../shapes/common_id.h"
+
 #include <orthocone/body/shapes/boundary.h>
 
 #include <deal.II/dofs/dof_handler.h>
@@ -52,7 +54,7 @@ owned_cells(const dealii::DoFHandler<dim> &dof_handler)
   std::vector<std::pair<dealii::CellId, Cell>> cells;
   for (const auto &cell : dof_handler.active_cell_iterators())
     if (cell->is_locally_owned())
-      cells.emplace_back(cell->id(), cell);
+      cells.emplace_back(common_id(cell), cell);
   std::sort(cells.begin(), cells.end(), [](const auto &a, const auto &b) { return a.first < b.first; });
   std::vector<Cell> sorted;
   for (const auto &cell : cells)

@@ -2,9 +2,10 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/body/shapes/refinement.h>
 
+#include "common_id.h"
+
 #include <orthocone/base/errors.h>
 
-#include <deal.II/grid/cell_id.h>
 #include <deal.II/grid/tria_accessor.h>
 
 #include <algorithm>
@@ -85,9 +86,9 @@ void refine_shared(dealii::Triangulation<3> &shared, dealii::Triangulation<3> &w
     std::set<dealii::CellId> marked;
     for (const auto &cell : whole.active_cell_iterators())
       if (cell->refine_flag_set())
-        marked.insert(cell->id());
+        marked.insert(common_id(cell));
     for (const auto &cell : shared.active_cell_iterators())
-      if (cell->is_locally_owned() && marked.count(cell->id()) > 0)
+      if (cell->is_locally_owned() && marked.count(common_id(cell)) > 0)
         cell->set_refine_flag();
     whole.execute_coarsening_and_refinement();
     shared.execute_coarsening_and_refinement();

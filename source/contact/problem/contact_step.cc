@@ -136,10 +136,11 @@ double ContactStep::near_residual(const VectorXd &unknowns) const
 {
   const ContactChange near = this->near(unknowns);
   VectorXd map = natural_map(unknowns, near.displacement);
-  if (near.body.rest.size() > 0)
+  // To be asked where this process has no part of the body, too.
+  if (const double rest = system_->compliance().norm(near.body.rest); rest > 0)
   {
     map.conservativeResize(map.size() + 1);
-    map.tail<1>()[0] = system_->compliance().norm(near.body.rest);
+    map.tail<1>()[0] = rest;
   }
   return residual_of(map, unknowns);
 }

@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""Scenes for multigrid, and what it means that two runs of one have the same states."""
+
+TOLERANCE = 1e-10  # of the contact solver, as by default
+ISOTROPIC = ["Mesh/Core cells=2", "Mesh/Rings=1", "Mesh/Core ratio=0.6", "Mesh/Layers=2"]
+BOX = ["Geometry/Shape=box", "Mesh/Cells=2, 4, 2"]
+FRETTING = ["Load program/Preload=Fz -5e5 : 2", "Load program/Legs=ux 0.01 : 2 ; ux -0.01 : 3", "Load program/Cycles=1"]
+ONE_CYCLE = ["Load program/Legs=0 0 -0.1 : 2 ; 0 0 0.0 : 4", "Load program/Cycles=1"]
+
+# Name: file, settings besides the mesh.
+SCENES = {
+    "case B": ("paper/case_b.prm", [*ISOTROPIC, *ONE_CYCLE, "Mesh/Refinements=1"]),
+    "case C, degree 3": ("paper/case_c.prm", [*ISOTROPIC, *ONE_CYCLE, "Mesh/Degree=3", "Mesh/Refinements=1"]),
+    "case C, degree 1": ("paper/case_c.prm", [*ISOTROPIC, *ONE_CYCLE, "Mesh/Degree=1", "Mesh/Refinements=2"]),
+    "no refinement": ("paper/case_b.prm", [*ISOTROPIC, *ONE_CYCLE]),
+    "one level": ("paper/case_b.prm", [*ISOTROPIC, *ONE_CYCLE, "Mesh/Degree=1"]),
+    "turned axes, full model": ("paper/case_c.prm", [*ISOTROPIC, *ONE_CYCLE, "Friction/Orthotropy angle=30",
+                                                     "Mesh/Refinements=1"]),
+    "slip axes that differ 100-fold": ("paper/case_b.prm", [*ISOTROPIC, "Load program/Legs=0 0 -0.1 : 2 ; 0 0 -0.05 : 2",
+                                                            "Load program/Cycles=1", "Mesh/Refinements=1",
+                                                            "Friction/Slip potential=0.01, 1"]),
+    "slip axes that differ 100-fold the other way": ("paper/case_b.prm", [*ISOTROPIC, *ONE_CYCLE, "Mesh/Refinements=1",
+                                                                          "Friction/Slip potential=1, 0.01"]),
+    "cells of three sizes": ("paper/case_c.prm", [*ISOTROPIC, *ONE_CYCLE, "Mesh/Refinements=1",
+                                                  "Mesh/Refined cells=1-3 16 28; 35-36 41-42 60"]),
+    "cells of two sizes, full model, degree 1": ("paper/case_b.prm", [*ISOTROPIC, *ONE_CYCLE, "Mesh/Model=full",
+                                                                      "Mesh/Degree=1", "Mesh/Refined cells=0-3 7 12"]),
+    "tall body": ("paper/case_c.prm", [*ISOTROPIC, "Mesh/Layers=8", "Geometry/Height=60", "Material/Poisson ratio=0",
+                                       "Mesh/Refinements=1", "Load program/Cycles=1",
+                                       "Load program/Legs=uz -0.05 : 2 ; ux 0.02 : 2 ; uy 0.02 : 2"]),
+    "guided": ("paper/case_b.prm", [*ISOTROPIC, *ONE_CYCLE, "Geometry/Top face=guided", "Mesh/Refinements=1"]),
+    "polar friction": ("verification/polar_friction.prm", [*ISOTROPIC, *ONE_CYCLE, "Mesh/Model=quarter",
+                                                           "Mesh/Refinements=1"]),
+    "fretting under a force": ("paper/case_b.prm", [*ISOTROPIC, *FRETTING, "Mesh/Refinements=1"]),
+    "sheared box on a wave": ("paper/case_c.prm", [*BOX, *FRETTING, "Mesh/Refinements=1",
+                                                   "Obstacle/Gap=0.002*(1-cos(x/3))"]),
+    "twisted": ("paper/case_b.prm", [*ISOTROPIC, "Load program/Legs=uz -0.05 : 2 ; rz 0.1 : 2 ; Mz 0 : 2",
+                                     "Load program/Cycles=1", "Mesh/Refinements=1"]),
+}
+COUNTS = {"step", "iterations", "residual", "n_open", "n_stick", "n_slip"}
+
+
+def numbers(rows):
+    """Columns that are numbers."""
+    columns = {}
+    for name in rows[0]:
+        if name not in COUNTS:
+            try:
+                columns[name] = [float(row[name]) for row in rows]
+            except ValueError:
+                pass
+    return columns
+
+
+def differences(first, second):
+    """Of each column that both runs have: the largest difference / (the tolerance x the column's scale). Areas and
+    energies sum what nodes err by."""
+    slip = max(abs(u) for key in ("ux", "uy", "uz") for u in first[key]) + 1e-9
+    force = max(abs(f) for key in ("force_x", "force_y", "force_z") for f in first[key])
+    scales = {"force_x": force, "force_y": force, "force_z": force, "max_slip": slip, "ux": slip, "uy": slip,
+              "uz": slip, "elastic_energy": force * slip, "dissipation": force * slip,
+              "total_dissipation": force * slip}
+    return {column: max(abs(a - b) for a, b in zip(first[column], second[column])) / (TOLERANCE * scale)
+            for column, scale in scales.items()}
