@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/accuracy/estimate.h>
 
+#include <orthocone/base/ranks.h>
 #include <orthocone/multigrid/multigrid_body.h>
 #include <orthocone/scene/load_program.h>
 
@@ -60,9 +61,10 @@ double multigrid_gigabytes(const Parameters &parameters, const ModelSize &size, 
   // Every level marches on its own, with a coarsest mesh of its own.
   const double n_levels =
       1. + parameters.mesh.refinements + static_cast<double>(parameters.mesh.refined_cells.size());
-  return program + (bytes_per_unknown * size.dofs) / bytes_per_gigabyte +
-         n_levels * cost_of_coarsest(on_coarsest(parameters), symmetry).gigabytes +
-         step_gigabytes(parameters.load, size.contact_nodes);
+  const double of_each = program + n_levels * cost_of_coarsest(on_coarsest(parameters), symmetry).gigabytes +
+                         step_gigabytes(parameters.load, size.contact_nodes);
+  // As if all processes ran on this machine.
+  return n_ranks() * of_each + (bytes_per_unknown * size.dofs) / bytes_per_gigabyte;
 }
 
 /// docs/performance.md, "Multigrid".

@@ -44,7 +44,7 @@ void on_signal(int)
 
 void catch_signals()
 {
-  speaks = is_first_rank() ? 1 : 0;
+  speaks = n_ranks() == 1 ? 1 : 0; // mpirun sends SIGTERM where a process has failed, too
   std::signal(SIGXFSZ, SIG_IGN);
   std::signal(SIGPIPE, SIG_IGN);
   struct sigaction action

@@ -6,7 +6,12 @@
 
 #include <deal.II/base/mpi.h>
 
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
 #include <chrono>
+#include <cstdlib>
 #include <iostream>
 #include <streambuf>
 #include <string>
@@ -23,14 +28,10 @@ struct Launch::Mpi
     int_type overflow(const int_type character) override { return traits_type::not_eof(character); }
   };
 
-  explicit Mpi(std::vector<std::string> given)
-      : words(std::move(given))
+  Mpi()
   {
-    for (std::string &word : words)
-      pointers.push_back(word.data());
-    int argc = static_cast<int>(pointers.size());
-    pointers.push_back(nullptr);
-    char **argv = pointers.data();
+    int argc = 1; // other words are not for libraries
+    char **argv = words.data();
     session = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc, argv, 1);
     if (!is_first_rank())
       before = std::cout.rdbuf(&nowhere);
@@ -44,8 +45,8 @@ struct Launch::Mpi
   Mpi(const Mpi &) = delete;
   Mpi &operator=(const Mpi &) = delete;
 
-  std::vector<std::string> words;
-  std::vector<char *> pointers;
+  std::string name = "orthocone";
+  std::array<char *, 2> words{{name.data(), nullptr}};
   Nowhere nowhere;
   std::streambuf *before = nullptr;
   std::unique_ptr<dealii::Utilities::MPI::MPI_InitFinalize> session;
@@ -53,8 +54,24 @@ struct Launch::Mpi
 
 Launch::Launch(const int argc, const char *const *const argv)
 {
-  if (is_launched())
-    mpi_ = std::make_unique<Mpi>(std::vector<std::string>(argv, argv + argc));
+  const bool is_batch =
+      std::any_of(argv, argv + argc, [](const std::string &word) { return word == "--batch"; });
+  if (is_launched() && !is_batch)
+    mpi_ = std::make_unique<Mpi>();
+  else
+    forget_launcher();
+}
+
+/// Processes of a batch are runs of their own, each of which may start MPI.
+void Launch::forget_launcher()
+{
+  std::vector<std::string> names;
+  for (char **variable = environ; *variable != nullptr; ++variable)
+    for (const std::string start : {"OMPI_COMM_WORLD_", "OMPI_MCA_ess", "OMPI_MCA_orte_", "PMIX_", "PMI_"})
+      if (std::string(*variable).compare(0, start.size(), start) == 0)
+        names.push_back(std::string(*variable).substr(0, std::string(*variable).find('=')));
+  for (const std::string &name : names)
+    ::unsetenv(name.c_str());
 }
 
 Launch::~Launch() = default;
@@ -64,7 +81,7 @@ void Launch::end(const int code)
   if (code == 0)
     mpi_.reset();
   else if (mpi_ != nullptr)
-    static_cast<void>(mpi_.release()); // it would wait for the others
+    MPI_Abort(MPI_COMM_WORLD, code); // others may wait for this one
 }
 
 void leave_word_to_first_rank()

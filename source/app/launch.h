@@ -17,6 +17,8 @@ public:
   void end(int code);
 
 private:
+  static void forget_launcher();
+
   struct Mpi;
   std::unique_ptr<Mpi> mpi_;
 };

@@ -86,7 +86,9 @@ int dispatch(const int argc, const char *const *const argv)
   {
     require_address_space();
     catch_signals();
+    require_file_for_all(line.parameter_file);
     const ParameterFile file = read_parameter_file(line.parameter_file, line.overrides);
+    require_same_for_all(line, file.parameters);
     return line.check ? check(line, file.parameters) : run(line, file);
   }
   if (!std::cout.flush())

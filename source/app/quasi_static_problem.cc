@@ -139,7 +139,7 @@ void QuasiStaticProblem::begin(const std::optional<Checkpoint> &checkpoint)
     log_.line("warning: the steps before were computed by version " + checkpoint->program +
               ", these are by " + program_version() + "; last digits may differ");
   state_ = checkpoint->state;
-  solver_.restore(part_of_this_rank(checkpoint->starts, checkpoint->n_ranks));
+  solver_.restore(checkpoint->starts);
   if (checkpoint->n_ranks != n_ranks())
     solver_.settle(state_);
   totals_ = compute_totals(evaluator_, state_);
@@ -177,12 +177,12 @@ void QuasiStaticProblem::save_checkpoint()
 {
   const Stopwatch watch;
   take_stock();
-  const StartMemory starts = gathered(solver_.memory());
+  StartMemory starts = gathered(solver_.memory());
   output_.flush();
   if (is_first_rank())
     write_checkpoint(folder_, {entry_values(chosen_.given), entry_values(parameters_), gap_file_,
-                               program_version(), folder_.tables(), output_.fields(), state_, starts,
-                               cycles_.memory(), record_, n_ranks()});
+                               program_version(), folder_.tables(), output_.fields(), state_,
+                               std::move(starts), cycles_.memory(), record_, n_ranks()});
   since_checkpoint_ = Stopwatch();
   record_.seconds.output += watch.seconds();
   // Writing takes a twentieth of the time at most, unless every step was asked for.

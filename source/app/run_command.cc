@@ -11,6 +11,7 @@
 #include <orthocone/base/text.h>
 #include <orthocone/body/backends/stiffness_factor.h>
 #include <orthocone/body/shapes/mesh_ladder.h>
+#include <orthocone/march/rank_memory.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -18,6 +19,7 @@
 #include <new>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 namespace orthocone
 {
@@ -154,7 +156,21 @@ std::optional<Checkpoint> checkpoint_to_resume(const Assignment &task, const Run
   if (!task.line.resume || n_ranks() == 1)
     return checkpoint;
   const std::string bytes = of_first_rank(checkpoint ? encode(*checkpoint) : std::string());
-  return bytes.empty() ? std::nullopt : std::optional(decode(bytes));
+  checkpoint = bytes.empty() ? std::nullopt : std::optional(decode(bytes));
+  if (checkpoint)
+    checkpoint->starts = part_of_this_rank(std::move(checkpoint->starts), checkpoint->n_ranks);
+  return checkpoint;
+}
+
+/// Throws InputError for a run of one process that several cannot go on with.
+void go_on(Assignment &task, const Checkpoint &checkpoint)
+{
+  if (checkpoint.n_ranks == n_ranks())
+    task.threads.go_on_with(checkpoint.record.threads.number);
+  if (n_ranks() > 1 && chosen_by(checkpoint, task.file.parameters).mesh.backend != BodyBackend::multigrid)
+    throw InputError(shown_path(task.line.parameter_file) +
+                     ": Mesh/Backend = condensed, as the run has chosen, with " + std::to_string(n_ranks()) +
+                     " processes: allowed for --resume is one process");
 }
 
 /// The mesh, the folder, and the steps. Throws what the libraries throw.
@@ -164,7 +180,7 @@ QuasiStaticProblem::Outcome solve(Assignment &task, const RunFolder &folder)
   folder.require_own(probe_files(given.output.probes));
   const auto checkpoint = checkpoint_to_resume(task, folder);
   if (checkpoint)
-    task.threads.go_on_with(checkpoint->record.threads.number);
+    go_on(task, *checkpoint);
   // A search may take minutes: what is wrong with the folder is told before, and an older run in it is no
   // longer there to be resumed.
   if (searches(given) && !checkpoint)
@@ -243,10 +259,10 @@ int run(const CommandLine &line, const ParameterFile &file)
   }
   if (is_thrown)
     keep_failure(folder, task, outcome.message);
-  else
-    wait_for_all_ranks(); // mpirun ends all processes when the first one fails, perhaps while another writes
-  const bool has_been_told = !is_thrown && !is_first_rank();
-  return outcome.code == ExitCode::done || has_been_told ? static_cast<int>(outcome.code)
-                                                         : fail(outcome.code, outcome.message);
+  const bool is_to_tell = outcome.code != ExitCode::done && (is_thrown || is_first_rank());
+  const int code = is_to_tell ? fail(outcome.code, outcome.message) : static_cast<int>(outcome.code);
+  if (!is_thrown)
+    wait_for_all_ranks(); // the first one to fail ends all, perhaps while another writes
+  return code;
 }
 } // namespace orthocone

@@ -6,11 +6,37 @@
 #include <orthocone/base/errors.h>
 #include <orthocone/base/ranks.h>
 #include <orthocone/base/text.h>
+#include <orthocone/output/checkpoint.h>
 
+#include <filesystem>
+#include <sstream>
 #include <string>
+#include <system_error>
 
 namespace orthocone
 {
+void require_file_for_all(const std::string &path)
+{
+  std::error_code code;
+  const auto status = std::filesystem::status(path, code);
+  if (n_ranks() > 1 && std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    throw InputError(shown_path(path) + ": is no regular file: allowed with " + std::to_string(n_ranks()) +
+                     " processes is a file that all of them can read");
+}
+
+void require_same_for_all(const CommandLine &line, const Parameters &parameters)
+{
+  if (n_ranks() == 1)
+    return;
+  std::ostringstream told;
+  write_parameters(parameters, told);
+  told << gap_file_checksum(parameters.obstacle) << line.output_folder << line.threads << line.check
+       << line.resume << line.insist;
+  if (any_rank(told.str() != of_first_rank(told.str())))
+    throw InputError(shown_path(line.parameter_file) + ": not all of the " + std::to_string(n_ranks()) +
+                     " processes have the same entries and options: allowed is one command for all");
+}
+
 void require_shareable(const Parameters &parameters, const ModelChoice &model)
 {
   if (n_ranks() == 1)
@@ -30,7 +56,8 @@ void require_shareable(const Parameters &parameters, const ModelChoice &model)
   if (parameters.mesh.backend == BodyBackend::condensed)
     refuse("Mesh/Backend", "condensed", "multigrid");
   if (model.symmetry.is_axisymmetric())
-    refuse("Mesh/Model", "section", "full, half or quarter: only multigrid is shared, and has no sections");
+    refuse("Mesh/Model", model.symmetry.name(),
+           "full, half or quarter: only multigrid is shared, and has no sections");
   if (parameters.mesh.backend == BodyBackend::automatic && !multigrid_can(parameters, model.symmetry))
     refuse("Mesh/Backend", "auto",
            "what multigrid can compute: newton or guided, full volumetric quadrature");

@@ -2,11 +2,20 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
+#include "command_line.h"
+
 #include <orthocone/parameters/parameters.h>
 #include <orthocone/scene/model_choice.h>
 
+#include <string>
+
 namespace orthocone
 {
+/// Several processes read the same file, each for itself. Throw InputError for one that they cannot all read
+/// from its beginning, such as a pipe, and where they have been told different things.
+void require_file_for_all(const std::string &path);
+void require_same_for_all(const CommandLine &line, const Parameters &parameters);
+
 /// Throws InputError for what several processes cannot compute together.
 void require_shareable(const Parameters &parameters, const ModelChoice &model);
 } // namespace orthocone

@@ -3,6 +3,7 @@
 #include "elastic_solver.h"
 
 #include <orthocone/base/errors.h>
+#include <orthocone/base/ranks.h>
 
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
@@ -125,7 +126,11 @@ const std::vector<Eigen::VectorXd> &ElasticSolver::settle(const Vector &forces, 
 
 void ElasticSolver::restore(const std::vector<Eigen::VectorXd> &settled) const
 {
-  settled_ = settled;
+  // Those of another division of the body are no use.
+  const auto fits = [&](const Eigen::VectorXd &state)
+  { return static_cast<std::size_t>(state.size()) == stiffness_.make_vector().locally_owned_size(); };
+  const bool is_known = !any_rank(!std::all_of(settled.begin(), settled.end(), fits));
+  settled_ = is_known ? settled : std::vector<Eigen::VectorXd>();
   known_.clear();
   energies_.resize(0, 0);
   Vector displacement = stiffness_.make_vector(), forces = stiffness_.make_vector();

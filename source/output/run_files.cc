@@ -27,8 +27,9 @@ std::optional<std::string> filled_in(const std::string &pattern, const std::stri
   if (after.find_first_of(placeholders) != std::string::npos)
   {
     const std::size_t end = name.find_first_not_of("0123456789", place);
-    const bool fits =
-        name.compare(0, place, before) == 0 && end != std::string::npos && filled_in(after, name.substr(end));
+    const auto process = end == std::string::npos ? std::nullopt : filled_in(after, name.substr(end));
+    const bool fits = name.compare(0, place, before) == 0 && process && !process->empty() &&
+                      process->find_first_not_of("0123456789") == std::string::npos;
     return fits ? std::optional(name.substr(place, end - place)) : std::nullopt;
   }
   if (name.size() < before.size() + after.size() || name.compare(0, before.size(), before) != 0 ||

@@ -21,7 +21,8 @@ enum class FileKind
 
 struct RunFile
 {
-  /// A name; "*" stands for any text and is the last of these, "#" for the number of a step (4 to 9 digits).
+  /// A name; "*" stands for any text, "#" for the number of a step (4 to 9 digits), "*" behind it for that of
+  /// a process.
   const char *pattern;
   FileKind kind;
   const char *what;

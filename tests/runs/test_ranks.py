@@ -142,6 +142,15 @@ class ResumedTest(RanksTest):
         self.assert_done(1, "grown", settings=short)
         self.assert_same(whole, self.assert_done(2, "grown", "--resume", settings=self.SETTINGS))
 
+    def test_a_condensed_run_cannot_be_shared(self):
+        """The backend was chosen when it began."""
+        settings = [setting for setting in self.SETTINGS if setting != MULTIGRID]
+        self.assert_done(1, "run", settings=[setting.replace("Cycles=2", "Cycles=1") for setting in settings])
+        result = self.run_shared(2, "run", "--resume", settings=settings)
+        self.assertEqual(result.returncode, WRONG_INPUT)
+        self.assertIn("Mesh/Backend = condensed, as the run has chosen, with 2 processes", result.stderr)
+        self.assert_done(1, "run", "--resume", settings=settings)
+
     def test_a_piece_that_is_missing(self):
         self.assert_done(2, "run", settings=[*self.SETTINGS, "Load program/Cycles=1"])
         (self.folder / "run/volume-0003.1.vtu").unlink()
@@ -168,11 +177,24 @@ class OneVoiceTest(RanksTest):
 
     def test_what_is_not_shared_is_refused(self):
         self.assert_refused("Mesh/Backend = condensed with 2 processes: allowed is multigrid", "Mesh/Backend=condensed")
-        self.assert_refused("Mesh/Model = section with 2 processes", file=ROOT / "prm/paper/case_a.prm")
+        self.assert_refused("Mesh/Model = axisymmetric with 2 processes", file=ROOT / "prm/paper/case_a.prm")
         self.assert_refused("Mesh/Accuracy = 1 with 2 processes", "Mesh/Accuracy=1 %")
         self.assert_refused("Mesh/Adaptive = 1 with 2 processes", "Mesh/Adaptive=1")
         self.assert_refused("Load program/Accuracy = 1 with 2 processes", "Load program/Accuracy=1 %")
         self.assert_refused("Mesh/Backend = auto with 2 processes", "Contact solver/Method=uzawa")
+
+    def test_files_that_differ(self):
+        """One process cannot know what the others have read."""
+        files = [self.folder / f"{rank}.prm" for rank in (0, 1)]
+        for rank, file in enumerate(files):
+            file.write_text(f"include {self.FILE}\nsubsection Material\n  set Young modulus = {rank + 1}e5\nend\n")
+        command = [str(word) for word in self.shared(2, "run", settings=SMALL[:-1])]
+        command[command.index(str(self.FILE))] = "$OMPI_COMM_WORLD_RANK.prm"
+        words = " ".join(f'"{word}"' for word in command[4:])
+        result = subprocess.run([*command[:4], "sh", "-c", words], cwd=self.folder, env=ENVIRONMENT, text=True,
+                                capture_output=True, timeout=600, check=False)
+        self.assertEqual(result.returncode, WRONG_INPUT, result.stderr)
+        self.assertIn("not all of the 2 processes have the same entries", result.stderr)
 
     def test_wrong_input_is_told_once(self):
         self.assert_refused("Material/Young modulus", "Material/Young modulus=-1")

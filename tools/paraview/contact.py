@@ -17,7 +17,7 @@ import xml.etree.ElementTree
 import numpy as np
 from paraview import simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
-from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+from vtkmodules.vtkIOXML import vtkXMLPUnstructuredGridReader, vtkXMLUnstructuredGridReader
 
 # Pressure and stress are singular at edges: their colours cover these parts of the area and of the volume.
 PRESSURE_WITHIN, STRESS_WITHIN = 0.95, 0.99
@@ -47,7 +47,8 @@ class Grid:
     """Fields of a .vtu file at its points."""
 
     def __init__(self, path):
-        reader, errors = vtkXMLUnstructuredGridReader(), []
+        pieces = pathlib.Path(path).suffix == ".pvtu"
+        reader, errors = (vtkXMLPUnstructuredGridReader if pieces else vtkXMLUnstructuredGridReader)(), []
         reader.AddObserver("ErrorEvent", lambda *_: errors.append(True))
         reader.SetFileName(str(path))
         reader.GlobalWarningDisplayOff()

@@ -84,11 +84,10 @@ def _run(words, folder, threads):
 
 @contextlib.contextmanager
 def ran(words, programs, threads=None):
-    """Runs the command in a folder that is gone afterwards; `programs` maps first words to files."""
+    """Runs the command in a folder that is gone afterwards; `programs` maps words to files."""
     with tempfile.TemporaryDirectory(prefix="orthocone-study-") as name:
         folder = pathlib.Path(name)
-        real = [str(programs.get(words[0], words[0])), *(str(folder / "run") if word == RUN_FOLDER else str(word)
-                                                          for word in words[1:])]
+        real = [str(programs.get(word, word)) if word != RUN_FOLDER else str(folder / "run") for word in words]
         yield _run(real, folder, threads)
 
 

@@ -46,6 +46,13 @@ std::vector<bool> marks(const dealii::Triangulation<dim> &triangulation, const M
   return is_marked;
 }
 
+template<int dim>
+void require_meshable(const dealii::Triangulation<dim> &unrefined, const MeshOptions &options)
+{
+  if (!options.refined_cells.empty())
+    require_meshable(unrefined.n_active_cells() * std::pow(n_children<dim>, options.refinements));
+}
+
 /// Sets the refinement flags of a round.
 template<int dim>
 void mark(dealii::Triangulation<dim> &triangulation, const MeshOptions &options, const std::size_t round)
@@ -62,8 +69,7 @@ void mark(dealii::Triangulation<dim> &triangulation, const MeshOptions &options,
 template<int dim>
 void refine(dealii::Triangulation<dim> &triangulation, const MeshOptions &options)
 {
-  if (!options.refined_cells.empty())
-    require_meshable(triangulation.n_active_cells() * std::pow(n_children<dim>, options.refinements));
+  require_meshable(triangulation, options);
   triangulation.refine_global(options.refinements);
   for (std::size_t round = 0; round < options.refined_cells.size(); ++round)
   {
@@ -77,6 +83,7 @@ void refine(dealii::Triangulation<dim> &triangulation, const MeshOptions &option
 void refine_shared(dealii::Triangulation<3> &shared, dealii::Triangulation<3> &whole,
                    const MeshOptions &options)
 {
+  require_meshable(whole, options);
   shared.refine_global(options.refinements);
   if (!options.refined_cells.empty())
     whole.refine_global(options.refinements);

@@ -137,7 +137,7 @@ double ContactStep::near_residual(const VectorXd &unknowns) const
   const ContactChange near = this->near(unknowns);
   VectorXd map = natural_map(unknowns, near.displacement);
   // To be asked where this process has no part of the body, too.
-  if (const double rest = system_->compliance().norm(near.body.rest); rest > 0)
+  if (const double rest = system_->compliance().norm(near.body.rest); !(rest == 0))
   {
     map.conservativeResize(map.size() + 1);
     map.tail<1>()[0] = rest;
