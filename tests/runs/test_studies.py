@@ -106,7 +106,7 @@ class StudyCommandTest(RunTest):
             with self.subTest(name=name):
                 rows = self.rows_of(name)
                 self.assertGreater(len(rows), 0)
-                self.assertTrue(all(row["command"].startswith("build/") for row in rows))
+                self.assertTrue(all(row["command"].startswith(("build/", "mpirun ")) for row in rows))
         pictures = {file.stem for file in self.folder.glob("*.png")}
         self.assertGreaterEqual(len(pictures), len(names))
         self.assertEqual(pictures, {file.stem for file in self.folder.glob("*.svg")})
