@@ -59,7 +59,8 @@ void require_shareable(const Parameters &parameters, const ModelChoice &model)
     refuse("Mesh/Model", model.symmetry.name(),
            "full, half or quarter: only multigrid is shared, and has no sections");
   if (parameters.mesh.backend == BodyBackend::automatic && !multigrid_can(parameters, model.symmetry))
-    refuse("Mesh/Backend", "auto",
-           "what multigrid can compute: newton or guided, full volumetric quadrature");
+    refuse(
+        "Mesh/Backend", "auto",
+        "what multigrid can compute: Contact solver/Method = newton and Mesh/Volumetric quadrature = full");
 }
 } // namespace orthocone

@@ -127,13 +127,13 @@ const std::vector<Eigen::VectorXd> &ElasticSolver::settle(const Vector &forces, 
 void ElasticSolver::restore(const std::vector<Eigen::VectorXd> &settled) const
 {
   // Those of another division of the body are no use.
-  const auto fits = [&](const Eigen::VectorXd &state)
-  { return static_cast<std::size_t>(state.size()) == stiffness_.make_vector().locally_owned_size(); };
+  Vector displacement = stiffness_.make_vector(), forces = stiffness_.make_vector();
+  const auto fits = [n = displacement.locally_owned_size()](const Eigen::VectorXd &state)
+  { return static_cast<std::size_t>(state.size()) == n; };
   const bool is_known = !any_rank(!std::all_of(settled.begin(), settled.end(), fits));
   settled_ = is_known ? settled : std::vector<Eigen::VectorXd>();
   known_.clear();
   energies_.resize(0, 0);
-  Vector displacement = stiffness_.make_vector(), forces = stiffness_.make_vector();
   for (const Eigen::VectorXd &state : settled_)
   {
     std::copy(state.begin(), state.end(), displacement.begin());

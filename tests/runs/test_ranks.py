@@ -12,7 +12,6 @@ import signal
 import subprocess
 import sys
 import time
-import unittest
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from multigrid_scenes import ISOTROPIC, ONE_CYCLE, SCENES, differences, numbers  # noqa: E402
@@ -222,6 +221,4 @@ class OneVoiceTest(RanksTest):
 
 
 if __name__ == "__main__":
-    if shutil.which("mpirun") is None:
-        raise unittest.SkipTest("there is no mpirun")
     main()

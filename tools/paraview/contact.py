@@ -45,10 +45,9 @@ class RunError(Exception):
 
 class Grid:
     """Fields of a .vtu file at its points."""
-
     def __init__(self, path):
-        pieces = pathlib.Path(path).suffix == ".pvtu"
-        reader, errors = (vtkXMLPUnstructuredGridReader if pieces else vtkXMLUnstructuredGridReader)(), []
+        is_list = str(path).endswith(".pvtu")  # of the pieces of several processes
+        reader, errors = (vtkXMLPUnstructuredGridReader if is_list else vtkXMLUnstructuredGridReader)(), []
         reader.AddObserver("ErrorEvent", lambda *_: errors.append(True))
         reader.SetFileName(str(path))
         reader.GlobalWarningDisplayOff()
