@@ -74,7 +74,12 @@ DenseCompliance::DenseCompliance(Eigen::MatrixXd matrix)
 
 void DenseCompliance::vmult(NodeVector &displacement, const NodeVector &force) const
 {
-  displacement.noalias() = matrix_.selfadjointView<Eigen::Lower>() * force;
+  if (force.size() != last_force_.size() || force != last_force_)
+  {
+    last_displacement_.noalias() = matrix_.selfadjointView<Eigen::Lower>() * force;
+    last_force_ = force;
+  }
+  displacement = last_displacement_;
 }
 
 Eigen::Matrix3d DenseCompliance::diagonal_block(const Eigen::Index node) const

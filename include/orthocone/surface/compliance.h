@@ -65,7 +65,8 @@ public:
 double largest_eigenvalue(Eigen::Index n_nodes, double settled,
                           const std::function<NodeVector(const NodeVector &)> &product);
 
-/// Compliance stored as a dense matrix.
+/// Compliance stored as a dense matrix. Remembers the last product, because solver, report and results ask
+/// for the same one; so only one thread at a time may ask.
 class DenseCompliance : public Compliance
 {
 public:
@@ -80,5 +81,7 @@ public:
 
 private:
   Eigen::MatrixXd matrix_;
+  mutable NodeVector last_force_{};
+  mutable NodeVector last_displacement_{};
 };
 } // namespace orthocone

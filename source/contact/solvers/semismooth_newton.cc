@@ -105,7 +105,7 @@ SemismoothNewton::SemismoothNewton(const ContactSystem &system, const ContactSol
 void SemismoothNewton::iterate_while_it_pays(Progress &progress) const
 {
   constexpr unsigned int most_iterations = 12;
-  constexpr double paying_reduction = 0.7; // a sweep costs far less than an iteration that gains less
+  constexpr double paying_reduction = 0.9; // what sweeps gain costs more (docs/performance.md)
   constexpr double inexactness = 0.01;     // tighter costs more products than it saves iterations
   const ContactStep &step = progress.step;
   Iterate best(step, progress.unknowns, step.displacement(progress.unknowns), options_.rho_factor);

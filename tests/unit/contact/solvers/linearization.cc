@@ -74,6 +74,23 @@ TEST(InnerCompliance, StiffnessOfAFewNodesIsTheInverse)
   EXPECT_LT((inner.multiply_stiffness(inner.multiply(force)) - force).norm(), 1e-3F);
 }
 
+/// Also where it is asked for the same again, and for what is nearly the same.
+TEST(DenseCompliance, AnswersWhatItIsAsked)
+{
+  const Eigen::MatrixXd w = grid_compliance(2);
+  const DenseCompliance compliance(w);
+  NodeVector force = NodeVector::LinSpaced(w.rows(), -1, 3), displacement;
+  const auto error = [&]
+  {
+    compliance.vmult(displacement, force);
+    return (displacement - w * force).norm();
+  };
+  EXPECT_LT(error(), 1e-14);
+  force[1] += 1e-9;
+  EXPECT_LT(error(), 1e-14);
+  EXPECT_LT(error(), 1e-14);
+}
+
 /// Along Newton's direction the natural map falls at the rate at which it would vanish after one step.
 TEST(Linearization, PointsToTheZeroOfTheLinearizedMap)
 {
