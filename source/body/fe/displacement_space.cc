@@ -160,6 +160,9 @@ void DisplacementSpace<dim>::make_axis_face_basis()
 template<int dim>
 void DisplacementSpace<dim>::find_contact_surface(const dealii::AffineConstraints<double> &hanging)
 {
+  dealii::FEFaceValues<dim> values(mapping_, scalar_fe_, dealii::QGauss<dim - 1>(scalar_fe_.degree + 1),
+                                   dealii::update_values | dealii::update_quadrature_points |
+                                       dealii::update_JxW_values);
   std::vector<ContactFace> faces;
   std::map<dealii::CellId, unsigned int> cells;
   for (const auto &cell : dof_handler_.active_cell_iterators())
@@ -169,7 +172,8 @@ void DisplacementSpace<dim>::find_contact_surface(const dealii::AffineConstraint
         {
           AssertThrow(face == lower_face<dim>,
                       dealii::ExcMessage("the contact surface is not the lower face of a cell"));
-          faces.push_back(contact_face(cell, hanging));
+          values.reinit(typename dealii::Triangulation<dim>::active_cell_iterator(cell), face);
+          faces.push_back(contact_face(cell, face_weights(values), hanging));
           cells[common_id(cell)] = cell->active_cell_index();
         }
   const ContactFaces all(std::move(faces), is_shared());
@@ -183,10 +187,9 @@ void DisplacementSpace<dim>::find_contact_surface(const dealii::AffineConstraint
 }
 
 template<int dim>
-ContactFace DisplacementSpace<dim>::contact_face(const Cell &cell,
+ContactFace DisplacementSpace<dim>::contact_face(const Cell &cell, Eigen::VectorXd weights,
                                                  const dealii::AffineConstraints<double> &hanging)
 {
-  Eigen::VectorXd weights = face_weights(cell);
   if (has_axis_face(cell))
     weights = axis_face_values_.transpose() * weights;
   ContactFace face{common_id(cell), {}};
@@ -231,12 +234,8 @@ FaceNode DisplacementSpace<dim>::face_node(const Cell &cell, const unsigned int 
 
 /// Integrals of the shape functions of FE_Q over a contact face, or its ring, mm^2.
 template<int dim>
-Eigen::VectorXd DisplacementSpace<dim>::face_weights(const Cell &cell) const
+Eigen::VectorXd DisplacementSpace<dim>::face_weights(const dealii::FEFaceValues<dim> &values) const
 {
-  dealii::FEFaceValues<dim> values(mapping_, scalar_fe_, dealii::QGauss<dim - 1>(scalar_fe_.degree + 1),
-                                   dealii::update_values | dealii::update_quadrature_points |
-                                       dealii::update_JxW_values);
-  values.reinit(typename dealii::Triangulation<dim>::active_cell_iterator(cell), lower_face<dim>);
   const unsigned int n_side = scalar_fe_.degree + 1;
   Eigen::VectorXd weights = Eigen::VectorXd::Zero(dim == 2 ? n_side : n_side * n_side);
   for (unsigned int i = 0; i < weights.size(); ++i)

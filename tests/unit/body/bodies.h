@@ -98,18 +98,22 @@ internal_forces(const Discretization &discretization,
   return forces;
 }
 
-/// Strain of a finite element displacement at a quadrature point of the cell on which `values` stand.
-inline Stress strain_at(const dealii::FEValues<3> &values, const unsigned int q,
-                        const dealii::DoFHandler<3> &dof_handler, const Eigen::VectorXd &displacement)
+/// Strains of a finite element displacement at the quadrature points of the cell on which `values` stand.
+inline std::vector<Stress> strains_in_cell(const dealii::FEValues<3> &values,
+                                           const dealii::DoFHandler<3> &dof_handler,
+                                           const Eigen::VectorXd &displacement)
 {
   const dealii::DoFHandler<3>::active_cell_iterator cell(
       &dof_handler.get_triangulation(), values.get_cell()->level(), values.get_cell()->index(), &dof_handler);
   std::vector<dealii::types::global_dof_index> dofs(dof_handler.get_fe().n_dofs_per_cell());
   cell->get_dof_indices(dofs);
-  Stress strain;
-  for (unsigned int i = 0; i < dofs.size(); ++i)
-    strain += displacement[dofs[i]] * values[dealii::FEValuesExtractors::Vector(0)].symmetric_gradient(i, q);
-  return strain;
+  std::vector<double> of_cell;
+  for (const auto dof : dofs)
+    of_cell.push_back(displacement[static_cast<Eigen::Index>(dof)]);
+  std::vector<Stress> strains(values.n_quadrature_points);
+  values[dealii::FEValuesExtractors::Vector(0)].get_function_symmetric_gradients_from_local_dof_values(
+      of_cell, strains);
+  return strains;
 }
 
 /// Position of every degree of freedom.

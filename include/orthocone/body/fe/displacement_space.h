@@ -9,6 +9,7 @@
 #include <deal.II/dofs/dof_handler.h>
 #include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_system.h>
+#include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping_q.h>
 #include <deal.II/lac/affine_constraints.h>
 
@@ -79,9 +80,10 @@ private:
   dealii::IndexSet held_dofs(TopFace top_face) const;
   void make_axis_face_basis();
   void find_contact_surface(const dealii::AffineConstraints<double> &hanging);
-  ContactFace contact_face(const Cell &cell, const dealii::AffineConstraints<double> &hanging);
+  ContactFace contact_face(const Cell &cell, Eigen::VectorXd weights,
+                           const dealii::AffineConstraints<double> &hanging);
   FaceNode face_node(const Cell &cell, unsigned int point);
-  Eigen::VectorXd face_weights(const Cell &cell) const;
+  Eigen::VectorXd face_weights(const dealii::FEFaceValues<dim> &values) const;
 
   dealii::FE_Q<dim> scalar_fe_;
   dealii::FESystem<dim> fe_;

@@ -21,8 +21,9 @@ VectorXd forces_of(const LoadableBody &body, const VectorXd &displacement)
   const auto &discretization = body.discretization;
   return internal_forces(
       discretization,
-      [&](const dealii::FEValues<3> &values, const unsigned int q)
-      { return stress_of(strain_at(values, q, discretization.dof_handler(), displacement), body.lame); },
+      [&](const dealii::FEValues<3> &values, const unsigned int q) {
+        return stress_of(strains_in_cell(values, discretization.dof_handler(), displacement)[q], body.lame);
+      },
       discretization.n_quadrature_points());
 }
 } // namespace
