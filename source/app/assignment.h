@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include "command_line.h"
+#include "thread_chooser.h"
+
+#include <orthocone/output/run_folder.h>
+#include <orthocone/parameters/parameters.h>
+#include <orthocone/scene/model_choice.h>
+
+#include <filesystem>
+#include <iostream>
+#include <string>
+
+namespace orthocone
+{
+/// What a run is asked for, and what it says before it has a log.
+struct Assignment
+{
+  const CommandLine &line;
+  const ParameterFile &file;
+  const ModelChoice model;
+  ThreadChooser threads;
+  std::string lines{}; ///< for log.txt, which begins when it is known that the run does
+
+  void tell(const std::string &text)
+  {
+    lines += text + "\n";
+    if (!line.quiet)
+      std::cout << text << std::endl;
+  }
+};
+
+/// Path of the parameter file, to tell it from others of its name.
+std::string path_of(const CommandLine &line);
+
+/// Where the results go.
+std::filesystem::path run_folder_of(const CommandLine &line);
+
+/// Puts the parameters into the run folder: as the user wrote them, and complete.
+void keep_parameters(const RunFolder &folder, Assignment &task, const Parameters &parameters);
+
+/// The same for a run that goes on, perhaps with more cycles, probes or fields than it began with.
+void update_parameters(const RunFolder &folder, const Assignment &task, const Parameters &parameters);
+} // namespace orthocone
