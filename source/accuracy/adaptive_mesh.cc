@@ -5,11 +5,13 @@
 #include <orthocone/accuracy/backend_choice.h>
 #include <orthocone/accuracy/first_cycle.h>
 #include <orthocone/accuracy/memory_need.h>
+#include <orthocone/base/ranks.h>
 #include <orthocone/body/fe/stress_jumps.h>
 #include <orthocone/body/shapes/boundary.h>
 
 #include <algorithm>
 #include <numeric>
+#include <utility>
 
 namespace orthocone
 {
@@ -35,12 +37,13 @@ public:
   WatchOfSpace(const Scene &scene, const DisplacementSpace<dim> &space)
       : scene_(scene),
         space_(space),
-        squared_errors_(VectorXd::Zero(space_.size().cells)),
-        is_on_border_(space_.size().cells, false)
+        squared_errors_(VectorXd::Zero(space_.dof_handler().get_triangulation().n_active_cells())),
+        is_on_border_(squared_errors_.size(), false)
   {
     for (const auto &cell : space.dof_handler().active_cell_iterators())
-      is_on_border_[cell->active_cell_index()] =
-          is_at(cell, Boundary::contact_surface) && is_at(cell, Boundary::lateral_surface);
+      is_on_border_[cell->active_cell_index()] = cell->is_locally_owned() &&
+                                                 is_at(cell, Boundary::contact_surface) &&
+                                                 is_at(cell, Boundary::lateral_surface);
   }
 
   bool accepts(const MarchedStep &solved) override
@@ -56,29 +59,49 @@ public:
     const VectorXd elastic = scene_.body().elastic_displacement(state.force);
     squared_errors_ += squared_jumps(space_, scene_.body().with_motion({}, elastic));
     for (std::size_t face = 0; face < space_.contact_cells().size(); ++face)
-      if (is_mixed(space_.contact_surface().faces[face], state.status))
+      if (space_.contact_cells()[face] < is_on_border_.size() && // of this process
+          is_mixed(space_.contact_surface().faces[face], state.status))
         is_on_border_[space_.contact_cells()[face]] = true;
   }
 
   std::vector<CellRange> cells_to_halve() const override
   {
     constexpr double share = 0.5;
-    std::vector<bool> is_marked = is_on_border_;
-    std::vector<unsigned int> order(space_.size().cells);
+    const auto [errors, border] = of_all_cells();
+    std::vector<bool> is_marked(errors.size());
+    for (std::size_t i = 0; i < is_marked.size(); ++i)
+      is_marked[i] = border[i] > 0;
+    std::vector<unsigned int> order(errors.size());
     std::iota(order.begin(), order.end(), 0);
     std::stable_sort(order.begin(), order.end(),
-                     [&](const unsigned int a, const unsigned int b)
-                     { return squared_errors_[a] > squared_errors_[b]; });
-    double rest = share * squared_errors_.sum();
+                     [&errors = errors](const unsigned int a, const unsigned int b)
+                     { return errors[a] > errors[b]; });
+    double rest = share * errors.sum();
     for (std::size_t i = 0; i < order.size() && rest > 0; ++i)
     {
       is_marked[order[i]] = true;
-      rest -= squared_errors_[order[i]];
+      rest -= errors[order[i]];
     }
     return ranges_of(is_marked);
   }
 
 private:
+  /// By their numbers in Mesh/Refined cells: the squared errors, and 1 on the border. The same on all ranks.
+  std::pair<VectorXd, VectorXd> of_all_cells() const
+  {
+    VectorXd errors = VectorXd::Zero(space_.size().cells), border = errors;
+    const std::vector<unsigned int> numbers = scene_.body().mesh().cell_numbers();
+    for (std::size_t i = 0; i < numbers.size(); ++i)
+      if (numbers[i] < errors.size())
+      {
+        errors[numbers[i]] = squared_errors_[i];
+        border[numbers[i]] = is_on_border_[i];
+      }
+    sum_over_ranks(errors.data(), errors.size());
+    sum_over_ranks(border.data(), border.size());
+    return {errors, border};
+  }
+
   static bool is_at(const typename DisplacementSpace<dim>::Cell &cell, const Boundary boundary)
   {
     for (const unsigned int face : cell->face_indices())
@@ -103,7 +126,7 @@ private:
 
   const Scene &scene_;
   const DisplacementSpace<dim> &space_;
-  VectorXd squared_errors_;
+  VectorXd squared_errors_; ///< by active cells; zero in those of other processes
   std::vector<bool> is_on_border_;
   bool ends_leg_ = false;
 };

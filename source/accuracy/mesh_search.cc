@@ -7,6 +7,7 @@
 #include <orthocone/accuracy/first_cycle.h>
 #include <orthocone/accuracy/memory_need.h>
 #include <orthocone/base/memory.h>
+#include <orthocone/base/ranks.h>
 #include <orthocone/base/stopwatch.h>
 #include <orthocone/body/shapes/mesh_ladder.h>
 #include <orthocone/parameters/values.h>
@@ -140,11 +141,12 @@ ChosenModel choose_mesh(const Parameters &parameters, const ModelChoice &choice,
                         const Quantities &steps, const double larger)
 {
   const double wanted = parameters.mesh.accuracy;
+  const double gigabytes = of_first_rank(memory_limit().gigabytes); // all must find the same
   Quantities steps_share{};
   for (unsigned int i = 0; i < n_quantities; ++i)
     steps_share[i] = beyond(steps[i], larger, wanted);
   if (wanted != 0)
-    return find_mesh(parameters, choice, tell, memory_limit().gigabytes, steps_share,
+    return find_mesh(parameters, choice, tell, gigabytes, steps_share,
                      beyond(share_of_steps * larger, larger, wanted));
   ChosenModel chosen{parameters, parameters};
   MeshOptions &mesh = chosen.parameters.mesh;
@@ -152,10 +154,10 @@ ChosenModel choose_mesh(const Parameters &parameters, const ModelChoice &choice,
   if (mesh.adaptive != 0)
   {
     const Stopwatch watch;
-    mesh = adapted_mesh(chosen.parameters, choice, tell, memory_limit().gigabytes);
+    mesh = adapted_mesh(chosen.parameters, choice, tell, gigabytes);
     chosen.search_seconds = watch.seconds();
   }
-  const BackendChoice backend = choose_backend(chosen.parameters, choice.symmetry, memory_limit().gigabytes);
+  const BackendChoice backend = choose_backend(chosen.parameters, choice.symmetry, gigabytes);
   mesh.backend = backend.backend;
   if (!backend.reason.empty())
     tell(backend.reason);

@@ -49,8 +49,6 @@ void require_shareable(const Parameters &parameters, const ModelChoice &model)
   const std::string found = " (one process writes what it found to parameters.prm)";
   if (parameters.mesh.accuracy != 0)
     refuse("Mesh/Accuracy", to_text(parameters.mesh.accuracy), "0" + found);
-  if (parameters.mesh.adaptive != 0)
-    refuse("Mesh/Adaptive", std::to_string(parameters.mesh.adaptive), "0" + found);
   if (parameters.load.accuracy != 0)
     refuse("Load program/Accuracy", to_text(parameters.load.accuracy), "0" + found);
   if (parameters.mesh.backend == BodyBackend::condensed)

@@ -43,6 +43,11 @@ double Body::stretch() const
   return visit([](const auto &space) { return orthocone::stretch(space.dof_handler().get_triangulation()); });
 }
 
+std::vector<unsigned int> Body::cell_numbers() const
+{
+  return std::visit([](const auto &shape) { return shape.mesh.cell_numbers(); }, shape_);
+}
+
 void Body::make_pattern(dealii::SparsityPattern &pattern) const
 {
   std::visit([&](const auto &shape) { make_stiffness_pattern(shape.discretization, pattern); }, shape_);

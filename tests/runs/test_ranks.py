@@ -102,6 +102,30 @@ class SameStatesTest(RanksTest):
         self.assertLess(abs(first[:, 3:6] - second[:, 3:6]).max(), 1e-5 * abs(first[:, 3:6]).max())
 
 
+class AdaptiveTest(RanksTest):
+    SETTINGS = [*SMALL, "Mesh/Adaptive=2", "Load program/Cycles=2", EVERY_STEP, "Output/Volume fields=0"]
+
+    def refined_cells(self, output):
+        return re.search(r"set Refined cells *= (.*)", (self.folder / output / "parameters.prm").read_text()).group(1)
+
+    def test_cells_are_those_of_one_process(self):
+        """Each process knows the errors of its own cells; together they halve the same ones, and go on with them."""
+        whole = self.assert_done(1, "one", settings=self.SETTINGS)
+        self.assertEqual(self.refined_cells("one").count(";"), 1)
+        for n in (2, 3):
+            with self.subTest(processes=n):
+                self.assert_same(whole, self.assert_done(n, str(n), settings=self.SETTINGS))
+                self.assertEqual(self.refined_cells(str(n)), self.refined_cells("one"))
+
+    def test_resumed_without_another_search(self):
+        first = [setting.replace("Cycles=2", "Cycles=1") for setting in self.SETTINGS]
+        self.assert_done(2, "run", settings=first)
+        cells = self.refined_cells("run")
+        resumed = self.assert_done(2, "run", "--resume", settings=self.SETTINGS)
+        self.assert_same(self.assert_done(2, "whole", settings=self.SETTINGS), resumed)
+        self.assertEqual(self.refined_cells("run"), cells)
+
+
 class ResumedTest(RanksTest):
     SETTINGS = [*SMALL, "Load program/Cycles=2", EVERY_STEP, "Output/Volume fields=3"]
 
@@ -178,7 +202,6 @@ class OneVoiceTest(RanksTest):
         self.assert_refused("Mesh/Backend = condensed with 2 processes: allowed is multigrid", "Mesh/Backend=condensed")
         self.assert_refused("Mesh/Model = axisymmetric with 2 processes", file=ROOT / "prm/paper/case_a.prm")
         self.assert_refused("Mesh/Accuracy = 1 with 2 processes", "Mesh/Accuracy=1 %")
-        self.assert_refused("Mesh/Adaptive = 1 with 2 processes", "Mesh/Adaptive=1")
         self.assert_refused("Load program/Accuracy = 1 with 2 processes", "Load program/Accuracy=1 %")
         self.assert_refused("Mesh/Backend = auto with 2 processes", "Contact solver/Method=uzawa")
 

@@ -21,6 +21,7 @@ public:
   /// `scene` must outlive the watch.
   static std::unique_ptr<RefinementWatch> of(const Scene &scene);
 
+  /// All ranks must ask.
   virtual std::vector<CellRange> cells_to_halve() const = 0;
 };
 

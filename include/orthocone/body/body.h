@@ -25,6 +25,9 @@ public:
   /// Longest edge of a cell / its shortest one, the largest of all cells.
   double stretch() const;
 
+  /// As BodyMesh::cell_numbers().
+  std::vector<unsigned int> cell_numbers() const;
+
   /// Entries of the stiffness on and below the diagonal.
   void make_pattern(dealii::SparsityPattern &pattern) const;
   Stiffness stiffness(const MaterialOptions &material) const;

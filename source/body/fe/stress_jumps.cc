@@ -2,9 +2,13 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/body/fe/stress_jumps.h>
 
+#include "local_dofs.h"
+
 #include <orthocone/body/fe/cell_dofs.h>
 
 #include <deal.II/base/quadrature_lib.h>
+#include <deal.II/dofs/dof_tools.h>
+#include <deal.II/lac/la_parallel_vector.h>
 #include <deal.II/lac/vector.h>
 #include <deal.II/numerics/error_estimator.h>
 
@@ -12,13 +16,28 @@ namespace orthocone
 {
 namespace
 {
+using SharedVector = dealii::LinearAlgebra::distributed::Vector<double>;
+
+/// Of the degrees of freedom of this process's cells and of their neighbours.
+template<int dim>
+SharedVector make_vector(const dealii::DoFHandler<dim> &dof_handler)
+{
+  if (!is_distributed(dof_handler.get_triangulation()))
+    return SharedVector(static_cast<unsigned int>(dof_handler.n_dofs()));
+  return SharedVector(dof_handler.locally_owned_dofs(),
+                      dealii::DoFTools::extract_locally_relevant_dofs(dof_handler),
+                      dof_handler.get_communicator());
+}
+
 /// Values of the nodes of FE_Q, which deal.II knows of.
 template<int dim>
-dealii::Vector<double> nodal_values(const DisplacementSpace<dim> &space, const Eigen::VectorXd &displacement)
+SharedVector nodal_values(const DisplacementSpace<dim> &space, const Eigen::VectorXd &displacement)
 {
-  dealii::Vector<double> values(displacement.begin(), displacement.end());
+  SharedVector values = make_vector(space.dof_handler());
+  for (unsigned int i = 0; i < values.locally_owned_size(); ++i)
+    values.local_element(i) = displacement[i];
   for (const auto &cell : space.dof_handler().active_cell_iterators())
-    if (space.has_axis_face(cell))
+    if (cell->is_locally_owned() && space.has_axis_face(cell))
     {
       const auto dofs = dofs_by_node(space, cell);
       Eigen::VectorXd of_cell(dofs.size());
@@ -28,6 +47,7 @@ dealii::Vector<double> nodal_values(const DisplacementSpace<dim> &space, const E
       for (std::size_t i = 0; i < dofs.size(); ++i)
         values[dofs[i]] = of_cell[i];
     }
+  values.update_ghost_values();
   return values;
 }
 } // namespace
@@ -35,13 +55,15 @@ dealii::Vector<double> nodal_values(const DisplacementSpace<dim> &space, const E
 template<int dim>
 Eigen::VectorXd squared_jumps(const DisplacementSpace<dim> &space, const Eigen::VectorXd &displacement)
 {
-  dealii::Vector<float> jumps(space.size().cells);
+  dealii::Vector<float> jumps(space.dof_handler().get_triangulation().n_active_cells());
   dealii::KellyErrorEstimator<dim>::estimate(space.mapping(), space.dof_handler(),
                                              dealii::QGauss<dim - 1>(space.scalar_fe().degree + 1), {},
                                              nodal_values(space, displacement), jumps);
-  Eigen::VectorXd squares(jumps.size());
+  Eigen::VectorXd squares = Eigen::VectorXd::Zero(jumps.size());
   for (const auto &cell : space.dof_handler().active_cell_iterators())
   {
+    if (!cell->is_locally_owned())
+      continue;
     const double jump = jumps[cell->active_cell_index()];
     // A ring is as long as its radius says.
     squares[cell->active_cell_index()] = (dim == 2 ? cell->center()[0] : 1) * jump * jump;

@@ -4,15 +4,22 @@
 
 #include <deal.II/distributed/tria.h>
 
+#include <numeric>
 #include <utility>
 
 namespace orthocone
 {
-BodyMesh::BodyMesh(const GeometryOptions &geometry, const MeshOptions &options, const SymmetryPlanes &planes)
+namespace
 {
-  constexpr auto smoothing = dealii::Triangulation<3>::limit_level_difference_at_vertices;
-  auto whole = std::make_unique<dealii::Triangulation<3>>(smoothing);
-  make_shape(geometry, options)->make_solid(planes, *whole);
+constexpr auto smoothing = dealii::Triangulation<3>::limit_level_difference_at_vertices;
+}
+
+BodyMesh::BodyMesh(const GeometryOptions &geometry, const MeshOptions &options, const SymmetryPlanes &planes)
+    : geometry_(geometry),
+      options_(options),
+      planes_(planes)
+{
+  auto whole = unrefined();
   if (n_ranks() == 1)
   {
     refine(*whole, options);
@@ -23,5 +30,25 @@ BodyMesh::BodyMesh(const GeometryOptions &geometry, const MeshOptions &options, 
   shared->copy_triangulation(*whole);
   refine_shared(*shared, *whole, options);
   triangulation_ = std::move(shared);
+}
+
+std::unique_ptr<dealii::Triangulation<3>> BodyMesh::unrefined() const
+{
+  auto whole = std::make_unique<dealii::Triangulation<3>>(smoothing);
+  make_shape(geometry_, options_)->make_solid(planes_, *whole);
+  return whole;
+}
+
+std::vector<unsigned int> BodyMesh::cell_numbers() const
+{
+  if (n_ranks() == 1)
+  {
+    std::vector<unsigned int> numbers(triangulation_->n_active_cells());
+    std::iota(numbers.begin(), numbers.end(), 0);
+    return numbers;
+  }
+  const auto whole = unrefined();
+  refine(*whole, options_);
+  return numbers_in_whole(*triangulation_, *whole);
 }
 } // namespace orthocone

@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <set>
 #include <string>
 
@@ -102,6 +103,19 @@ void refine_shared(dealii::Triangulation<3> &shared, dealii::Triangulation<3> &w
   }
   for (unsigned int i = 0; i < options.coarsenings; ++i)
     shared.coarsen_global();
+}
+
+std::vector<unsigned int> numbers_in_whole(const dealii::Triangulation<3> &shared,
+                                           const dealii::Triangulation<3> &whole)
+{
+  std::map<dealii::CellId, unsigned int> numbers;
+  for (const auto &cell : whole.active_cell_iterators())
+    numbers[common_id(cell)] = cell->active_cell_index();
+  std::vector<unsigned int> found(shared.n_active_cells(), dealii::numbers::invalid_unsigned_int);
+  for (const auto &cell : shared.active_cell_iterators())
+    if (cell->is_locally_owned())
+      found[cell->active_cell_index()] = numbers.at(common_id(cell));
+  return found;
 }
 
 template void refine(dealii::Triangulation<2> &, const MeshOptions &);

@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <limits>
 #include <memory>
+#include <numeric>
+#include <vector>
 
 namespace orthocone
 {
@@ -23,7 +25,16 @@ public:
 
   const dealii::Triangulation<3> &triangulation() const { return *triangulation_; }
 
+  /// Of every active cell its number in Mesh/Refined cells; of other processes' cells none. Where several
+  /// share the cells each makes the whole mesh for it.
+  std::vector<unsigned int> cell_numbers() const;
+
 private:
+  std::unique_ptr<dealii::Triangulation<3>> unrefined() const;
+
+  GeometryOptions geometry_;
+  MeshOptions options_;
+  SymmetryPlanes planes_;
   std::unique_ptr<dealii::Triangulation<3>> triangulation_;
 };
 
@@ -39,6 +50,14 @@ public:
   }
 
   const dealii::Triangulation<2> &triangulation() const { return triangulation_; }
+
+  /// As BodyMesh's: one process has all.
+  std::vector<unsigned int> cell_numbers() const
+  {
+    std::vector<unsigned int> numbers(triangulation_.n_active_cells());
+    std::iota(numbers.begin(), numbers.end(), 0);
+    return numbers;
+  }
 
 private:
   dealii::Triangulation<2> triangulation_;

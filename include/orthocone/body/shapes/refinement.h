@@ -6,6 +6,8 @@
 
 #include <deal.II/grid/tria.h>
 
+#include <vector>
+
 namespace orthocone
 {
 /// Halves the cells of a mesh in every direction as the options say: all of them, then those of each round,
@@ -19,4 +21,9 @@ void refine(dealii::Triangulation<dim> &triangulation, const MeshOptions &option
 /// refines for itself where single cells are halved: their numbers are those of one mesh.
 void refine_shared(dealii::Triangulation<3> &shared, dealii::Triangulation<3> &whole,
                    const MeshOptions &options);
+
+/// Of every cell that this process has its number in `whole`, the mesh of one process, in the order of the
+/// active cells; of the others no number of a cell.
+std::vector<unsigned int> numbers_in_whole(const dealii::Triangulation<3> &shared,
+                                           const dealii::Triangulation<3> &whole);
 } // namespace orthocone
