@@ -4,7 +4,6 @@
 
 #include <deal.II/distributed/tria.h>
 
-#include <numeric>
 #include <utility>
 
 namespace orthocone
@@ -42,11 +41,7 @@ std::unique_ptr<dealii::Triangulation<3>> BodyMesh::unrefined() const
 std::vector<unsigned int> BodyMesh::cell_numbers() const
 {
   if (n_ranks() == 1)
-  {
-    std::vector<unsigned int> numbers(triangulation_->n_active_cells());
-    std::iota(numbers.begin(), numbers.end(), 0);
-    return numbers;
-  }
+    return numbers_in_order(*triangulation_);
   const auto whole = unrefined();
   refine(*whole, options_);
   return numbers_in_whole(*triangulation_, *whole);

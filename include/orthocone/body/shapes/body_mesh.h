@@ -14,6 +14,15 @@
 
 namespace orthocone
 {
+/// Of every active cell its place among them.
+template<int dim>
+std::vector<unsigned int> numbers_in_order(const dealii::Triangulation<dim> &triangulation)
+{
+  std::vector<unsigned int> numbers(triangulation.n_active_cells());
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
 /// Hexahedra of the modelled part of the body whose shape the options name. The mesh of a half or a quarter
 /// consists of exactly those cells of the full mesh that lie there. Where cells of different sizes meet,
 /// their edges differ by a factor of two at most, also across an edge or a corner. Several processes share
@@ -52,12 +61,7 @@ public:
   const dealii::Triangulation<2> &triangulation() const { return triangulation_; }
 
   /// As BodyMesh's: one process has all.
-  std::vector<unsigned int> cell_numbers() const
-  {
-    std::vector<unsigned int> numbers(triangulation_.n_active_cells());
-    std::iota(numbers.begin(), numbers.end(), 0);
-    return numbers;
-  }
+  std::vector<unsigned int> cell_numbers() const { return numbers_in_order(triangulation_); }
 
 private:
   dealii::Triangulation<2> triangulation_;
