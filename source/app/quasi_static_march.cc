@@ -136,6 +136,8 @@ void QuasiStaticProblem::end_cycle(const CycleRow &row, ContactState &state)
     jumped.dissipation = totals_.total_dissipation - row.total_dissipation;
     jumped.total_dissipation = totals_.total_dissipation;
     jumped.max_accumulated_slip = totals_.max_accumulated_slip;
+    jumped.worn_volume = totals_.worn_volume;
+    jumped.max_wear_depth = totals_.max_wear_depth;
     output_.write(jumped);
     log_.line(describe_jump(jumped, cycles_.memory(), parameters_.load.jump_when_periodic));
   }

@@ -18,6 +18,8 @@ ContactState::ContactState(const NodeVector &gaps)
       displacement(gaps),
       accumulated_slip(VectorXd::Zero(gaps.size() / 3)),
       dissipated_energy(VectorXd::Zero(gaps.size() / 3)),
+      wear_depth(VectorXd::Zero(gaps.size() / 3)),
+      found_depth(VectorXd::Zero(gaps.size() / 3)),
       slip_at_stick(VectorXd::Zero(gaps.size() / 3 * 2)),
       status(gaps.size() / 3, NodeStatus::open)
 {
@@ -55,14 +57,23 @@ double dissipation(const Vector2d &before, const Vector2d &after, const Vector2d
   return 0.5 * (new_work + (old_work < 0 ? std::min(-old_work, new_work) : old_work));
 }
 
+NodeVector unworn_displacement(const ContactState &state)
+{
+  NodeVector displacement = state.displacement;
+  for (Index node = 0; node < state.n_nodes(); ++node)
+    displacement[3 * node] -= state.found_depth[node];
+  return displacement;
+}
+
 double slip_since_stick(const ContactState &state, const Index node)
 {
   return (state.displacement.segment<2>(3 * node + 1) - state.slip_at_stick.segment<2>(2 * node)).norm();
 }
 
 void advance(ContactState &state, const ContactStep &step, const VectorXd &opening, const VectorXd &unknowns,
-             const RigidMotion &motion)
+             const RigidMotion &motion, const WearLaw &wear)
 {
+  state.found_depth = state.wear_depth;
   // Relative to the last step, the displacement is (gap, change of slip).
   const NodeVector d = step.displacement(unknowns);
   const NodeVector force = unknowns.head(d.size());
@@ -78,8 +89,13 @@ void advance(ContactState &state, const ContactStep &step, const VectorXd &openi
     const double share = is_open ? share_in_contact(state.force[3 * node], d[3 * node], opening[node]) : 1;
     // A node that sticks has no slip: what the solver's tolerance leaves of one may have any direction.
     if (state.status[node] != NodeStatus::stick)
-      state.dissipated_energy[node] +=
+    {
+      const double dissipated =
           share * dissipation(state.force.segment<2>(3 * node + 1), force.segment<2>(3 * node + 1), change);
+      state.dissipated_energy[node] += dissipated;
+      const double normal_force = share * 0.5 * (state.force[3 * node] + force[3 * node]);
+      state.wear_depth[node] += wear.depth(node, {normal_force, change.norm(), dissipated});
+    }
     remember_stick(state, node, change);
     state.displacement[3 * node] = d[3 * node];
     state.displacement.segment<2>(3 * node + 1) += change;

@@ -52,6 +52,7 @@ StepSolver::StepSolver(const Scene &scene)
 StepSolver::StepSolver(const Scene &scene, const ContactSolverOptions &options)
     : scene_(scene),
       opening_(node_compliance(scene.surface(), scene.symmetry(), scene.parameters().material)),
+      wear_(scene.parameters().wear, scene.surface()),
       tolerance_(options.tolerance),
       solver_(make_contact_solver(scene.system(), options)),
       coarser_(CoarserMarch::of(scene))
@@ -61,11 +62,20 @@ StepSolver::StepSolver(const Scene &scene, const ContactSolverOptions &options)
 StepSolver::StepSolver(StepSolver &&other) noexcept = default;
 StepSolver::~StepSolver() = default;
 
+/// Scene::free_displacement() with the room that wear has made before the step.
+NodeVector StepSolver::free_displacement(const ContactState &state, const FaceTarget &target) const
+{
+  NodeVector displacement = scene_.free_displacement(target);
+  for (Index node = 0; node < state.n_nodes(); ++node)
+    displacement[3 * node] += state.wear_depth[node];
+  return displacement;
+}
+
 StepSolver::Attempt StepSolver::attempt(const ContactState &state, const FaceTarget &target) const
 {
   return {target,
           ContactStep(scene_.system(),
-                      step_displacement(scene_.free_displacement(target), state.displacement),
+                      step_displacement(free_displacement(state, target), state.displacement),
                       scene_.free_face(target)),
           scene_.free_components(target)};
 }
@@ -221,7 +231,7 @@ void StepSolver::accept_unknowns(ContactState &state, const Attempt &attempt, co
     motion[attempt.components[j]] = motions[static_cast<Index>(j)];
   const Wrench before = scene_.held_wrench(state.force);
   const RigidMotion way{motion.components - state.motion.components};
-  advance(state, attempt.problem, opening_, unknowns, motion);
+  advance(state, attempt.problem, opening_, unknowns, motion, wear_);
   state.work += 0.5 * (before.work(way) + scene_.held_wrench(state.force).work(way));
 }
 
@@ -265,7 +275,7 @@ SolverReport StepSolver::release(ContactState &state, const Attempt &attempt) co
   FaceTarget open{{}, attempt.target.motion, {}};
   for (const unsigned int component : attempt.components)
     open.motion[component] = component == normal ? 0 : state.motion[component];
-  open.motion[normal] = opening_motion(scene_.free_displacement(open));
+  open.motion[normal] = opening_motion(free_displacement(state, open));
   const Attempt apart = this->attempt(state, open);
   const VectorXd none = VectorXd::Zero(apart.problem.n_unknowns());
   SolverReport report = make_report(apart.problem, none, 0, tolerance_);

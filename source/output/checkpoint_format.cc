@@ -44,6 +44,21 @@ CycleRow row_from(const Json &json)
   return row;
 }
 
+Json wear_json(const WearMemory &wear)
+{
+  return {{"rate", array_json(wear.rate)},
+          {"n_jumped", wear.n_jumped},
+          {"n_settled", wear.n_settled},
+          {"error", wear.error}};
+}
+
+WearMemory wear_from(const Json &json, const ContactState &state)
+{
+  const Index n = json.at("rate").get_binary().empty() ? 0 : state.n_nodes(); // none before the first jump
+  return {array_from(json.at("rate"), n), count_from(json.at("n_jumped")), count_from(json.at("n_settled")),
+          number_from(json.at("error"))};
+}
+
 Json cycles_json(const CycleMemory &cycles)
 {
   Json jumped = Json::array();
@@ -57,7 +72,8 @@ Json cycles_json(const CycleMemory &cycles)
           {"n_completed", cycles.n_completed},
           {"change", cycles.change},
           {"periodic_since", cycles.periodic_since},
-          {"jumped", std::move(jumped)}};
+          {"jumped", std::move(jumped)},
+          {"wear", wear_json(cycles.wear)}};
 }
 
 CycleMemory cycles_from(const Json &json, const ContactState &state)
@@ -75,6 +91,7 @@ CycleMemory cycles_from(const Json &json, const ContactState &state)
   cycles.periodic_since = count_from(json.at("periodic_since"));
   for (const Json &range : json.at("jumped"))
     cycles.jumped.push_back({count_from(range.at(0)), count_from(range.at(1))});
+  cycles.wear = wear_from(json.at("wear"), state);
   return cycles;
 }
 
@@ -114,6 +131,7 @@ Json record_json(const RunRecord &record)
           {"largest_residual", record.largest_residual},
           {"largest_energy", record.largest_energy},
           {"energy_defect", record.energy_defect},
+          {"wear_of_flattening", record.wear_of_flattening},
           {"slip_of_change", record.slip_of_change},
           {"energies", {record.work, record.dissipation, record.missing}},
           {"peaks", {record.peaks.slip, record.peaks.pressure, record.peaks.force_z}},
@@ -131,6 +149,7 @@ RunRecord record_from(const Json &json)
   record.largest_residual = number_from(json.at("largest_residual"));
   record.largest_energy = number_from(json.at("largest_energy"));
   record.energy_defect = json.at("energy_defect");
+  record.wear_of_flattening = json.at("wear_of_flattening");
   record.slip_of_change = json.at("slip_of_change");
   const Json &energies = json.at("energies");
   record.work = number_from(energies.at(0));

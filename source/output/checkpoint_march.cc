@@ -20,6 +20,8 @@ Json state_json(const ContactState &state)
           {"displacement", array_json(state.displacement)},
           {"accumulated_slip", array_json(state.accumulated_slip)},
           {"dissipated_energy", array_json(state.dissipated_energy)},
+          {"wear_depth", array_json(state.wear_depth)},
+          {"found_depth", array_json(state.found_depth)},
           {"slip_at_stick", array_json(state.slip_at_stick)},
           {"status", state.status}};
 }
@@ -35,6 +37,8 @@ ContactState state_from(const Json &json)
   state.leg_begin.wrench.components = array_from(json.at("leg_wrench"), n_rigid_components);
   state.accumulated_slip = array_from(json.at("accumulated_slip"), n);
   state.dissipated_energy = array_from(json.at("dissipated_energy"), n);
+  state.wear_depth = array_from(json.at("wear_depth"), n);
+  state.found_depth = array_from(json.at("found_depth"), n);
   state.slip_at_stick = array_from(json.at("slip_at_stick"), 2 * n);
   state.force = array_from(json.at("force"), 3 * n);
   state.displacement = array_from(json.at("displacement"), 3 * n);

@@ -43,6 +43,7 @@ void RunRecord::add_step(const unsigned int step, const Totals &before, const To
   largest_energy = checks.energy;
   peaks.consider(step, totals);
   consider(energy_defect, checks.energy_defect, step);
+  consider(wear_of_flattening, checks.wear_of_flattening, step);
   consider(slip_of_change, checks.slip_of_change, step);
 }
 
@@ -76,6 +77,19 @@ std::vector<std::string> model_warnings(const RunRecord &record)
   return warnings;
 }
 
+/// Wear is explicit: a node that wears deeper than it was flattened carries nothing in the next step, and its
+/// neighbours all. The bound is that of a force from node to node on a half-space.
+static void warn_of_fast_wear(const RunRecord &record, std::vector<std::string> &warnings)
+{
+  constexpr double most_of_flattening = 0.9;
+  if (record.wear_of_flattening.first > most_of_flattening)
+    warnings.push_back(
+        "load step " + std::to_string(record.wear_of_flattening.second) + ": wears a node " +
+        to_text(std::round(10 * record.wear_of_flattening.first) / 10) +
+        " times as deep as pressure flattens it there; above 0.9 contact flickers from node to "
+        "node, and the worn volume is wrong (more steps, or a smaller Wear/Coefficient)");
+}
+
 std::vector<std::string> all_warnings(const Parameters &parameters, const RunRecord &record)
 {
   constexpr double large = 0.05;
@@ -88,6 +102,7 @@ std::vector<std::string> all_warnings(const Parameters &parameters, const RunRec
                        ": the energy balance misses " +
                        to_text(std::round(percent * record.energy_defect.first)) +
                        " % of the largest energy; loops and dissipation need more steps in this leg");
+  warn_of_fast_wear(record, warnings);
   constexpr double most_of_change = 0.1;
   if (record.slip_of_change.first > most_of_change)
     warnings.push_back("load step " + std::to_string(record.slip_of_change.second) + ": a node slips by " +

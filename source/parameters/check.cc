@@ -106,6 +106,22 @@ void check_load(const LoadOptions &load)
                      ": allowed is one of them, the other 0 (a run that stops has nothing to jump)");
 }
 
+void check_wear(const WearOptions &wear, const LoadOptions &load)
+{
+  if (wear.law == WearKind::none)
+    return;
+  if (wear.coefficient == 0)
+    throw InputError("Wear/Coefficient = 0 with Wear/Law = " + to_word(wear.law) +
+                     ": allowed is a number > 0, in mm^3/(N mm) = 1/MPa, or Law = none");
+  for (const auto &[entry, value] : {std::pair("Stop when periodic", load.stop_when_periodic),
+                                     std::pair("Jump when periodic", load.jump_when_periodic)})
+    if (value > 0)
+      throw InputError(std::string("Load program/") + entry + " = " + to_text(value) +
+                       " with Wear/Law = " + to_word(wear.law) +
+                       ": allowed is 0, because no cycle of a surface that wears ends as "
+                       "it began (Wear/Largest depth of a jump jumps cycles)");
+}
+
 void check_compression(const LoadOptions &load, const GeometryOptions &geometry)
 {
   for (const auto *const legs : {&load.preload, &load.legs})
@@ -130,6 +146,7 @@ void check_parameters(const Parameters &parameters)
   check_mesh(parameters.mesh);
   check_backend(parameters);
   check_load(parameters.load);
+  check_wear(parameters.wear, parameters.load);
   check_compression(parameters.load, parameters.geometry);
   check_shape(parameters);
   check_obstacle(parameters.obstacle);

@@ -117,6 +117,20 @@ void declare_obstacle(ObstacleOptions &obstacle, EntryTable &table)
       "ny lines of nx numbers, mm; relative to the folder of the parameter file.");
 }
 
+void declare_wear(WearOptions &wear, EntryTable &table)
+{
+  add_choice(table, "Law", wear.law,
+             "What wears the base of the body where it slips, a depth that is added to the gap. archard: "
+             "Coefficient x pressure x slip; energy: Coefficient x dissipated energy per area.");
+  add_number(table, "Coefficient", wear.coefficient, Range{0, 1e6, true, true},
+             "Volume that is worn per work, mm^3/(N mm) = 1/MPa.");
+  add_number(
+      table, "Largest depth of a jump", wear.largest_jump, Range{0, 1e6, true, true},
+      "Cycles are jumped, each as the last one, as long as no node loses more than this depth in mm; "
+      "fewer where the depth of a cycle changes by more than a tenth from jump to jump. 0 = all cycles "
+      "are computed.");
+}
+
 void declare_load(LoadOptions &load, EntryTable &table)
 {
   add_legs(table, "Preload", load.preload, "Legs passed through once, before the cycles.");
@@ -218,6 +232,7 @@ void declare_parameters(Parameters &parameters, EntryTable &table)
   section("Material", declare_material, parameters.material);
   section("Friction", declare_friction, parameters.friction);
   section("Obstacle", declare_obstacle, parameters.obstacle);
+  section("Wear", declare_wear, parameters.wear);
   section("Load program", declare_load, parameters.load);
   section("Contact solver", declare_contact_solver, parameters.contact_solver);
   section("Checks", declare_checks, parameters.checks);

@@ -176,6 +176,16 @@ void warn_of_loose_period(const std::string &entry, const double bound, std::vec
                        " % of the largest; slip and dissipation of the later ones may be as wrong, "
                        "1e-3 and less keeps them");
 }
+void warn_of_ignored_wear(const WearOptions &wear, std::vector<std::string> &warnings)
+{
+  if (wear.law != WearKind::none)
+    return;
+  for (const auto &[entry, value] :
+       {std::pair("Coefficient", wear.coefficient), std::pair("Largest depth of a jump", wear.largest_jump)})
+    if (value != 0)
+      warnings.push_back(std::string("Wear/") + entry + " = " + to_text(value) +
+                         " is ignored with Wear/Law = none");
+}
 } // namespace
 
 std::vector<std::string> parameter_warnings(const Parameters &parameters)
@@ -197,6 +207,7 @@ std::vector<std::string> parameter_warnings(const Parameters &parameters)
   warn_of_ignored_relaxation(parameters.contact_solver, warnings);
   warn_of_ignored_rho(parameters.contact_solver, warnings);
   warn_of_weak_method(parameters.contact_solver, warnings);
+  warn_of_ignored_wear(parameters.wear, warnings);
   return warnings;
 }
 } // namespace orthocone

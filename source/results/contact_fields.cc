@@ -33,7 +33,8 @@ const std::vector<ContactField> &contact_field_list()
       {"friction_criterion", "", "||r_t||_m / r_n - 1", &F::friction_criterion},
       {"status", "", "0 open, 1 stick, 2 slip", [](const F &f) { return static_cast<double>(f.status); }},
       {"nodal_force", "N", "of the plane on the body", &F::nodal_force},
-      {"dissipated_energy", "N/mm", "per area, accumulated", &F::dissipated_energy}};
+      {"dissipated_energy", "N/mm", "per area, accumulated", &F::dissipated_energy},
+      {"wear_depth", "mm", "of what slip has worn off", &F::wear_depth}};
   return list;
 }
 
@@ -111,7 +112,7 @@ ContactFields ContactFieldEvaluator::fields(const ContactState &state, const uns
   const Vector2d friction = axes_.to_global(node, r.tail<2>());
   const double share = shares_[node];
   ContactFields fields;
-  fields.displacement << slip, d[0] - gaps_[first];
+  fields.displacement << slip, d[0] - gaps_[first] - state.found_depth[node];
   fields.slip << slip, 0;
   fields.accumulated_slip = state.accumulated_slip[node];
   fields.gap = d[0];
@@ -122,6 +123,7 @@ ContactFields ContactFieldEvaluator::fields(const ContactState &state, const uns
   fields.status = state.status[node];
   fields.nodal_force << friction / share, r[0] / share;
   fields.dissipated_energy = state.dissipated_energy[node] / place.area;
+  fields.wear_depth = state.wear_depth[node];
   return fields;
 }
 

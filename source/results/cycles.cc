@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace orthocone
 {
@@ -61,6 +62,7 @@ void jump(ContactState &state, const ContactState &start, const unsigned int n, 
 {
   state.accumulated_slip += n * (state.accumulated_slip - start.accumulated_slip);
   state.dissipated_energy += n * (state.dissipated_energy - start.dissipated_energy);
+  state.wear_depth += n * (state.wear_depth - start.wear_depth);
   state.work += n * (state.work - start.work);
   state.step += n * n_steps;
 }
@@ -78,12 +80,14 @@ unsigned int CycleMemory::n_jumped_steps() const
   return n;
 }
 
-CycleWatch::CycleWatch(const LoadOptions &load, const Eigen::VectorXd &shares, const double reach)
+CycleWatch::CycleWatch(const LoadOptions &load, const Eigen::VectorXd &shares, const double reach,
+                       WearJumps wear)
     : load_(load),
       n_steps_(steps_of_cycle(load)),
       reach_(reach),
       length_(largest_way(load, reach)),
       shares_(shares),
+      wear_(std::move(wear)),
       memory_(shares.size())
 {
 }
@@ -140,18 +144,37 @@ void CycleWatch::complete(const ContactState &end, const Totals &totals)
     memory_.periodic_since = 0;
   else if (memory_.periodic_since == 0)
     memory_.periodic_since = row.cycle;
+  n_to_jump_ = n_alike(end);
+  row.worn_volume = totals.worn_volume;
+  row.max_wear_depth = totals.max_wear_depth;
+  row.wear_error = memory_.wear.error;
+}
+
+/// Cycles that may be jumped behind the one that ends here.
+unsigned int CycleWatch::n_alike(const ContactState &end)
+{
+  if (memory_.n_completed >= load_.cycles)
+    return 0;
+  const unsigned int left = load_.cycles - memory_.n_completed - 1;
+  if (wear_.are_wanted())
+  {
+    const unsigned int n = wear_.after_cycle(memory_.start, end, left);
+    memory_.wear = wear_.memory();
+    return n;
+  }
+  const bool is_periodic = load_.jump_when_periodic > 0 && memory_.periodic_since > 0;
+  return is_periodic ? std::min(load_.jump_cycles, left) : 0;
+}
+
+void CycleWatch::restore(const CycleMemory &memory)
+{
+  memory_ = memory;
+  wear_.restore(memory.wear);
 }
 
 bool CycleWatch::is_to_stop() const
 {
   return load_.stop_when_periodic > 0 && memory_.periodic_since > 0;
-}
-
-unsigned int CycleWatch::n_to_jump() const
-{
-  if (load_.jump_when_periodic == 0 || memory_.periodic_since == 0 || memory_.n_completed >= load_.cycles)
-    return 0;
-  return std::min(load_.jump_cycles, load_.cycles - memory_.n_completed - 1);
 }
 
 CycleRow CycleWatch::jump_cycles(ContactState &state, const unsigned int n)
@@ -186,6 +209,11 @@ std::string describe_stop(const CycleMemory &memory, const double tolerance)
 
 std::string describe_jump(const CycleRow &row, const CycleMemory &memory, const double tolerance)
 {
+  if (memory.periodic_since == 0)
+    return "jumps " + std::to_string(row.n_cycles) + " cycles that wear like the last one, to cycle " +
+           std::to_string(row.cycle) + ": largest depth " + to_text(row.max_wear_depth) +
+           " mm, worn volume " + to_text(row.worn_volume) + " mm^3 (+- " + to_text(std::abs(row.wear_error)) +
+           " by jumps)";
   return "periodic since cycle " + std::to_string(memory.periodic_since) + ": change " +
          to_text(memory.change) + " <= Load program/Jump when periodic = " + to_text(tolerance) + "; jumps " +
          std::to_string(row.n_cycles) + " cycles, to load step " + std::to_string(row.last_step);

@@ -4,6 +4,7 @@
 
 #include <orthocone/base/numbers.h>
 #include <orthocone/base/text.h>
+#include <orthocone/body/node_compliance.h>
 #include <orthocone/scene/load_program.h>
 
 #include <algorithm>
@@ -25,8 +26,9 @@ double work_of(const Totals &totals, const RigidMotion &before, const RigidMotio
 bool is_finite(const ContactState &state, const Totals &totals)
 {
   return state.force.allFinite() && state.displacement.allFinite() && state.accumulated_slip.allFinite() &&
-         state.dissipated_energy.allFinite() && totals.force.allFinite() && totals.moment.allFinite() &&
-         std::isfinite(totals.elastic_energy) && std::isfinite(totals.total_dissipation);
+         state.dissipated_energy.allFinite() && state.wear_depth.allFinite() && totals.force.allFinite() &&
+         totals.moment.allFinite() && std::isfinite(totals.elastic_energy) &&
+         std::isfinite(totals.total_dissipation);
 }
 
 /// The natural map sees slip with the weights (p/mu)^2, the slip rule without.
@@ -68,6 +70,28 @@ double impossible_dissipation(const ContactState &before, const ContactState &af
   return wrong;
 }
 
+/// StepChecks::wear_of_flattening.
+double wear_of_flattening(const ContactState &before, const ContactState &after,
+                          const Eigen::VectorXd &opening)
+{
+  double largest = 0;
+  for (Eigen::Index node = 0; node < after.n_nodes(); ++node)
+    if (const double force = 0.5 * (before.force[3 * node] + after.force[3 * node]); force > 0)
+      largest =
+          std::max(largest, (after.wear_depth[node] - before.wear_depth[node]) / (force * opening[node]));
+  return largest;
+}
+
+/// Work of the mean normal forces on the room that wear has made before the step, N mm: it leaves the body
+/// with the material.
+double work_into_wear(const ContactState &before, const ContactState &after)
+{
+  double work = 0;
+  for (Eigen::Index node = 0; node < after.n_nodes(); ++node)
+    work += 0.5 * (before.force[3 * node] + after.force[3 * node]) *
+            (after.found_depth[node] - before.found_depth[node]);
+  return work;
+}
 } // namespace
 
 StepChecker::StepChecker(const Scene &scene, const CheckOptions &options, const double tolerance)
@@ -80,13 +104,14 @@ StepChecker::StepChecker(const Scene &scene, const CheckOptions &options, const 
       length_(largest_way(scene.parameters().load, reach_)),
       gaps_(scene.gaps()),
       change_lengths_(scene.change_lengths()),
+      opening_(node_compliance(scene.surface(), scene.symmetry(), scene.parameters().material)),
       body_(scene.body())
 {
 }
 
 void StepChecker::check_equilibrium(const ContactState &state, StepChecks &checks) const
 {
-  const NodeVector elastic = state.displacement - gaps_ - body_.moved_with(state.motion);
+  const NodeVector elastic = unworn_displacement(state) - gaps_ - body_.moved_with(state.motion);
   auto mismatch = body_.mismatch(state.force, elastic, options_.equilibrium);
   checks.equilibrium =
       std::max(mismatch.unbalanced,
@@ -99,9 +124,9 @@ void StepChecker::check_equilibrium(const ContactState &state, StepChecks &check
 /// error tells of totals, energies or displacements that do not belong to the forces.
 double StepChecker::identity_error(const Situation &before, const Situation &after, const double work) const
 {
-  const double of_contact =
-      -0.5 * n_copies_ *
-      (before.state.force + after.state.force).dot(after.state.displacement - before.state.displacement);
+  const double of_contact = -0.5 * n_copies_ *
+                            (before.state.force + after.state.force)
+                                .dot(unworn_displacement(after.state) - unworn_displacement(before.state));
   return std::abs(work - (after.totals.elastic_energy - before.totals.elastic_energy) - of_contact);
 }
 
@@ -111,6 +136,7 @@ StepChecks StepChecker::check(const Situation &before, const Situation &after, c
   StepChecks checks;
   checks.is_finite = is_finite(after.state, after.totals);
   checks.law = report.law;
+  checks.wear_of_flattening = wear_of_flattening(before.state, after.state, opening_);
   checks.slip_of_change = slip_of_change(after.state, change_lengths_);
   // The law's own measure is relative to all displacements, which a long slide makes large.
   if (compression_ > 0)
@@ -128,7 +154,8 @@ StepChecks StepChecker::check(const Situation &before, const Situation &after, c
     identity = std::max(identity, n_copies_ * impossible_dissipation(before.state, after.state));
   checks.energy_identity = relative(identity, checks.energy);
   const double defect = checks.work - (after.totals.elastic_energy - before.totals.elastic_energy) -
-                        (after.totals.total_dissipation - before.totals.total_dissipation);
+                        (after.totals.total_dissipation - before.totals.total_dissipation) -
+                        n_copies_ * work_into_wear(before.state, after.state);
   checks.energy_defect = relative(std::abs(defect), checks.energy);
   return checks;
 }

@@ -71,7 +71,9 @@ Columns<SolvedStep> later_history_columns()
       {"cycle", "", "counted from 1; 0 in the preload", [](const Step &s) { return s.step.cycle; }},
       {"phase", "", "step of the cycle or preload, counted from 0",
        [](const Step &s) { return s.step.phase; }},
-      {"driven", "", "components of the held face that are driven", [](const Step &s) { return s.driven; }}};
+      {"driven", "", "components of the held face that are driven", [](const Step &s) { return s.driven; }},
+      {"worn_volume", "mm^3", "since the start", [](const Step &s) { return s.totals.worn_volume; }},
+      {"max_wear_depth", "mm", "largest of a node", [](const Step &s) { return s.totals.max_wear_depth; }}};
 }
 } // namespace
 
@@ -158,7 +160,12 @@ const Columns<CycleRow> &cycle_columns()
       {"work", "N mm", "of the held face in the cycles of the row", [](const Cycle &c) { return c.work; }},
       {"change", "", "largest difference of the states at both ends, relative",
        [](const Cycle &c) { return c.change; }},
-      {"iterations", "", "of the contact solver", [](const Cycle &c) { return c.iterations; }}};
+      {"iterations", "", "of the contact solver", [](const Cycle &c) { return c.iterations; }},
+      {"worn_volume", "mm^3", "at the end, since the start", [](const Cycle &c) { return c.worn_volume; }},
+      {"max_wear_depth", "mm", "largest of a node at the end",
+       [](const Cycle &c) { return c.max_wear_depth; }},
+      {"wear_error", "mm^3", "of worn_volume by the jumps, estimated",
+       [](const Cycle &c) { return c.wear_error; }}};
   return columns;
 }
 } // namespace orthocone

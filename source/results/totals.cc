@@ -64,6 +64,8 @@ Totals compute_totals(const ContactFieldEvaluator &evaluator, const ContactState
     totals.min_pressure = std::min(totals.min_pressure, fields.pressure);
     totals.max_pressure = std::max(totals.max_pressure, fields.pressure);
     count_status(fields.status, symmetry.n_counted(surface, place), totals);
+    totals.worn_volume += n_copies * fields.wear_depth * place.area;
+    totals.max_wear_depth = std::max(totals.max_wear_depth, fields.wear_depth);
     totals.total_dissipation += n_copies * state.dissipated_energy[node];
   }
   leave_out_what_cancels(symmetry, totals);

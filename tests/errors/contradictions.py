@@ -126,6 +126,14 @@ ROWS = [
      "subsection Load program\n  set Stop when periodic = 1e-8\n  set Jump when periodic = 1e-6\nend\n",
      "{file}: Load program/Stop when periodic = 1e-08 and Load program/Jump when periodic = 1e-06: allowed is one "
      "of them, the other 0 (a run that stops has nothing to jump)"),
+    ("wear_of_nothing", "subsection Wear\n  set Law = archard\nend\n",
+     "{file}: Wear/Coefficient = 0 with Wear/Law = archard: allowed is a number > 0, in mm^3/(N mm) = 1/MPa, or "
+     "Law = none"),
+    ("wear_that_is_periodic",
+     "subsection Wear\n  set Law = energy\n  set Coefficient = 1e-8\nend\n"
+     "subsection Load program\n  set Jump when periodic = 1e-6\nend\n",
+     "{file}: Load program/Jump when periodic = 1e-06 with Wear/Law = energy: allowed is 0, because no cycle of a "
+     "surface that wears ends as it began (Wear/Largest depth of a jump jumps cycles)"),
     ("too_many_steps", "subsection Load program\n  set Legs = 0 0 -0.1 : 1000001\nend\n",
      "{file}: Load program: Preload, Legs and Cycles = 1 make 1000001 load steps: allowed are 1000000"),
     ("too_many_steps_beyond_32_bits",

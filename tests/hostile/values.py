@@ -36,6 +36,8 @@ REFUSED = {
                           "0 0 -0.1 : 1 * 4294967297", "0 0 -0.1 : 1 ** 2", "0 0 -0.1 : 2 * -1", "(0 0 -0.1) : 1", "0 0 -0.1 : 1 ; 0 0", "0 0 0x1 : 1", "uz -0.1 mm : 1"],
     "Load program/Cycles": ["+1", "1.5", "1e6", ""],
     "Load program/Stop when periodic": ["-1e-300", "1.0", "nan", "never"],
+    "Wear/Law": ["archard energy", "1", ""], "Wear/Coefficient": ["1e7", "nan", "1e-8 %"],
+    "Wear/Largest depth of a jump": ["-1", "inf", "0.1 mm"],
     "Load program/Jump when periodic": ["1", "inf", ""], "Load program/Jump cycles": ["-1", "1000001", "1.5"],
     "Contact solver/Method": ["NEWTON", "newton newton", "gauss_seidel", ""],
     "Contact solver/Tolerance": ["1e-15", "1.0", "-1e-10", "nan", "1e-10 N"],

@@ -8,6 +8,7 @@ import re
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -49,6 +50,14 @@ class RunTest(unittest.TestCase):
     def run_program(self, output, *arguments, settings=(), file=None, **options):
         return subprocess.run(self.command(output, *arguments, settings=settings, file=file), cwd=self.folder,
                               text=True, capture_output=True, timeout=600, check=False, **options)
+
+    def kill_after(self, name, settings, seconds, file=None):
+        """Goes on with a run, and kills it."""
+        run = subprocess.Popen(self.command(name, "--resume", settings=settings, file=file), cwd=self.folder,
+                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
+        time.sleep(seconds)
+        run.kill()
+        run.communicate()
 
     def rows(self, output, table="history.csv"):
         with open(self.folder / output / table, encoding="ascii") as file:

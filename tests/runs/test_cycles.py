@@ -6,7 +6,6 @@ Usage: test_cycles.py PROGRAM [unittest options]"""
 import json
 import random
 import shutil
-import subprocess
 import sys
 import time
 
@@ -25,7 +24,7 @@ TOLERANCE = 1e-4
 STOP = f"Load program/Stop when periodic={TOLERANCE}"
 JUMP = f"Load program/Jump when periodic={TOLERANCE}"
 COLUMNS = ("cycle,n_cycles,last_step,peak_force_z,force_z,max_slip,max_accumulated_slip,accumulated_slip,dissipation,"
-           "total_dissipation,work,change,iterations")
+           "total_dissipation,work,change,iterations,worn_volume,max_wear_depth,wear_error")
 
 
 class CyclesTest(RunTest):
@@ -207,13 +206,6 @@ class ResumeCyclesTest(CyclesTest):
                 self.assertEqual(self.summary("killed")["cycles"], self.summary("whole")["cycles"])
             for name in ("whole", "killed"):
                 shutil.rmtree(self.folder / name)
-
-    def kill_after(self, name, settings, seconds):
-        run = subprocess.Popen(self.command(name, "--resume", settings=settings), cwd=self.folder,
-                               stdout=subprocess.DEVNULL, stderr=subprocess.PIPE)
-        time.sleep(seconds)
-        run.kill()
-        run.communicate()
 
 
 if __name__ == "__main__":

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <orthocone/contact/problem/contact_step.h>
+#include <orthocone/march/wear.h>
 #include <orthocone/parameters/options.h>
 #include <orthocone/scene/load_program.h>
 #include <orthocone/surface/model_symmetry.h>
@@ -33,9 +34,15 @@ struct ContactState
   NodeVector displacement;           ///< relative to the plane (gap, slip), mm
   Eigen::VectorXd accumulated_slip;  ///< path length of the slip in steps that begin or end in contact, mm
   Eigen::VectorXd dissipated_energy; ///< N mm
-  Eigen::VectorXd slip_at_stick;     ///< slip (x, y) where the node last stuck or turned round, mm
+  Eigen::VectorXd wear_depth;        ///< worn off since the start, mm
+  Eigen::VectorXd found_depth;   ///< of it, what the last step found: `displacement` is relative to that, mm
+  Eigen::VectorXd slip_at_stick; ///< slip (x, y) where the node last stuck or turned round, mm
   std::vector<NodeStatus> status;
 };
+
+/// Displacement of a state relative to the obstacle without the room that wear has made: gap before the first
+/// step, and what the nodes have moved since, mm.
+NodeVector unworn_displacement(const ContactState &state);
 
 /// How far a node has slipped since it last stuck or turned round, mm.
 double slip_since_stick(const ContactState &state, Eigen::Index node);
@@ -45,9 +52,9 @@ double slip_since_stick(const ContactState &state, Eigen::Index node);
 double dissipation(const Eigen::Vector2d &before, const Eigen::Vector2d &after,
                    const Eigen::Vector2d &change);
 
-/// Enters the solution of a step into the state: displacement, status, accumulated slip and dissipation,
-/// which is the work of the mean friction force, or of the final one where the slip reverses or the node
-/// lifts off. `opening`: node_compliance() of all nodes.
+/// Enters the solution of a step into the state: displacement, status, accumulated slip, wear and
+/// dissipation, which is the work of the mean friction force, or of the final one where the slip reverses or
+/// the node lifts off. `opening`: node_compliance() of all nodes.
 void advance(ContactState &state, const ContactStep &step, const Eigen::VectorXd &opening,
-             const Eigen::VectorXd &unknowns, const RigidMotion &motion);
+             const Eigen::VectorXd &unknowns, const RigidMotion &motion, const WearLaw &wear = {});
 } // namespace orthocone

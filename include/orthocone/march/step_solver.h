@@ -125,6 +125,7 @@ private:
   void accept_undivided(const ContactState &before, const ContactState &after, const LoadStep &step);
   Eigen::VectorXd start_of(const Attempt &attempt, const ContactState &state, const LoadStep &step) const;
   Attempt attempt(const ContactState &state, const FaceTarget &target) const;
+  NodeVector free_displacement(const ContactState &state, const FaceTarget &target) const;
   SolverReport solve_to(ContactState &state, const Attempt &attempt, Eigen::VectorXd unknowns,
                         unsigned int n_halvings) const;
   SolverReport solve_halves(ContactState &state, const FaceTarget &target, const SolverReport &failure,
@@ -135,6 +136,7 @@ private:
 
   const Scene &scene_;
   Eigen::VectorXd opening_; ///< node_compliance()
+  WearLaw wear_;
   double tolerance_;
   std::unique_ptr<ContactSolver> solver_;
   StartForces starts_;

@@ -39,7 +39,7 @@ struct CheckpointError : std::runtime_error
 };
 
 /// Version of the bytes; another one is refused.
-constexpr unsigned int checkpoint_format = 9;
+constexpr unsigned int checkpoint_format = 10;
 
 /// Checksum of the gaps in the file that the options name; 0 if they name none. Throws as read_gap_file().
 std::uint32_t gap_file_checksum(const ObstacleOptions &options);

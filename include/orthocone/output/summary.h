@@ -49,10 +49,11 @@ struct RunRecord
   Verdict verdict = Verdict::converged; ///< of the last step that was tried
   double largest_energy = 0;            ///< StepChecks::energy, N mm
   Peaks peaks{};
-  std::pair<double, unsigned int> energy_defect{0, 0};  ///< the largest, and its step
-  std::pair<double, unsigned int> slip_of_change{0, 0}; ///< StepChecks::slip_of_change, and its step
-  double work = 0;                                      ///< of the upper face in all computed steps, N mm
-  double dissipation = 0;                               ///< in all computed steps, N mm
+  std::pair<double, unsigned int> energy_defect{0, 0};      ///< the largest, and its step
+  std::pair<double, unsigned int> wear_of_flattening{0, 0}; ///< StepChecks::wear_of_flattening, and its step
+  std::pair<double, unsigned int> slip_of_change{0, 0};     ///< StepChecks::slip_of_change, and its step
+  double work = 0;                                          ///< of the upper face in all computed steps, N mm
+  double dissipation = 0;                                   ///< in all computed steps, N mm
   double missing = 0; ///< sum of |work - change of elastic energy - dissipation| of all computed steps, N mm
   std::optional<AccuracyEstimate> accuracy{}; ///< where Mesh/Accuracy chose the mesh
   std::optional<StepAccuracy> steps{};        ///< where Load program/Accuracy divided the steps

@@ -67,6 +67,14 @@ enum class BodyBackend
   multigrid,
 };
 
+/// What takes material off the base of the body where it slips.
+enum class WearKind
+{
+  none,
+  archard,
+  energy,
+};
+
 /// Section Geometry (mm).
 struct GeometryOptions
 {
@@ -170,6 +178,14 @@ struct ObstacleOptions
   bool is_plane() const;
 };
 
+/// Section Wear.
+struct WearOptions
+{
+  WearKind law = WearKind::none;
+  double coefficient = 0; ///< mm^3 that are worn by 1 N mm: of normal force times slip, or of friction; 1/MPa
+  double largest_jump = 0; ///< largest depth that cycles without computing them may wear off, mm; 0 = none
+};
+
 /// What a leg does to a component of the motion of the held face: mm, degrees, N or N mm.
 struct Drive
 {
@@ -256,6 +272,7 @@ struct Parameters
   MaterialOptions material;
   FrictionOptions friction;
   ObstacleOptions obstacle;
+  WearOptions wear;
   LoadOptions load;
   ContactSolverOptions contact_solver;
   CheckOptions checks;

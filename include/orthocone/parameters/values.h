@@ -64,6 +64,13 @@ struct Words<VolumetricQuadrature>
 };
 
 template<>
+struct Words<WearKind>
+{
+  static constexpr std::array<std::pair<WearKind, std::string_view>, 3> table{
+      {{WearKind::none, "none"}, {WearKind::archard, "archard"}, {WearKind::energy, "energy"}}};
+};
+
+template<>
 struct Words<BodyBackend>
 {
   static constexpr std::array<std::pair<BodyBackend, std::string_view>, 3> table{

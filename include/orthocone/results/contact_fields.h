@@ -25,6 +25,7 @@ struct ContactFields
   NodeStatus status = NodeStatus::open;
   Eigen::Vector3d nodal_force = Eigen::Vector3d::Zero(); ///< N, of one node of the whole surface
   double dissipated_energy = 0;                          ///< N/mm, accumulated, per area
+  double wear_depth = 0;                                 ///< mm, accumulated
 };
 
 /// The same at an image of the node; `map`: from the model to the image.

@@ -4,6 +4,7 @@
 
 #include <orthocone/parameters/options.h>
 #include <orthocone/results/solved_step.h>
+#include <orthocone/results/wear_jumps.h>
 #include <orthocone/scene/load_program.h>
 
 #include <optional>
@@ -19,8 +20,8 @@ namespace orthocone
 double change_of_state(const ContactState &start, const ContactState &end, const Eigen::VectorXd &shares,
                        double largest_force, double length, double reach = 0);
 
-/// What jumping over `n` cycles like the one from `start` to `state` does: accumulated slip and dissipation
-/// grow as in that cycle, the step number by `n_steps` a cycle. Nothing else changes.
+/// What jumping over `n` cycles like the one from `start` to `state` does: accumulated slip, dissipation and
+/// wear grow as in that cycle, the step number by `n_steps` a cycle. Nothing else changes.
 void jump(ContactState &state, const ContactState &start, unsigned int n, unsigned int n_steps);
 
 /// A row of cycles.csv: a completed cycle, or several that are jumped.
@@ -39,6 +40,9 @@ struct CycleRow
   double work = 0;                 ///< of the upper face in the cycles of the row, N mm
   double change = 0;               ///< change_of_state() of the (last computed) cycle
   unsigned int iterations = 0;     ///< of the contact solver
+  double worn_volume = 0;          ///< at the end, mm^3
+  double max_wear_depth = 0;       ///< at the end, mm
+  double wear_error = 0;           ///< WearMemory::error at the end, mm^3
 };
 
 /// Steps that were jumped, both ends included.
@@ -67,6 +71,7 @@ struct CycleMemory
   double change = 0;               ///< of the last completed cycle
   unsigned int periodic_since = 0; ///< first of the periodic cycles without a break up to now; 0 = none
   std::vector<StepRange> jumped;
+  WearMemory wear;
 
   /// Number of steps that were jumped.
   unsigned int n_jumped_steps() const;
@@ -78,7 +83,8 @@ class CycleWatch
 {
 public:
   /// `reach`: reach_of() the body, mm.
-  CycleWatch(const LoadOptions &load, const Eigen::VectorXd &shares, double reach = 0);
+  CycleWatch(const LoadOptions &load, const Eigen::VectorXd &shares, double reach = 0,
+             WearJumps wear = {{}, {}});
 
   /// To be called with every accepted step; `before` is the state before it. Returns the row of a cycle that
   /// this step completes.
@@ -89,23 +95,26 @@ public:
   bool is_to_stop() const;
 
   /// How many cycles are to be jumped now. The last cycle of the program is always computed.
-  unsigned int n_to_jump() const;
+  unsigned int n_to_jump() const { return n_to_jump_; }
 
   /// Jumps `n` cycles like the last one. The row lacks its totals.
   CycleRow jump_cycles(ContactState &state, unsigned int n);
 
   const CycleMemory &memory() const { return memory_; }
-  void restore(const CycleMemory &memory) { memory_ = memory; }
+  void restore(const CycleMemory &memory);
 
 private:
   void begin_cycle(const LoadStep &step, const ContactState &before, const Totals &totals);
   void complete(const ContactState &end, const Totals &totals);
+  unsigned int n_alike(const ContactState &end);
 
   const LoadOptions load_;
   const unsigned int n_steps_;   ///< of a cycle
   const double reach_;           ///< mm
   const double length_;          ///< largest_way()
   const Eigen::VectorXd shares_; ///< ModelSymmetry::force_shares()
+  WearJumps wear_;
+  unsigned int n_to_jump_ = 0;
   CycleMemory memory_;
 };
 

@@ -23,8 +23,10 @@ struct StepChecks
   double energy_defect = 0;   ///< work - change of elastic energy - dissipation, relative to `energy`
   double slip_of_change =
       0; ///< largest slip in contact relative to the length over which gap and friction change
-  bool is_finite = true;    ///< all numbers of the state are
-  Eigen::VectorXd volume{}; ///< K^-1 r of the free unknowns, from which equilibrium is judged, mm
+  double wear_of_flattening = 0; ///< largest depth worn in the step relative to what the normal force of the
+                                 ///< node flattens the body by
+  bool is_finite = true;         ///< all numbers of the state are
+  Eigen::VectorXd volume{};      ///< K^-1 r of the free unknowns, from which equilibrium is judged, mm
 };
 
 /// A state and the totals of the whole body in it.
@@ -63,6 +65,7 @@ private:
   double length_;      ///< largest_way() of what motions drive, mm
   const NodeVector &gaps_;
   const Eigen::VectorXd &change_lengths_;
+  const Eigen::VectorXd opening_; ///< node_compliance()
   const ElasticBody &body_;
 };
 } // namespace orthocone

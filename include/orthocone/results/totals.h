@@ -21,6 +21,8 @@ struct Totals
   double stick_area = 0;        ///< mm^2; its border runs through the cells (StickArea)
   double total_dissipation = 0; ///< N mm
   double elastic_energy = 0;    ///< N mm
+  double worn_volume = 0;       ///< mm^3
+  double max_wear_depth = 0;    ///< mm
 };
 
 Totals compute_totals(const ContactFieldEvaluator &evaluator, const ContactState &state);

@@ -1,0 +1,85 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""Surfaces that wear: known answers, jumps over cycles, resumed runs, warnings.
+
+Usage: test_wear.py PROGRAM [unittest options]"""
+import math
+import random
+import sys
+import time
+
+import numpy as np
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+import program  # noqa: E402
+from program import ROOT, main  # noqa: E402
+
+sys.path.insert(0, str(ROOT / "tools/plots"))
+import run_folder  # noqa: E402
+
+SPHERE = ROOT / "prm/verification/worn_sphere.prm"
+FRETTING = ROOT / "prm/verification/fretting_wear.prm"
+SMALL = ["Mesh/Core cells=8", "Mesh/Rings=4", "Mesh/Layers=6", "Load program/Cycles=20000"]
+
+
+class WearTest(program.RunTest):
+    def worn(self, name, file, *settings):
+        """Rows of cycles.csv as numbers."""
+        result = self.run_program(name, settings=settings, file=file)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        return [{key: float(value) for key, value in row.items()} for row in self.rows(name, "cycles.csv")]
+
+    def test_worn_room_is_a_cap_of_the_sphere(self):
+        rows = self.worn("run", SPHERE)
+        for row in rows:
+            self.assertAlmostEqual(row["worn_volume"] / (1e-3 * 20 * 4 * row["cycle"]), 1, delta=1e-5)
+        cap = math.pi * 100 * rows[-1]["max_wear_depth"]**2
+        self.assertAlmostEqual(rows[-1]["worn_volume"] / cap, 1, delta=0.01)
+        self.assertNotIn("flickers", self.text("run", "log.txt"))
+
+    def text(self, name, file):
+        return (self.folder / name / file).read_text()
+
+    def test_steps_that_wear_too_deep_are_warned_of(self):
+        self.worn("run", SPHERE, "Wear/Coefficient=0.01", "Load program/Cycles=1")
+        self.assertRegex(self.text("run", "log.txt"), r"warning: load step \d+: wears a node [\d.]+ times as deep as")
+
+    def test_energy_law_holds_over_jumps(self):
+        rows = self.worn("run", FRETTING, *SMALL, "Wear/Law=energy", "Wear/Coefficient=1e-5")
+        self.assertGreater(max(row["n_cycles"] for row in rows), 20)
+        for row in rows:
+            self.assertAlmostEqual(row["worn_volume"] / (1e-5 * row["total_dissipation"]), 1, delta=1e-9)
+
+    def test_jumps_err_by_less_than_they_say(self):
+        short = self.worn("short", FRETTING, *SMALL, "Wear/Largest depth of a jump=5e-6")[-1]
+        long = self.worn("long", FRETTING, *SMALL)[-1]
+        difference = abs(long["worn_volume"] - short["worn_volume"])
+        self.assertLess(difference, 0.01 * short["worn_volume"])
+        self.assertLess(difference, 1.5 * (abs(long["wear_error"]) + abs(short["wear_error"])))
+
+    def test_contact_retreats_to_what_sticks(self):
+        """Popov 2014: the annulus that slips carries nothing in the end, the circle that sticks never wears."""
+        self.worn("run", FRETTING, "Load program/Cycles=30000", "Output/Contact fields=240008")
+        first = next(row for row in self.rows("run") if row["cycle"] == "1" and row["phase"] == "3")
+        stick = math.sqrt(float(first["stick_area"]) / math.pi)
+        contact = run_folder.RunFolder(self.folder / "run").contact(240008)
+        radius, pressure = np.hypot(*contact.points[:, :2].T), contact["pressure"]
+        spacing = 0.09  # of the nodes there, mm
+        self.assertAlmostEqual(radius[pressure > 0.01 * pressure.max()].max(), stick, delta=spacing)
+        self.assertLess(contact["wear_depth"][radius < stick - 1.5 * spacing].max(), 0.05 * contact["wear_depth"].max())
+        self.assertGreater(pressure[radius < stick - 1.5 * spacing].min(), 0.5 * pressure.max())
+
+    def test_killed_runs_go_on(self):
+        settings = [*SMALL, "Load program/Cycles=4000", "Output/Checkpoint=0"]
+        start = time.monotonic()
+        self.worn("whole", FRETTING, *settings)
+        seconds, moments = time.monotonic() - start, random.Random(7)
+        for _ in range(3):
+            self.kill_after("killed", settings, moments.uniform(0.2, 0.7) * seconds, file=FRETTING)
+        result = self.run_program("killed", "--resume", settings=settings, file=FRETTING)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assert_same_files("whole", "killed", ["history.csv", "checks.csv", "cycles.csv"])
+
+
+if __name__ == "__main__":
+    main()
