@@ -13,6 +13,7 @@ const FIELDS = {
   friction_criterion: {name: "friction criterion (0 slips, −1 no friction force)", unit: "", range: [-1, 0]},
   accumulated_slip: {name: "accumulated slip", unit: "mm"},
   dissipated_energy: {name: "dissipated energy per area", unit: "N/mm"},
+  wear_depth: {name: "wear depth", unit: "mm"},
 };
 // Viridis in nine colours; between them it is as good as straight.
 const VIRIDIS = ["440154", "472d7b", "3b528b", "2c728e", "21918c", "28ae80", "5ec962", "addc30", "fde725"]
@@ -53,7 +54,7 @@ class MapFrame {
   constructor(packed) {
     this.step = packed.step;
     this.status = bytes(packed.status);
-    for (const field of Object.keys(FIELDS).slice(1))
+    for (const field of Object.keys(FIELDS).slice(1).filter(name => name in packed))
       this[field] = {low: packed[field].low, high: packed[field].high, levels: bytes(packed[field].levels)};
   }
 

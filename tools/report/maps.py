@@ -13,6 +13,7 @@ MOST_FRAMES = 60
 MOST_SMALL_MAPS = 15
 MOST_VALUES = 375_000  # nodes times frames: six bytes each keep the page below some 3 MB
 FIELDS = ("slip_magnitude", "pressure", "friction_criterion", "accumulated_slip", "dissipated_energy")
+WORN = "wear_depth"  # of runs whose surface wears
 
 
 def packed(array):
@@ -26,7 +27,11 @@ class Maps:
         self.data = data
         self.all_steps = data.run.contact_steps()
         self.mesh = self.file(self.all_steps[0]) if self.all_steps else None
+        self.names = FIELDS
         if self.mesh:
+            last = self.file(self.all_steps[-1])
+            if last is not None and WORN in last.data and last[WORN].max() > 0:
+                self.names = (*FIELDS, WORN)
             self.nodes, self.node_of_point = self.distinct(self.mesh.points[:, :2])
 
     def file(self, step):
@@ -58,7 +63,7 @@ class Maps:
         fields = fields_of(file, self.nodes)
         frame = {"step": step, "lines": [line.values(fields) for line in self.lines],
                  "status": packed(file["status"][self.nodes].astype(np.uint8))}
-        for name in FIELDS:
+        for name in self.names:
             values = file[name][self.nodes].astype(float)
             low, high = float(values.min()), float(values.max())
             levels = np.round((values - low) / (high - low or 1) * 255).astype(np.uint8)

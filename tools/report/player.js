@@ -16,7 +16,8 @@ class Player {
     this.small = new Raster(this.mesh, THUMB_SIZE, 1);
     this.field = "status";
     this.timer = null;
-    for (const [field, {name}] of Object.entries(FIELDS)) htmlElement(byId("field"), "option", {value: field}, name);
+    for (const [field, {name}] of Object.entries(FIELDS).filter(([key]) => key in this.frames[0]))
+      htmlElement(byId("field"), "option", {value: field}, name);
     this.drawOverlay(radius, probes);
     this.addThumbs(maps.small);
     addMapSaving(this);

@@ -179,10 +179,11 @@ TEST(Checkpoint, OfAnotherFormatIsRefused)
 {
   std::string bytes = encode(checkpoint_after(1));
   const std::size_t place = bytes.find(' ') + 1;
-  ASSERT_EQ(bytes.substr(place, 2), std::to_string(checkpoint_format) + " ");
-  bytes[place] = '7';
+  const std::string format = std::to_string(checkpoint_format);
+  ASSERT_EQ(bytes.substr(place, format.size() + 1), format + " ");
+  bytes.replace(place, format.size(), "7");
   EXPECT_EQ(complaint(bytes),
-            "has format version 7, and this program reads version " + std::to_string(checkpoint_format));
+            "has format version 7, and this program reads version " + format);
 }
 
 TEST(Checkpoint, KeepsWhatSearchesAndThreadsAre)
