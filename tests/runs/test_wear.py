@@ -19,7 +19,8 @@ import run_folder  # noqa: E402
 
 SPHERE = ROOT / "prm/verification/worn_sphere.prm"
 FRETTING = ROOT / "prm/verification/fretting_wear.prm"
-SMALL = ["Mesh/Core cells=8", "Mesh/Rings=4", "Mesh/Layers=6", "Load program/Cycles=20000"]
+SMALL = ["Mesh/Degree=1", "Mesh/Layers=6", "Material/Poisson ratio=0.3", "Mesh/Volumetric quadrature=full",
+         "Load program/Cycles=20000"]
 
 
 class WearTest(program.RunTest):
@@ -59,14 +60,14 @@ class WearTest(program.RunTest):
 
     def test_contact_retreats_to_what_sticks(self):
         """Popov 2014: the annulus that slips carries nothing in the end, the circle that sticks never wears."""
-        self.worn("run", FRETTING, "Load program/Cycles=30000", "Output/Contact fields=240008")
+        self.worn("run", FRETTING, "Load program/Cycles=14000", "Output/Contact fields=112016")
         first = next(row for row in self.rows("run") if row["cycle"] == "1" and row["phase"] == "3")
         stick = math.sqrt(float(first["stick_area"]) / math.pi)
-        contact = run_folder.RunFolder(self.folder / "run").contact(240008)
-        radius, pressure = np.hypot(*contact.points[:, :2].T), contact["pressure"]
-        spacing = 0.09  # of the nodes there, mm
-        self.assertAlmostEqual(radius[pressure > 0.01 * pressure.max()].max(), stick, delta=spacing)
-        self.assertLess(contact["wear_depth"][radius < stick - 1.5 * spacing].max(), 0.05 * contact["wear_depth"].max())
+        contact = run_folder.RunFolder(self.folder / "run").contact(112016)
+        radius, pressure, depth = np.hypot(*contact.points[:, :2].T), contact["pressure"], contact["wear_depth"]
+        spacing = 0.07  # of the nodes, mm
+        self.assertAlmostEqual(radius[pressure > 0.02 * pressure.max()].max(), stick, delta=spacing)
+        self.assertLess(depth[radius < stick - 1.5 * spacing].max(), 0.05 * depth.max())
         self.assertGreater(pressure[radius < stick - 1.5 * spacing].min(), 0.5 * pressure.max())
 
     def test_killed_runs_go_on(self):

@@ -7,21 +7,15 @@ import math
 import pathlib
 import sys
 
-import matplotlib
+import matplotlib.pyplot as plt
+import numpy as np
 
-matplotlib.use("Agg")
+import docs_page
+import verification_wear
+from half_space import Sphere, fitted_sphere, punch_pressure, punch_slope, radius_of_punch
+from panels import DOTS, GREEN, GREY, LINE, RED, label, on_surface, three_panels
+from paper_runs import ROOT, ProgramError, Runs
 
-import matplotlib.pyplot as plt  # noqa: E402
-import numpy as np  # noqa: E402
-
-import docs_page  # noqa: E402
-from disc_map import LINES  # noqa: E402
-from half_space import Sphere, fitted_sphere, punch_pressure, punch_slope, radius_of_punch  # noqa: E402
-from paper_runs import ROOT, ProgramError, Runs  # noqa: E402
-
-BLUE, RED, GREEN, GREY = LINES
-DOTS = {"marker": "o", "markersize": 3.5, "linestyle": "none", "color": BLUE, "label": "orthocone"}
-LINE = {"color": RED, "linewidth": 1.2, "label": "closed form"}
 Q = 83.99  # N
 
 
@@ -31,27 +25,6 @@ class VerificationRuns(Runs):
     def verified(self, file, *settings):
         name = "-".join([file, *(setting.split("=")[1] for setting in settings)]).replace(" ", "").replace(",", "_")
         return self.run(name, f"../verification/{file}", "Output/Probes=", *settings)
-
-
-def three_panels():
-    figure, axes = plt.subplots(1, 3, figsize=(13.5, 4.2), layout="constrained")
-    for ax in axes:
-        ax.grid(color="0.9", linewidth=0.6)
-        ax.set_axisbelow(True)
-    return figure, axes
-
-
-def label(ax, title, x, y):
-    ax.set(title=title, xlabel=x, ylabel=y)
-    ax.legend(fontsize=8)
-
-
-def on_surface(run, step, name):
-    """Distances from the axis and a field, each place once."""
-    contact = run.contact(step)
-    radius = np.hypot(*contact.points[:, :2].T)
-    chosen = np.unique(np.round(radius, 7), return_index=True)[1]
-    return radius[chosen], contact[name][chosen]
 
 
 def hertz(runs, ax):
@@ -185,7 +158,8 @@ def patch(runs, ax):
 PICTURES = {"verification_spheres": (hertz, mindlin_traction, mindlin_loop),
             "verification_places": (flat_punch, tilted_punch, polar),
             "verification_turns": (torsion, first_slip, gross_sliding),
-            "verification_bodies": (pressed_by_force, box, patch)}
+            "verification_bodies": (pressed_by_force, box, patch),
+            "verification_wear": verification_wear.PANELS}
 
 
 def sphere_rows(runs):

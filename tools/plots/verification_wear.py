@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""Worn surfaces over what is known of them; of tools/verification."""
+import math
+
+import numpy as np
+from panels import BLUE, DOTS, GREEN, LINE, label, on_surface
+
+RADIUS = 100  # of the spheres, mm
+STIFFNESS = 210000 / (1 - 0.4999**2)  # MPa
+N_STEPS = 8  # of a cycle of fretting_wear.prm, which has 16 before
+
+
+def worn_cap(runs, ax):
+    run = runs.verified("worn_sphere", "Output/Contact fields=1048")
+    radius, depth = on_surface(run, 1048, "wear_depth")
+    # The cap whose volume Archard's law gives: V = pi R h^2.
+    h = math.sqrt(run.history["worn_volume"][-1] / (math.pi * RADIUS))
+    r = np.linspace(0, math.sqrt(2 * RADIUS * h), 200)
+    ax.plot(r, (h - r**2 / (2 * RADIUS)) * 1e3, **LINE)
+    ax.plot(radius, depth * 1e3, **DOTS)
+    ax.set_xlim(0, 6)
+    label(ax, "Worn by a sphere in gross sliding", "r in mm", "worn depth in µm")
+
+
+def limit_pressure(r, approach, c):
+    """Popov 2014: of a sphere on the circle of radius c that has not worn, at a given approach, MPa."""
+    root = np.sqrt(c**2 - r**2)
+    return STIFFNESS / math.pi * (2 * root / RADIUS + (approach - c**2 / RADIUS) / root)
+
+
+def fretted(runs):
+    last = 16 + 100000 * N_STEPS
+    return runs.verified("fretting_wear", f"Output/Contact fields={last}"), last
+
+
+def fretted_pressure(runs, ax):
+    run, last = fretted(runs)
+    history = run.history
+    force, first = history["force_z"], np.argmax(history["cycle"] == 1) + 3
+    # What the body gives way besides the contact is proportional to the force.
+    approach = (3 * force[first] * RADIUS / (4 * STIFFNESS))**(2 / 3) / RADIUS
+    approach = 0.0027 + (approach - 0.0027) * force[-1] / force[first]
+    radius, pressure = on_surface(run, last, "pressure")
+    c = math.sqrt(history["stick_area"][-5] / math.pi)
+    r = np.linspace(0, 0.99 * c, 300)
+    ax.plot(r, limit_pressure(r, approach, c), **LINE)
+    ax.plot(radius, pressure, **DOTS)
+    start = math.sqrt(history["stick_area"][first] / math.pi)
+    ax.axvline(start, color=GREEN, linewidth=1, linestyle="--", label="sticks in the first cycle")
+    ax.set(xlim=(0, 0.7), ylim=(0, 2000))
+    label(ax, "Fretting: pressure after 10$^5$ cycles", "r in mm", "pressure in MPa")
+
+
+def fretted_force(runs, ax):
+    for depth, colour in (("8e-5", GREEN), ("2e-5", BLUE)):
+        history = runs.verified("fretting_wear", "Load program/Cycles=20000", f"Wear/Largest depth of a jump={depth}").history
+        ax.plot(history["cycle"], history["force_z"], color=colour, linewidth=1.2,
+                label=f"jumps of at most {1e6 * float(depth):.0f} nm: {len(history['cycle']) // N_STEPS} cycles computed")
+    label(ax, "Fretting: the normal force that wear leaves", "cycles", "normal force in N")
+
+
+PANELS = (worn_cap, fretted_pressure, fretted_force)
