@@ -80,13 +80,15 @@ StepChecker::StepChecker(const Scene &scene, const CheckOptions &options, const 
       length_(largest_way(scene.parameters().load, reach_)),
       gaps_(scene.gaps()),
       change_lengths_(scene.change_lengths()),
-      body_(scene.body())
+      body_(scene.body()),
+      scene_(scene)
 {
 }
 
 void StepChecker::check_equilibrium(const ContactState &state, StepChecks &checks) const
 {
-  const NodeVector elastic = state.displacement - gaps_ - body_.moved_with(state.motion);
+  const NodeVector elastic =
+      state.displacement - gaps_ - body_.moved_with(state.motion) - scene_.given_way(state.force);
   auto mismatch = body_.mismatch(state.force, elastic, options_.equilibrium);
   checks.equilibrium =
       std::max(mismatch.unbalanced,

@@ -64,5 +64,6 @@ private:
   const NodeVector &gaps_;
   const Eigen::VectorXd &change_lengths_;
   const ElasticBody &body_;
+  const Scene &scene_;
 };
 } // namespace orthocone
