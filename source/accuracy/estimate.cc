@@ -19,6 +19,7 @@ namespace
 constexpr double bytes_per_number = 8;
 constexpr double gigabyte = 1e9;
 constexpr double dense_matrices = 3;     // of the size of the compliance, at most at a time
+constexpr double of_half_space = 1;      // more of them: its compliance, then the sum
 constexpr double bytes_per_step = 100;   // of the load program and the lists of files
 constexpr double memory_bandwidth = 8e9; // bytes/s that one core of a usual machine reads
 
@@ -112,6 +113,8 @@ static Estimate of_factorization(const Parameters &parameters, const ModelSize &
       (2 * 1.5 * size.stiffness_entries + cost.entries + dense_matrices * n_contact * n_contact) *
           bytes_per_number / gigabyte +
       step_gigabytes(parameters.load, size.contact_nodes);
+  if (parameters.obstacle.kind == ObstacleKind::half_space)
+    result.gigabytes += of_half_space * n_contact * n_contact * bytes_per_number / gigabyte;
   const unsigned int dim = symmetry.is_axisymmetric() ? 2 : 3;
   const double n_cell = dim * std::pow(parameters.mesh.degree + 1, dim);
   const double assembly =

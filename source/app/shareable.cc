@@ -59,6 +59,7 @@ void require_shareable(const Parameters &parameters, const ModelChoice &model)
   if (parameters.mesh.backend == BodyBackend::automatic && !multigrid_can(parameters, model.symmetry))
     refuse(
         "Mesh/Backend", "auto",
-        "what multigrid can compute: Contact solver/Method = newton and Mesh/Volumetric quadrature = full");
+        "what multigrid can compute: Contact solver/Method = newton, Mesh/Volumetric quadrature = full and "
+        "Obstacle/Kind = rigid");
 }
 } // namespace orthocone

@@ -144,13 +144,22 @@ std::string describe_energy(const RunRecord &record)
   return text.str();
 }
 
-/// A line only where there is a gap.
+/// A line only where it is not the rigid plane z = 0.
 std::string describe_obstacle(const ObstacleOptions &obstacle)
 {
-  if (obstacle.is_plane())
+  const MaterialOptions &material = obstacle.material;
+  const std::string half_space = obstacle.kind == ObstacleKind::half_space
+                                     ? "elastic half-space, E " + to_text(material.young_modulus) +
+                                           " MPa, nu " + to_text(material.poisson_ratio)
+                                     : "";
+  const std::string gap =
+      obstacle.is_plane()
+          ? ""
+          : "gap " + obstacle.gap +
+                (obstacle.gap_file.empty() ? "" : " and that of " + shown_path(obstacle.gap_file));
+  if (half_space.empty() && gap.empty())
     return {};
-  return "obstacle       gap " + obstacle.gap +
-         (obstacle.gap_file.empty() ? "" : " and that of " + shown_path(obstacle.gap_file)) + "\n";
+  return "obstacle       " + half_space + (half_space.empty() || gap.empty() ? "" : "; ") + gap + "\n";
 }
 
 std::string describe_steps(const LoadOptions &load)

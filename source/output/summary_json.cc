@@ -111,6 +111,17 @@ Json outline_json(const GeometryOptions &geometry)
   return {{"shape", "disc"}, {"radius_mm", geometry.radius}};
 }
 
+Json counterface_json(const ObstacleOptions &obstacle)
+{
+  Json json{{"kind", to_word(obstacle.kind)}};
+  if (obstacle.kind == ObstacleKind::half_space)
+  {
+    json["young_modulus_MPa"] = obstacle.material.young_modulus;
+    json["poisson_ratio"] = obstacle.material.poisson_ratio;
+  }
+  return json;
+}
+
 /// What is pressed on the plane, and how it moves, so that nobody need guess it from the other files.
 Json scene_json(const Summary &summary)
 {
@@ -126,6 +137,7 @@ Json scene_json(const Summary &summary)
       {"legs", entry_of(parameters, "Load program/Legs")},
       {"cycles", parameters.load.cycles},
       {"friction", friction_json(parameters)},
+      {"counterface", counterface_json(parameters.obstacle)},
       {"gap", entry_of(parameters, "Obstacle/Gap")},
       {"gap_file", entry_of(parameters, "Obstacle/Gap file")},
       {"units",

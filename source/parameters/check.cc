@@ -68,6 +68,9 @@ void check_backend(const Parameters &parameters)
         "Contact solver/Method = " + method +
         " needs a dense compliance, and Mesh/Backend = multigrid has none: allowed is newton, or "
         "Backend = condensed");
+  if (parameters.obstacle.kind == ObstacleKind::half_space)
+    throw InputError("Obstacle/Kind = half-space with Mesh/Backend = multigrid: a half-space is no part of "
+                     "the body that its cycles solve; allowed is auto or condensed, or Kind = rigid");
   if (parameters.mesh.volumetric_quadrature == VolumetricQuadrature::reduced)
     throw InputError("Mesh/Volumetric quadrature = reduced with Mesh/Backend = multigrid: its products see "
                      "all of the strain "

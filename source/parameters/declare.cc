@@ -115,6 +115,16 @@ void declare_obstacle(ObstacleOptions &obstacle, EntryTable &table)
       table, "Gap file", obstacle.gap_file,
       "A gap on a regular grid, which is added to Gap: a text file with the line 'x0 dx nx y0 dy ny', then "
       "ny lines of nx numbers, mm; relative to the folder of the parameter file.");
+  add_choice(
+      table, "Kind", obstacle.kind,
+      "What the body rests on: a rigid plane, or an elastic half-space (needs no mesh; not in the "
+      "axisymmetric "
+      "model, nor with Mesh/Backend = multigrid). Gap is that between both, whichever of them is curved.");
+  const std::string of_half_space = " of a half-space; without one it has no meaning.";
+  add_number(table, "Young modulus", obstacle.material.young_modulus, positive,
+             "Young's modulus in MPa" + of_half_space);
+  add_number(table, "Poisson ratio", obstacle.material.poisson_ratio, Range{-1, 0.5},
+             "Poisson's ratio" + of_half_space);
 }
 
 void declare_wear(WearOptions &wear, EntryTable &table)

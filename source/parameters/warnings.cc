@@ -155,6 +155,19 @@ void warn_of_weak_method(const ContactSolverOptions &solver, std::vector<std::st
                        ContactSolverOptions().method + " is the method to work with");
 }
 
+/// Entries of a half-space where there is none, if they are set to anything but their default.
+void warn_of_ignored_half_space(const ObstacleOptions &obstacle, std::vector<std::string> &warnings)
+{
+  if (obstacle.kind == ObstacleKind::half_space)
+    return;
+  const MaterialOptions &given = obstacle.material, usual;
+  const std::string ignored = " is ignored with Obstacle/Kind = " + to_word(obstacle.kind);
+  if (given.young_modulus != usual.young_modulus)
+    warnings.push_back("Obstacle/Young modulus = " + to_text(given.young_modulus) + ignored);
+  if (given.poisson_ratio != usual.poisson_ratio)
+    warnings.push_back("Obstacle/Poisson ratio = " + to_text(given.poisson_ratio) + ignored);
+}
+
 /// Forces may differ by a hundred times the residual that the solver leaves: W is that ill-conditioned.
 void warn_of_unresolved_period(const std::string &entry, const double bound, const double tolerance,
                                std::vector<std::string> &warnings)
@@ -204,6 +217,7 @@ std::vector<std::string> parameter_warnings(const Parameters &parameters)
   warn_of_loose_period("Stop when periodic", parameters.load.stop_when_periodic, warnings);
   warn_of_loose_period("Jump when periodic", parameters.load.jump_when_periodic, warnings);
   warn_of_shape(parameters, warnings);
+  warn_of_ignored_half_space(parameters.obstacle, warnings);
   warn_of_ignored_relaxation(parameters.contact_solver, warnings);
   warn_of_ignored_rho(parameters.contact_solver, warnings);
   warn_of_weak_method(parameters.contact_solver, warnings);

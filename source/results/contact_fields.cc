@@ -93,12 +93,12 @@ ContactFieldEvaluator::ContactFieldEvaluator(const Scene &scene)
     : unknowns_(scene.body().unknowns()),
       surface_(scene.surface()),
       symmetry_(scene.symmetry()),
-      compliance_(scene.body().compliance()),
+      compliance_(scene.compliance()),
       axes_(scene.axes()),
       system_(scene.system()),
       gaps_(scene.gaps()),
       shares_(symmetry_.force_shares(surface_)),
-      stick_area_(surface_, scene.parameters().material)
+      stick_area_(surface_, scene.contact_material())
 {
 }
 

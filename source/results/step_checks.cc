@@ -104,14 +104,16 @@ StepChecker::StepChecker(const Scene &scene, const CheckOptions &options, const 
       length_(largest_way(scene.parameters().load, reach_)),
       gaps_(scene.gaps()),
       change_lengths_(scene.change_lengths()),
-      opening_(node_compliance(scene.surface(), scene.symmetry(), scene.parameters().material)),
-      body_(scene.body())
+      opening_(node_compliance(scene.surface(), scene.symmetry(), scene.contact_material())),
+      body_(scene.body()),
+      scene_(scene)
 {
 }
 
 void StepChecker::check_equilibrium(const ContactState &state, StepChecks &checks) const
 {
-  const NodeVector elastic = unworn_displacement(state) - gaps_ - body_.moved_with(state.motion);
+  const NodeVector elastic =
+      unworn_displacement(state) - gaps_ - body_.moved_with(state.motion) - scene_.given_way(state.force);
   auto mismatch = body_.mismatch(state.force, elastic, options_.equilibrium);
   checks.equilibrium =
       std::max(mismatch.unbalanced,

@@ -6,12 +6,14 @@
 #include <orthocone/base/text.h>
 #include <orthocone/parameters/expression.h>
 #include <orthocone/parameters/gap_file.h>
+#include <orthocone/surface/half_space.h>
 
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
 #include <optional>
 #include <sstream>
+#include <utility>
 
 namespace orthocone
 {
@@ -69,11 +71,49 @@ void GivenGap::check(const std::vector<Vector2d> &places) const
 }
 } // namespace
 
+Eigen::MatrixXd Obstacle::compliance(const ContactSurface &, const ModelSymmetry &, const LocalAxes &) const
+{
+  return {};
+}
+
+namespace
+{
+/// Elastic below a surface that another obstacle has.
+class ElasticHalfSpace : public Obstacle
+{
+public:
+  ElasticHalfSpace(std::unique_ptr<const Obstacle> surface, const MaterialOptions &material)
+      : surface_(std::move(surface)),
+        material_(material)
+  {
+  }
+
+  bool is_plane() const override { return surface_->is_plane(); }
+  double gap(const Vector2d &place) const override { return surface_->gap(place); }
+  void check(const std::vector<Vector2d> &places) const override { surface_->check(places); }
+  std::optional<MaterialOptions> material() const override { return material_; }
+  Eigen::MatrixXd compliance(const ContactSurface &surface, const ModelSymmetry &symmetry,
+                             const LocalAxes &axes) const override
+  {
+    return half_space_compliance({material_.young_modulus, material_.poisson_ratio}, surface, symmetry, axes);
+  }
+
+private:
+  std::unique_ptr<const Obstacle> surface_;
+  MaterialOptions material_;
+};
+} // namespace
+
 std::unique_ptr<const Obstacle> make_obstacle(const ObstacleOptions &options)
 {
+  std::unique_ptr<const Obstacle> surface;
   if (options.is_plane())
-    return std::make_unique<Plane>();
-  return std::make_unique<GivenGap>(options);
+    surface = std::make_unique<Plane>();
+  else
+    surface = std::make_unique<GivenGap>(options);
+  if (options.kind == ObstacleKind::half_space)
+    return std::make_unique<ElasticHalfSpace>(std::move(surface), options.material);
+  return surface;
 }
 
 NodeVector gaps_of(const Obstacle &obstacle, const ContactSurface &surface)
@@ -101,6 +141,8 @@ std::string difference_text(const Obstacle &obstacle, const Vector2d &place, con
 std::string Obstacle::asymmetry(const ModelSymmetry &symmetry, const SurfaceSample &sample) const
 {
   constexpr double rounding = 1e-9;
+  if (symmetry.is_axisymmetric() && material())
+    return "Obstacle/Kind = half-space has no section (r, z)";
   if (is_plane())
     return {};
   double largest = 0;

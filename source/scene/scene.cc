@@ -3,9 +3,13 @@
 #include <orthocone/scene/scene.h>
 
 #include <orthocone/base/errors.h>
+#include <orthocone/base/stopwatch.h>
 #include <orthocone/body/backends/factorized_body.h>
 #include <orthocone/multigrid/multigrid_body.h>
 #include <orthocone/scene/change_length.h>
+
+#include <stdexcept>
+#include <utility>
 
 namespace orthocone
 {
@@ -38,6 +42,20 @@ std::unique_ptr<const ElasticBody> make_body(const Parameters &parameters, const
     return std::make_unique<MultigridBody>(parameters, symmetry, axes_of, on_meshed, seconds);
   return std::make_unique<FactorizedBody>(parameters, symmetry, axes_of, on_meshed, seconds);
 }
+
+/// Nothing where the obstacle is rigid.
+std::unique_ptr<const Compliance> sum_of(const ElasticBody &body, const Obstacle &obstacle,
+                                         const ModelSymmetry &symmetry, const LocalAxes &axes)
+{
+  if (!obstacle.material())
+    return nullptr;
+  const Eigen::MatrixXd *const of_body = body.compliance().dense();
+  if (of_body == nullptr)
+    throw std::logic_error("an obstacle that gives way needs a body with a dense compliance");
+  Eigen::MatrixXd sum = obstacle.compliance(body.surface(), symmetry, axes);
+  sum += *of_body;
+  return std::make_unique<DenseCompliance>(std::move(sum));
+}
 } // namespace
 
 Scene::Scene(const Parameters &parameters, const ModelChoice &choice,
@@ -63,10 +81,38 @@ Scene::Scene(const Parameters &parameters, const ModelChoice &choice, const Obst
           seconds_)),
       axes_(friction_.axes(surface(), choice.symmetry)),
       gaps_(gaps_of(obstacle, surface())),
-      system_(body_->compliance(), friction_.laws(surface(), choice.symmetry))
+      obstacle_material_(obstacle.material()),
+      sum_(timed(seconds_.condensation, [&] { return sum_of(*body_, obstacle, choice.symmetry, axes_); })),
+      system_(compliance(), friction_.laws(surface(), choice.symmetry))
 {
   if (friction_.varies() || !obstacle.is_plane())
     change_lengths_ = orthocone::change_lengths(obstacle, friction_, surface());
+}
+
+NodeVector Scene::given_way(const NodeVector &force) const
+{
+  NodeVector of_both = NodeVector::Zero(force.size());
+  if (sum_)
+  {
+    NodeVector of_body;
+    sum_->vmult(of_both, force);
+    body_->compliance().vmult(of_body, force);
+    of_both -= of_body;
+  }
+  return of_both;
+}
+
+MaterialOptions Scene::contact_material() const
+{
+  MaterialOptions material = parameters_.material;
+  if (obstacle_material_)
+  {
+    const auto plane_modulus = [](const MaterialOptions &of)
+    { return of.young_modulus / (1 - of.poisson_ratio * of.poisson_ratio); };
+    const double ratio = plane_modulus(material) / plane_modulus(*obstacle_material_);
+    material.young_modulus /= 1 + ratio;
+  }
+  return material;
 }
 
 Wrench Scene::held_wrench(const NodeVector &force) const

@@ -29,6 +29,15 @@ ROWS = [
      "0.2, 0.2\n  set Slip potential = 1, 1\nend\n",
      "{file}: Mesh/Degree = 4 with the quarter model: allowed is a whole number from 1 to 3, or Mesh/Model = "
      "axisymmetric"),
+    ("half_space_axisymmetric",
+     "subsection Mesh\n  set Model = axisymmetric\nend\nsubsection Friction\n  set Coefficients = 0.2, 0.2\nend\n"
+     "subsection Obstacle\n  set Kind = half-space\nend\n",
+     "{file}: Mesh/Model = axisymmetric is not possible: Obstacle/Kind = half-space has no section (r, z); possible "
+     "models are full, half, quarter"),
+    ("half_space_on_multigrid",
+     "subsection Mesh\n  set Backend = multigrid\nend\nsubsection Obstacle\n  set Kind = half-space\nend\n",
+     "{file}: Obstacle/Kind = half-space with Mesh/Backend = multigrid: a half-space is no part of the body that its "
+     "cycles solve; allowed is auto or condensed, or Kind = rigid"),
     ("guided_full", "subsection Geometry\n  set Top face = guided\nend\nsubsection Mesh\n  set Model = full\nend\n",
      "{file}: Geometry/Top face = guided with Mesh/Model = full is not possible: the model could drift sideways; "
      "possible models are quarter and auto"),

@@ -3,6 +3,7 @@
 """The files of prm/verification give the known answers of their head comments.
 
 Usage: test_verification.py PROGRAM [unittest options]"""
+import json
 import math
 import sys
 
@@ -89,6 +90,18 @@ class VerificationTest(program.RunTest):
         self.assertLess(np.abs(contact["pressure"] - sphere.pressure(radius))[radius < 0.45].max(), 0.01 * p0)
         self.assertEqual(contact["pressure"][radius > 0.53].max(), 0)
         self.assertAlmostEqual(-float(self.rows("run")[-1]["uz"]) / sphere.approach, 1, delta=0.01)
+
+    def test_hertz_between_a_body_and_a_half_space(self):
+        radius, contact = self.contact("hertz_half_space", 4)
+        sphere = half_space.Sphere(97.675, counterface=(70000, 0.33))
+        a, p0 = half_space.fitted_sphere(radius, contact["pressure"])
+        self.assertAlmostEqual(a / sphere.contact_radius, 1, delta=0.01)
+        self.assertAlmostEqual(p0 / sphere.largest_pressure, 1, delta=0.01)
+        self.assertLess(np.abs(contact["pressure"] - sphere.pressure(radius))[radius < 0.42].max(), 0.015 * p0)
+        self.assertEqual(contact["pressure"][radius > 0.56].max(), 0)
+        self.assertAlmostEqual(-float(self.rows("run")[-1]["uz"]) / sphere.approach, 1, delta=0.01)
+        counterface = json.loads((self.folder / "run/summary.json").read_text(encoding="utf-8"))["scene"]["counterface"]
+        self.assertEqual(counterface, {"kind": "half-space", "young_modulus_MPa": 70000, "poisson_ratio": 0.33})
 
     def test_hertz_far_field_is_of_first_order(self):
         """With the height of the radius the approach lacks what the body has not: half of it at half of a / R."""

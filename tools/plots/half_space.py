@@ -13,16 +13,19 @@ YOUNG = 210000  # MPa
 
 @dataclasses.dataclass(frozen=True)
 class Sphere:
-    """A half-space (MPa) pressed by `force` (N) on a rigid sphere of `radius` (mm)."""
+    """A half-space (MPa) pressed by `force` (N) on a sphere of `radius` (mm), rigid or with a material of its own."""
 
     force: float
     radius: float = 100
     poisson: float = 0.3
     mu: float = 0.3
+    counterface: tuple = ()  # Young's modulus (MPa) and Poisson's ratio of another half-space; (): rigid
 
     @property
     def plane_modulus(self):
-        return YOUNG / (1 - self.poisson**2)
+        """E*, of both."""
+        bodies = [(YOUNG, self.poisson)] + ([self.counterface] if self.counterface else [])
+        return 1 / sum((1 - poisson**2) / young for young, poisson in bodies)
 
     @property
     def shear_modulus(self):

@@ -27,11 +27,18 @@ class VerificationRuns(Runs):
         return self.run(name, f"../verification/{file}", "Output/Probes=", *settings)
 
 
+ON_HALF_SPACE = Sphere(97.675, counterface=(70000, 0.33))
+
+
 def hertz(runs, ax):
     sphere, (radius, pressure) = Sphere(384.615), on_surface(runs.verified("hertz"), 4, "pressure")
     inside, r = radius < 0.6, np.linspace(0, 0.5, 400)
     ax.plot(r, sphere.pressure(r), **LINE)
     ax.plot(radius[inside], pressure[inside], **DOTS)
+    radius, pressure = on_surface(runs.verified("hertz_half_space"), 4, "pressure")
+    inside = radius < 0.6
+    ax.plot(r, ON_HALF_SPACE.pressure(r), **{**LINE, "label": ""})
+    ax.plot(radius[inside], pressure[inside], **{**DOTS, "color": GREEN, "label": "on a softer half-space"})
     label(ax, "Hertz: pressure under a sphere", "r in mm", "pressure in MPa")
 
 
@@ -166,12 +173,17 @@ def sphere_rows(runs):
     """Table: quantity, ours, closed form, difference."""
     run, small = runs.verified("hertz"), Sphere(384.615)
     radius, p0 = fitted_sphere(*on_surface(run, 4, "pressure"))
+    soft = runs.verified("hertz_half_space")
+    soft_radius, soft_p0 = fitted_sphere(*on_surface(soft, 4, "pressure"))
     sheared, sphere = runs.verified("cattaneo_mindlin").history, Sphere(466.6, poisson=0.4999)
     own = own_shear(runs, sphere)
     stick = np.sqrt(sheared["stick_area"] / math.pi)
     rows = [("Hertz, contact radius (mm)", radius, small.contact_radius),
             ("Hertz, largest pressure (MPa)", p0, small.largest_pressure),
             ("Hertz, approach (mm)", -run.history["uz"][-1], small.approach),
+            ("Hertz on a half-space, contact radius (mm)", soft_radius, ON_HALF_SPACE.contact_radius),
+            ("the same, largest pressure (MPa)", soft_p0, ON_HALF_SPACE.largest_pressure),
+            ("the same, approach (mm)", -soft.history["uz"][-1], ON_HALF_SPACE.approach),
             ("Cattaneo–Mindlin, stick radius at Q (mm)", stick[9], sphere.stick_radius(Q)),
             ("the same at −Q, after a reversal (mm)", stick[21], sphere.stick_radius(Q)),
             ("shift at Q less the body's own (mm)", sheared["ux"][9] - own, sphere.shift(Q)),

@@ -59,6 +59,13 @@ enum class VolumetricQuadrature
   reduced,
 };
 
+/// What the body rests on.
+enum class ObstacleKind
+{
+  rigid,
+  half_space,
+};
+
 /// How the elastic body is solved: factorized and condensed to its contact nodes, or by multigrid.
 enum class BodyBackend
 {
@@ -173,6 +180,8 @@ struct ObstacleOptions
 {
   std::string gap = "0"; ///< an Expression
   std::string gap_file;  ///< path, or empty
+  ObstacleKind kind = ObstacleKind::rigid;
+  MaterialOptions material{}; ///< of a half-space
 
   /// Whether it is the plane z = 0.
   bool is_plane() const;

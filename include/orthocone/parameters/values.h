@@ -71,6 +71,13 @@ struct Words<WearKind>
 };
 
 template<>
+struct Words<ObstacleKind>
+{
+  static constexpr std::array<std::pair<ObstacleKind, std::string_view>, 2> table{
+      {{ObstacleKind::rigid, "rigid"}, {ObstacleKind::half_space, "half-space"}}};
+};
+
+template<>
 struct Words<BodyBackend>
 {
   static constexpr std::array<std::pair<BodyBackend, std::string_view>, 3> table{

@@ -67,5 +67,6 @@ private:
   const Eigen::VectorXd &change_lengths_;
   const Eigen::VectorXd opening_; ///< node_compliance()
   const ElasticBody &body_;
+  const Scene &scene_;
 };
 } // namespace orthocone

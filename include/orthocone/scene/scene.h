@@ -13,6 +13,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 namespace orthocone
 {
@@ -40,6 +41,15 @@ public:
   const ContactSurface &surface() const { return body_->surface(); }
   const LocalAxes &axes() const { return axes_; }
   const ContactSystem &system() const { return system_; }
+
+  /// Of body and obstacle together: forces r part their surfaces by W r.
+  const Compliance &compliance() const { return sum_ ? *sum_ : body_->compliance(); }
+
+  /// What contact forces (local axes, N) add to the gap and slip of the nodes by moving the obstacle, mm.
+  NodeVector given_way(const NodeVector &force) const;
+
+  /// Material of a body that would give way near its contact, on a rigid obstacle, as both do together.
+  MaterialOptions contact_material() const;
 
   /// Wrench on the held face of the whole body that balances the contact forces (local axes, N) of the model.
   Wrench held_wrench(const NodeVector &force) const;
@@ -72,6 +82,8 @@ private:
   LocalAxes axes_;
   NodeVector gaps_;
   Eigen::VectorXd change_lengths_;
+  std::optional<MaterialOptions> obstacle_material_;
+  std::unique_ptr<const Compliance> sum_; ///< none where the obstacle is rigid
   ContactSystem system_;
 };
 } // namespace orthocone

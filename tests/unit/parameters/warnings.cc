@@ -148,6 +148,20 @@ TEST(Warnings, KeepComponentsUntilALegNamesThemAgain)
   EXPECT_TRUE(has_shear("uz -0.1 : 1; uy 0.4 : 1; ux 0.4 uy 0 : 1")) << "in the second cycle";
 }
 
+TEST(Warnings, AreGivenForAHalfSpaceThatIsNone)
+{
+  const std::string warning = "Obstacle/Young modulus = 70000 is ignored with Obstacle/Kind = rigid";
+  for (const ObstacleKind kind : {ObstacleKind::rigid, ObstacleKind::half_space})
+    EXPECT_EQ(warned(
+                  [&](Parameters &p)
+                  {
+                    p.obstacle.kind = kind;
+                    p.obstacle.material.young_modulus = 70000;
+                  },
+                  warning),
+              kind == ObstacleKind::rigid);
+}
+
 TEST(Warnings, AreGivenForLargeRotations)
 {
   const auto is_large = [](const char *const legs)

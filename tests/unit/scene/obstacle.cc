@@ -6,6 +6,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdio>
 #include <filesystem>
 #include <fstream>
@@ -24,6 +25,31 @@ TEST(Obstacle, IsAPlaneWithoutAGap)
 {
   EXPECT_TRUE(make_obstacle({})->is_plane());
   EXPECT_FALSE(make_obstacle({"0.1", ""})->is_plane());
+}
+
+TEST(Obstacle, GivesWayWhereItIsAHalfSpace)
+{
+  const auto rigid = make_obstacle({"x", ""});
+  const auto elastic = make_obstacle({"x", "", ObstacleKind::half_space, {1000, 0.1}});
+  EXPECT_FALSE(rigid->material());
+  EXPECT_EQ(elastic->material()->young_modulus, 1000);
+  EXPECT_FALSE(elastic->is_plane());
+  EXPECT_EQ(elastic->gap({3, 4}), 3);
+  ContactSurface surface; // one face
+  for (const auto &[x, y] : {std::array<double, 2>{{0, 0}}, {{1, 0}}, {{0, 1}}, {{1, 1}}})
+    surface.nodes.push_back({{{x, y}}, 0.25, {}, {{true, true, true}}});
+  surface.faces = {{0, 1, 2, 3}};
+  EXPECT_EQ(rigid->compliance(surface, ModelSymmetry(), LocalAxes(0)).size(), 0);
+  EXPECT_EQ(elastic->compliance(surface, ModelSymmetry(), LocalAxes(0)).rows(), 12);
+}
+
+TEST(Obstacle, HasNoSectionWhereItIsAHalfSpace)
+{
+  const SurfaceSample sample;
+  const auto elastic = make_obstacle({"0", "", ObstacleKind::half_space, {}});
+  EXPECT_EQ(elastic->asymmetry(ModelSymmetry::of_revolution(), sample),
+            "Obstacle/Kind = half-space has no section (r, z)");
+  EXPECT_EQ(elastic->asymmetry(SymmetryPlanes{true, true}, sample), "");
 }
 
 TEST(Obstacle, AddsTheHeightOfTheNode)

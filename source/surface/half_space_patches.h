@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include "half_space_kernel.h"
+
+#include <vector>
+
+namespace orthocone
+{
+/// The part of a contact surface that one of its places stands for.
+struct SurfacePatch
+{
+  /// A quadrature point and its share of the area.
+  struct Point
+  {
+    Eigen::Vector2d position;
+    double share;
+  };
+
+  double area = 0;                                  ///< mm^2
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero(); ///< of gravity, mm
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero(); ///< mean square distance from the centre, mm^2
+  double radius = 0;                                ///< of a circle about the centre that holds it, mm
+  std::vector<PatchEdge> edges;                     ///< around it
+  std::vector<Point> points;
+  std::vector<Point> close_points; ///< twice as many per direction, for forces next to them
+};
+
+/// The patches of a whole surface, one for each of its nodes, in their order. A face is divided in both
+/// directions where the weights of its nodes, those of Gauss and Lobatto, meet; so the patches tile the
+/// surface, and every node lies in its own. `n_points`: HalfSpace::n_points.
+std::vector<SurfacePatch> surface_patches(const ContactSurface &surface, const WholeSurface &whole,
+                                          unsigned int n_points);
+} // namespace orthocone

@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "results/scenes.h"
+
+#include <orthocone/results/step_checks.h>
+#include <orthocone/surface/half_space.h>
+
+namespace orthocone::test
+{
+namespace
+{
+/// A cylinder on a half-space of its own modulus times a factor, pressed, pushed aside and half released.
+Parameters on_half_space(const double stiffness, const unsigned int degree = 2)
+{
+  Parameters parameters = small_scene(degree);
+  parameters.obstacle.kind = ObstacleKind::half_space;
+  parameters.obstacle.material = {stiffness * 210000, 0.2};
+  parameters.load.legs = {move_to(0, 0, -0.1, 2), move_to(0, 0, -0.05, 2)};
+  return parameters;
+}
+
+Parameters with_model(Parameters parameters, const ModelKind model)
+{
+  parameters.mesh.model = model;
+  return parameters;
+}
+} // namespace
+
+TEST(HalfSpaceScene, ReducedModelsGiveTheAnswersOfTheFullOne)
+{
+  for (const unsigned int degree : {1, 2})
+  {
+    TestScene whole(with_model(on_half_space(1, degree), ModelKind::full));
+    whole.march();
+    for (const ModelKind model : {ModelKind::half, ModelKind::quarter})
+    {
+      TestScene part(with_model(on_half_space(1, degree), model));
+      part.march();
+      expect_same_fields(part, whole, closeness);
+      EXPECT_NEAR(part.totals().elastic_energy / whole.totals().elastic_energy, 1, closeness);
+      EXPECT_NEAR(part.totals().stick_area / whole.totals().stick_area, 1, closeness);
+    }
+  }
+}
+
+TEST(HalfSpaceScene, IsAPlaneWhereItIsAMillionTimesStiffer)
+{
+  TestScene soft(on_half_space(1)), stiff(on_half_space(1e6));
+  Parameters parameters = on_half_space(1);
+  parameters.obstacle.kind = ObstacleKind::rigid;
+  TestScene rigid(with_model(parameters, ModelKind::quarter));
+  for (TestScene *const scene : {&soft, &stiff, &rigid})
+    scene->march();
+  constexpr double close = 1e-5;
+  EXPECT_LE(largest_difference(stiff.state.force, rigid.state.force), close);
+  EXPECT_NEAR(stiff.totals().total_dissipation / rigid.totals().total_dissipation, 1, close);
+  EXPECT_NEAR(stiff.totals().elastic_energy / rigid.totals().elastic_energy, 1, close);
+  EXPECT_LT(soft.totals().force[2], 0.8 * rigid.totals().force[2]);
+}
+
+TEST(HalfSpaceScene, HasASumOfCompliances)
+{
+  const Parameters parameters = on_half_space(2);
+  const Scene scene(parameters, choose_model(parameters));
+  EXPECT_EQ(scene.symmetry().name(), "quarter");
+  const Eigen::MatrixXd own =
+      half_space_compliance({420000, 0.2}, scene.surface(), scene.symmetry(), scene.axes());
+  const Eigen::MatrixXd &body = *scene.body().compliance().dense();
+  EXPECT_EQ((*scene.compliance().dense() - (own + body)).lpNorm<Eigen::Infinity>(), 0);
+  const NodeVector force = NodeVector::LinSpaced(own.rows(), 1, 2);
+  EXPECT_LE((scene.given_way(force) - own * force).norm(), 1e-12 * (own * force).norm());
+}
+
+TEST(HalfSpaceScene, PassesTheChecksOfEveryStep)
+{
+  TestScene scene(on_half_space(0.5));
+  const StepChecker checker(scene.scene, scene.parameters.checks, 1e-10);
+  scene.march(
+      [&](const ContactState &before, const ContactState &after, const LoadStep &)
+      {
+        const StepChecks checks =
+            checker.check({before, compute_totals(scene.evaluator, before)},
+                          {after, compute_totals(scene.evaluator, after)}, SolverReport{}, 0);
+        EXPECT_LE(checks.equilibrium, 1e-9);
+        EXPECT_LE(checks.energy_identity, 1e-9);
+      });
+}
+} // namespace orthocone::test
