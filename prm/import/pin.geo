@@ -8,7 +8,7 @@ SetFactory("OpenCASCADE");
 r = 3; h = 6; sphere = 10;
 Mesh.MshFileVersion = 4.1;
 Mesh.SubdivisionAlgorithm = 2;
-Mesh.MeshSizeMin = 0.5; Mesh.MeshSizeMax = 2;
+Mesh.MeshSizeMin = 0.3; Mesh.MeshSizeMax = 2;
 Cylinder(1) = {0, 0, 0, 0, 0, h, r, Pi/2};
 Sphere(2) = {0, 0, sphere, sphere};
 BooleanIntersection(3) = { Volume{1}; Delete; }{ Volume{2}; Delete; };
@@ -23,4 +23,5 @@ Physical Surface("x0") = {x0[]};
 Physical Surface("y0") = {y0[]};
 Physical Volume("pin") = {3};
 MeshSize{ PointsOf{ Volume{3}; } } = 1.6;
-MeshSize{ PointsOf{ Surface{cap[]}; } } = 0.8;
+MeshSize{ PointsOf{ Surface{cap[]}; } } = 1.2;
+MeshSize{ Point In BoundingBox {-eps, -eps, -eps, eps, eps, eps} } = 0.3; // where it touches

@@ -27,8 +27,9 @@ double scaled_jacobian(const Cell &cell)
       lengths *= edges[d].norm();
     }
     const double here = determinant(edges) / lengths;
-    if (!(here >= least))
-      least = here;
+    if (!(here > 0))
+      return here;
+    least = std::min(least, here);
   }
   return least;
 }

@@ -139,8 +139,20 @@ void ImportedMesh::check_cells()
                      " pieces without a common face: allowed is one body (gmsh: Coherence, Coherence Mesh)");
 }
 
+/// A quadrilateral that is no face of a cell is no surface of the body, which deal.II does not mind.
+void ImportedMesh::require_outside(const std::string &entry, const std::string &surface) const
+{
+  const std::size_t given = file_.find(2, surface)->n_elements, outside = faces_of(number_of(surface)).size();
+  if (outside != given)
+    throw InputError("Geometry/" + entry + " = " + shown(surface) + " has " + std::to_string(given) +
+                     " faces, of which " + std::to_string(outside) +
+                     " are on the outside of the cells: allowed are all");
+}
+
 void ImportedMesh::check_surfaces() const
 {
+  require_outside("Contact surface", geometry_.contact_surface);
+  require_outside("Held surface", geometry_.held_surface);
   const auto contact = faces_of(number_of(geometry_.contact_surface));
   const std::set<unsigned int> vertices = vertices_of(contact);
   for (const auto held : vertices_of(faces_of(number_of(geometry_.held_surface))))

@@ -20,13 +20,20 @@ TEST(ImportedCylinder, HasTheHistoryOfTheBuiltInOne)
   TestScene expected(built_in), scene(from_file);
   EXPECT_EQ(scene.symmetry.name(), "quarter");
   std::vector<Totals> history;
-  expected.march([&](const ContactState &, const ContactState &after, const LoadStep &)
-                 { history.push_back(compute_totals(expected.evaluator, after)); });
+  std::vector<NodeVector> forces;
+  expected.march(
+      [&](const ContactState &, const ContactState &after, const LoadStep &)
+      {
+        history.push_back(compute_totals(expected.evaluator, after));
+        forces.push_back(after.force);
+      });
   std::size_t step = 0;
   scene.march(
       [&](const ContactState &, const ContactState &after, const LoadStep &)
       {
         const Totals totals = compute_totals(scene.evaluator, after);
+        const double largest = forces[4].lpNorm<Eigen::Infinity>();
+        EXPECT_LE((after.force - forces.at(step)).lpNorm<Eigen::Infinity>(), 1e-10 * largest);
         const Totals &other = history.at(step++);
         EXPECT_NEAR(totals.force[2], other.force[2], 1e-10 * history[4].force[2]);
         EXPECT_NEAR(totals.max_slip, other.max_slip, 1e-10 * history[4].max_slip);
@@ -34,6 +41,5 @@ TEST(ImportedCylinder, HasTheHistoryOfTheBuiltInOne)
                     1e-10 * history[4].total_dissipation + 1e-10 * other.total_dissipation);
       });
   EXPECT_EQ(step, history.size());
-  expect_same_fields(scene, expected, closeness);
 }
 } // namespace orthocone::test

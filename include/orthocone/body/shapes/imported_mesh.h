@@ -42,6 +42,7 @@ private:
   void align();
   void check_cells();
   void check_surfaces() const;
+  void require_outside(const std::string &entry, const std::string &surface) const;
   bool is_curved() const;
   dealii::types::boundary_id id_of(const Face &face) const;
   std::vector<Face> faces_of(unsigned int number) const;
