@@ -7,6 +7,7 @@
 #include <orthocone/parameters/gmsh_file.h>
 
 #include <cmath>
+#include <set>
 
 namespace orthocone
 {
@@ -41,6 +42,7 @@ void check_regions(const Parameters &parameters)
     throw InputError("Material/Regions is set without a mesh file: allowed is nothing, or Geometry/Shape = "
                      "file, whose physical volumes they name");
   const GmshFile file = read_gmsh_file(geometry.mesh_file);
+  std::set<const PhysicalGroup *> seen;
   for (const MaterialRegion &region : parameters.material.regions)
   {
     const PhysicalGroup *const group = file.find(3, region.volume);
@@ -48,6 +50,10 @@ void check_regions(const Parameters &parameters)
       throw InputError("Material/Regions: '" + shown(region.volume) +
                        (group == nullptr ? "' is no physical volume" : "' has no cells") + ": allowed in " +
                        file.path + " are " + file.list(3));
+    if (!seen.insert(group).second)
+      throw InputError(
+          "Material/Regions: '" + shown(region.volume) +
+          "' is a volume that stands there before, by its name or its number: allowed is each once");
   }
 }
 } // namespace
