@@ -8,6 +8,7 @@
 #include <orthocone/base/text.h>
 #include <orthocone/base/threads.h>
 #include <orthocone/base/version.h>
+#include <orthocone/body/shapes/imported_mesh.h>
 #include <orthocone/contact/problem/critical_friction.h>
 #include <orthocone/march/rank_memory.h>
 #include <orthocone/parameters/parameters.h>
@@ -37,7 +38,7 @@ QuasiStaticProblem::QuasiStaticProblem(ChosenModel chosen, const ModelChoice &ch
               reach_of(scene_.body().unknowns()),
               WearJumps(parameters_.wear, scene_.symmetry().n_copies() * areas_of(scene_.surface()))),
       output_(folder_, parameters_.output, scene_, evaluator_),
-      gap_file_(gap_file_checksum(parameters_.obstacle)),
+      gap_file_(input_files_checksum(parameters_)),
       checkpoint_pause_(parameters_.output.checkpoint_seconds)
 {
   solver_.restore(chosen_.starts);
@@ -47,6 +48,8 @@ QuasiStaticProblem::QuasiStaticProblem(ChosenModel chosen, const ModelChoice &ch
   record_.critical_friction = critical_friction_;
   if (parameters_.mesh.backend == BodyBackend::multigrid)
     record_.stretch = scene_.body().mesh().stretch();
+  if (parameters_.geometry.is_from_file())
+    record_.of_mesh_file = ImportedMesh(parameters_.geometry).warnings(parameters_.mesh);
   record_.seconds = scene_.seconds();
   // The search for a mesh built the model, too.
   record_.seconds.mesh_search = chosen_.search_seconds - (chosen_.accuracy ? scene_.seconds().sum() : 0);
@@ -144,9 +147,10 @@ void QuasiStaticProblem::begin(const std::optional<Checkpoint> &checkpoint)
   if (checkpoint->n_ranks != n_ranks())
     solver_.settle(state_);
   totals_ = compute_totals(evaluator_, state_);
-  const double stretch = record_.stretch;
-  record_ = checkpoint->record;
-  record_.stretch = stretch;
+  RunRecord before = checkpoint->record;
+  before.stretch = record_.stretch;
+  before.of_mesh_file = record_.of_mesh_file;
+  record_ = std::move(before);
   record_.threads = threads_.chosen();
   record_.critical_friction = critical_friction_;
   record_.seconds.add(scene_.seconds());

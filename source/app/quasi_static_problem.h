@@ -73,7 +73,7 @@ private:
   Outcome outcome_{};                     ///< why the march did not go on
   std::optional<CycleRow> ended_cycle_{}; ///< by the last step
   Stopwatch since_checkpoint_;
-  const std::uint32_t gap_file_;      ///< gap_file_checksum()
+  const std::uint32_t gap_file_;      ///< input_files_checksum()
   double checkpoint_pause_;           ///< least seconds to the next one
   double seconds_before_ = 0;         ///< wall time of the runs before the checkpoint
   unsigned long v_cycles_before_ = 0; ///< V-cycles of these runs

@@ -30,8 +30,8 @@ void require_same_for_all(const CommandLine &line, const Parameters &parameters)
     return;
   std::ostringstream told;
   write_parameters(parameters, told);
-  told << gap_file_checksum(parameters.obstacle) << line.output_folder << line.threads << line.check
-       << line.resume << line.insist;
+  told << input_files_checksum(parameters) << line.output_folder << line.threads << line.check << line.resume
+       << line.insist;
   if (any_rank(told.str() != of_first_rank(told.str())))
     throw InputError(shown_path(line.parameter_file) + ": not all of the " + std::to_string(n_ranks()) +
                      " processes have the same entries and options: allowed is one command for all");
@@ -59,7 +59,7 @@ void require_shareable(const Parameters &parameters, const ModelChoice &model)
   if (parameters.mesh.backend == BodyBackend::automatic && !multigrid_can(parameters, model.symmetry))
     refuse(
         "Mesh/Backend", "auto",
-        "what multigrid can compute: Contact solver/Method = newton, Mesh/Volumetric quadrature = full and "
-        "Obstacle/Kind = rigid");
+        "what multigrid can compute: Contact solver/Method = newton, Mesh/Volumetric quadrature = full, one "
+        "isotropic material and Obstacle/Kind = rigid");
 }
 } // namespace orthocone

@@ -24,7 +24,8 @@ Body::Shape Body::shape_of(const Parameters &parameters, const ModelSymmetry &sy
 }
 
 Body::Body(const Parameters &parameters, const ModelSymmetry &symmetry)
-    : shape_(shape_of(parameters, symmetry))
+    : materials_(parameters),
+      shape_(shape_of(parameters, symmetry))
 {
 }
 
@@ -53,11 +54,11 @@ void Body::make_pattern(dealii::SparsityPattern &pattern) const
   std::visit([&](const auto &shape) { make_stiffness_pattern(shape.discretization, pattern); }, shape_);
 }
 
-Stiffness Body::stiffness(const MaterialOptions &material) const
+Stiffness Body::stiffness(const Materials &materials) const
 {
   // A stiffness cannot be moved, as std::visit might.
   if (const auto *const solid = std::get_if<Solid>(&shape_))
-    return Stiffness(solid->discretization, material);
-  return Stiffness(std::get<Section>(shape_).discretization, material);
+    return Stiffness(solid->discretization, materials);
+  return Stiffness(std::get<Section>(shape_).discretization, materials);
 }
 } // namespace orthocone

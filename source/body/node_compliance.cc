@@ -10,8 +10,9 @@ namespace orthocone
 {
 // A mirrored node's w_nn is that of all its images, so it would not do here.
 Eigen::VectorXd node_compliance(const ContactSurface &surface, const ModelSymmetry &symmetry,
-                                const MaterialOptions &material)
+                                const MaterialOptions &given)
 {
+  const MaterialOptions material = given.isotropic();
   constexpr double square = 0.7;
   const double nu = material.poisson_ratio;
   const Eigen::VectorXd shares = symmetry.force_shares(surface);

@@ -5,6 +5,7 @@
 #include <orthocone/base/errors.h>
 #include <orthocone/base/text.h>
 #include <orthocone/parameters/gap_file.h>
+#include <orthocone/parameters/gmsh_file.h>
 #include <orthocone/parameters/parameters.h>
 
 #include <boost/crc.hpp>
@@ -65,10 +66,14 @@ void require_same_past(const Checkpoint &checkpoint, const Parameters &parameter
     }
     else if (!may_change(entry) && earlier[entry] != value)
       refuse(entry, value, "the same value");
-  if (gap_file_checksum(parameters.obstacle) != checkpoint.gap_file)
+  if (input_files_checksum(parameters) != checkpoint.gap_file)
     throw InputError(
-        file + ": Obstacle/Gap file = " + shown_path(parameters.obstacle.gap_file) +
-        ": has other gaps than when the run in " + folder.path() +
+        file + ": " +
+        (parameters.obstacle.gap_file.empty()
+             ? "Geometry/Mesh file = " + shown_path(parameters.geometry.mesh_file) + ": has another mesh"
+             : "Obstacle/Gap file = " + shown_path(parameters.obstacle.gap_file) + ": has other gaps" +
+                   (parameters.geometry.mesh_file.empty() ? "" : ", or Geometry/Mesh file another mesh,")) +
+        " than when the run in " + folder.path() +
         " was started; allowed for --resume are the same (or start anew, with another --output DIR)");
   const bool has_searched =
       parameters.mesh.accuracy != 0 || parameters.mesh.adaptive != 0 || parameters.load.accuracy != 0;
@@ -93,12 +98,17 @@ void require_nothing_to_lose(const RunFolder &folder, const Parameters &paramete
         "starts anew");
 }
 
-std::uint32_t gap_file_checksum(const ObstacleOptions &options)
+std::uint32_t input_files_checksum(const Parameters &parameters)
 {
-  if (options.gap_file.empty())
-    return 0;
-  const GapGrid grid = read_gap_file(options.gap_file);
   boost::crc_32_type crc;
+  if (parameters.geometry.is_from_file())
+  {
+    const std::string mesh = read_gmsh_file(parameters.geometry.mesh_file).text;
+    crc.process_bytes(mesh.data(), mesh.size());
+  }
+  if (parameters.obstacle.gap_file.empty())
+    return crc.checksum();
+  const GapGrid grid = read_gap_file(parameters.obstacle.gap_file);
   for (const double number : {grid.first_x, grid.spacing_x, grid.first_y, grid.spacing_y})
     crc.process_bytes(&number, sizeof number);
   crc.process_bytes(grid.gap.data(), grid.gap.size() * sizeof(double));

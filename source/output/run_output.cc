@@ -62,7 +62,7 @@ void RunOutput::write_fields(const ContactState &state, const Eigen::VectorXd &v
 void RunOutput::write_volume(const ContactState &state, const Eigen::VectorXd &volume)
 {
   const auto make = [this, u = scene_.body().with_motion(state.motion, volume)]
-  { return volume_vtu(scene_.body().mesh(), scene_.parameters().material, u); };
+  { return volume_vtu(scene_.body().mesh(), u); };
   if (n_ranks() == 1)
     return volume_.add(state.step, make);
   volume_.add_pieces(state.step, gather_on_first(make()), volume_pvtu);

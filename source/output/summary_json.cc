@@ -106,6 +106,8 @@ Json friction_json(const Parameters &parameters)
 
 Json outline_json(const GeometryOptions &geometry)
 {
+  if (geometry.is_from_file())
+    return {{"shape", "file"}, {"mesh_file", geometry.mesh_file}};
   if (geometry.shape == BodyShape::box)
     return {{"shape", "rectangle"}, {"sizes_mm", {geometry.sizes[0], geometry.sizes[1]}}};
   return {{"shape", "disc"}, {"radius_mm", geometry.radius}};
@@ -132,7 +134,8 @@ Json scene_json(const Summary &summary)
   return {
       {"outline", outline_json(parameters.geometry)},
       {"area_mm2", area},
-      {"height_mm", parameters.geometry.held_height()},
+      {"height_mm", parameters.geometry.is_from_file() ? summary.unknowns.held_centre()[2]
+                                                       : parameters.geometry.held_height()},
       {"preload", entry_of(parameters, "Load program/Preload")},
       {"legs", entry_of(parameters, "Load program/Legs")},
       {"cycles", parameters.load.cycles},

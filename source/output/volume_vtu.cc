@@ -65,11 +65,11 @@ Ranges row_ranges()
 } // namespace
 
 template<int dim>
-std::string volume_vtu(const DisplacementSpace<dim> &space, const MaterialOptions &material,
+std::string volume_vtu(const DisplacementSpace<dim> &space, const Materials &materials,
                        const Eigen::VectorXd &displacement)
 {
   const unsigned int degree = space.fe().degree;
-  CellFields<dim> fields(space, Material(material), dealii::QIterated<dim>(dealii::QTrapezoid<1>(), degree),
+  CellFields<dim> fields(space, materials, dealii::QIterated<dim>(dealii::QTrapezoid<1>(), degree),
                          displacement);
   std::vector<dealii::DataOutBase::Patch<dim, 3>> patches;
   for (const auto &cell : space.dof_handler().active_cell_iterators())
@@ -91,7 +91,6 @@ std::string volume_pvtu(const std::vector<std::string> &pieces)
   return text.str();
 }
 
-template std::string volume_vtu(const Discretization &, const MaterialOptions &, const Eigen::VectorXd &);
-template std::string volume_vtu(const SectionDiscretization &, const MaterialOptions &,
-                                const Eigen::VectorXd &);
+template std::string volume_vtu(const Discretization &, const Materials &, const Eigen::VectorXd &);
+template std::string volume_vtu(const SectionDiscretization &, const Materials &, const Eigen::VectorXd &);
 } // namespace orthocone

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
+#include "material_checks.h"
 #include "shape_checks.h"
 #include "solver_entries.h"
 
@@ -71,6 +72,11 @@ void check_backend(const Parameters &parameters)
   if (parameters.obstacle.kind == ObstacleKind::half_space)
     throw InputError("Obstacle/Kind = half-space with Mesh/Backend = multigrid: a half-space is no part of "
                      "the body that its cycles solve; allowed is auto or condensed, or Kind = rigid");
+  if (!parameters.material.is_uniform_and_isotropic())
+    throw InputError((parameters.material.is_orthotropic() ? "Material/Law = orthotropic"
+                                                           : std::string("Material/Regions")) +
+                     " with Mesh/Backend = multigrid, whose products have one pair of Lame's constants: "
+                     "allowed is Backend = condensed");
   if (parameters.mesh.volumetric_quadrature == VolumetricQuadrature::reduced)
     throw InputError("Mesh/Volumetric quadrature = reduced with Mesh/Backend = multigrid: its products see "
                      "all of the strain "
@@ -127,6 +133,8 @@ void check_wear(const WearOptions &wear, const LoadOptions &load)
 
 void check_compression(const LoadOptions &load, const GeometryOptions &geometry)
 {
+  if (geometry.is_from_file())
+    return; // which has not been meshed yet
   for (const auto *const legs : {&load.preload, &load.legs})
     for (const Leg &leg : *legs)
       if (const auto u_z = leg.motion(2); u_z && *u_z <= -geometry.held_height())
@@ -152,6 +160,7 @@ void check_parameters(const Parameters &parameters)
   check_wear(parameters.wear, parameters.load);
   check_compression(parameters.load, parameters.geometry);
   check_shape(parameters);
+  check_material(parameters);
   check_obstacle(parameters.obstacle);
 }
 } // namespace orthocone

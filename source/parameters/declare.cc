@@ -17,6 +17,17 @@ void declare_geometry(GeometryOptions &geometry, EntryTable &table)
   add_number(table, "Radius", geometry.radius, positive, "Radius of a cylinder in mm.");
   add_number(table, "Height", geometry.height, positive, "Height of a cylinder in mm.");
   add_sizes(table, "Sizes", geometry.sizes, "l_x, l_y, l_z: lengths of a box along the axes in mm.");
+  add_path(
+      table, "Mesh file", geometry.mesh_file,
+      "Of a file: a mesh of hexahedra by Gmsh (format 2.2 or 4.1, ASCII; lengths in mm), relative to the "
+      "folder of the parameter file. It has the modelled part of the body, and all of its base is at z "
+      ">= 0: the height of a node of the base is its gap.");
+  add_group(table, "Contact surface", geometry.contact_surface,
+            "Of a file: physical surface that is pressed on the plane.");
+  add_group(table, "Held surface", geometry.held_surface,
+            "Of a file: physical surface that moves as a rigid one, of any shape.");
+  add_groups(table, "Symmetry surfaces", geometry.symmetry_surfaces,
+             "Of a file: physical surfaces in x = 0 or y = 0, about which the body is symmetric.");
   add_choice(
       table, "Top face", geometry.top_face,
       "The upper face moves as a rigid plate (clamped), or has u_z prescribed and is free sideways (guided; "
@@ -89,6 +100,14 @@ void declare_material(MaterialOptions &material, EntryTable &table)
 {
   add_number(table, "Young modulus", material.young_modulus, positive, "Young's modulus in MPa.");
   add_number(table, "Poisson ratio", material.poisson_ratio, Range{-1, 0.5}, "Poisson's ratio.");
+  add_choice(table, "Law", material.law,
+             "isotropic: the two constants above; orthotropic: the nine below, along x, y and z.");
+  add_sizes(table, "Young moduli", material.young_moduli, "E_x, E_y, E_z in MPa.");
+  add_triple(table, "Poisson ratios", material.poisson_ratios,
+             "nu_xy, nu_xz, nu_yz: under stress along x alone nu_xy = -strain along y / strain along x.");
+  add_sizes(table, "Shear moduli", material.shear_moduli, "G_xy, G_xz, G_yz in MPa.");
+  add_regions(table, "Regions", material.regions,
+              "Other, isotropic constants of physical volumes of a Mesh file: 'name: E, nu ; ...'.");
 }
 
 void declare_friction(FrictionOptions &friction, EntryTable &table)

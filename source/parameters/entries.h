@@ -130,6 +130,19 @@ void add_count(EntryTable &table, const std::string &name, unsigned int &value, 
 void add_sizes(EntryTable &table, const std::string &name, std::array<double, 3> &value,
                const std::string &help);
 
+/// Three numbers separated by commas.
+void add_triple(EntryTable &table, const std::string &name, std::array<double, 3> &value,
+                const std::string &help);
+
+/// Name or number of a physical group of a mesh, or nothing; the other: several, separated by commas.
+void add_group(EntryTable &table, const std::string &name, std::string &value, const std::string &help);
+void add_groups(EntryTable &table, const std::string &name, std::vector<std::string> &value,
+                const std::string &help);
+
+/// Isotropic constants of physical volumes.
+void add_regions(EntryTable &table, const std::string &name, std::vector<MaterialRegion> &value,
+                 const std::string &help);
+
 /// Three whole numbers from 1 to `most` separated by commas.
 void add_cells(EntryTable &table, const std::string &name, std::array<unsigned int, 3> &value,
                unsigned int most, const std::string &help);

@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include "shape_checks.h"
 
+#include "file_checks.h"
+
 #include <orthocone/base/errors.h>
 #include <orthocone/base/grading.h>
 #include <orthocone/base/text.h>
@@ -18,6 +20,11 @@ namespace
 bool is_box(const GeometryOptions &geometry)
 {
   return geometry.shape == BodyShape::box;
+}
+
+std::string shape_word(const GeometryOptions &geometry)
+{
+  return " with Geometry/Shape = " + to_word(geometry.shape);
 }
 
 void check_grading(const std::string &entry, const double grading, const unsigned int n_graded,
@@ -109,21 +116,31 @@ void warn_of_coarse_rim(const GeometryOptions &geometry, const MeshOptions &mesh
                      " and Layer grading < 1");
 }
 
-/// Entries that only the other shape has, if they are set to anything but their default.
+/// Entries that only other shapes have, if they are set to anything but their default.
 void warn_of_other_shape(const Parameters &parameters, std::vector<std::string> &warnings)
 {
   static const std::vector<std::string> of_cylinders{"Geometry/Radius", "Geometry/Height", "Mesh/Core cells",
                                                      "Mesh/Rings",      "Mesh/Layers",     "Mesh/Core ratio",
                                                      "Mesh/Rim grading"};
   static const std::vector<std::string> of_boxes{"Geometry/Sizes", "Mesh/Cells", "Mesh/Edge grading"};
-  const auto &others = is_box(parameters.geometry) ? of_cylinders : of_boxes;
+  static const std::vector<std::string> of_files{"Geometry/Mesh file", "Geometry/Contact surface",
+                                                 "Geometry/Held surface", "Geometry/Symmetry surfaces"};
+  const BodyShape shape = parameters.geometry.shape;
+  const auto is_in = [](const std::vector<std::string> &entries, const std::string &entry)
+  { return std::find(entries.begin(), entries.end(), entry) != entries.end(); };
+  const auto is_of_other = [&](const std::string &entry)
+  {
+    return (shape != BodyShape::cylinder && is_in(of_cylinders, entry)) ||
+           (shape != BodyShape::box && is_in(of_boxes, entry)) ||
+           (shape != BodyShape::file && is_in(of_files, entry)) ||
+           (shape == BodyShape::file && entry == "Mesh/Layer grading");
+  };
   const auto values = entry_values(parameters);
   const auto defaults = entry_values(Parameters());
   for (std::size_t i = 0; i < values.size(); ++i)
-    if (values[i].second != defaults[i].second &&
-        std::find(others.begin(), others.end(), values[i].first) != others.end())
-      warnings.push_back(values[i].first + " = " + values[i].second +
-                         " is ignored with Geometry/Shape = " + to_word(parameters.geometry.shape));
+    if (values[i].second != defaults[i].second && is_of_other(values[i].first))
+      warnings.push_back(values[i].first + " = " + values[i].second + " is ignored" +
+                         shape_word(parameters.geometry));
 }
 } // namespace
 
@@ -134,20 +151,24 @@ std::string height_entry(const GeometryOptions &geometry)
 
 void check_mesh_choice_of_shape(const Parameters &parameters)
 {
-  if (!is_box(parameters.geometry))
+  if (parameters.geometry.shape == BodyShape::cylinder)
     return;
   const MeshOptions &mesh = parameters.mesh;
-  const std::string shape = " with Geometry/Shape = box: ";
+  const std::string shape = shape_word(parameters.geometry);
+  const std::string chosen = is_box(parameters.geometry)
+                                 ? "; Mesh/Cells chooses the mesh of a box"
+                                 : "; the file has the mesh, which Mesh/Refinements and Adaptive refine";
   if (mesh.accuracy != 0)
-    throw InputError("Mesh/Accuracy = " + to_text(mesh.accuracy) + " %" + shape +
-                     "allowed is 0; Mesh/Cells chooses the mesh of a box");
+    throw InputError("Mesh/Accuracy = " + to_text(mesh.accuracy) + " %" + shape + ": allowed is 0" + chosen);
   if (mesh.resolution != MeshResolution::custom)
-    throw InputError("Mesh/Resolution = " + to_word(mesh.resolution) + shape +
-                     "allowed is custom; Mesh/Cells chooses the mesh of a box");
+    throw InputError("Mesh/Resolution = " + to_word(mesh.resolution) + shape + ": allowed is custom" +
+                     chosen);
 }
 
 void check_shape(const Parameters &parameters)
 {
+  if (parameters.geometry.is_from_file())
+    return check_mesh_file(parameters.geometry);
   if (is_box(parameters.geometry))
     check_box(parameters.mesh);
   else
@@ -157,7 +178,8 @@ void check_shape(const Parameters &parameters)
 
 void warn_of_shape(const Parameters &parameters, std::vector<std::string> &warnings)
 {
-  warn_of_coarse_rim(parameters.geometry, parameters.mesh, warnings);
+  if (!parameters.geometry.is_from_file())
+    warn_of_coarse_rim(parameters.geometry, parameters.mesh, warnings);
   warn_of_other_shape(parameters, warnings);
 }
 } // namespace orthocone

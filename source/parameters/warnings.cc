@@ -31,7 +31,7 @@ void warn_of_locking(const MaterialOptions &material, const MeshOptions &mesh,
                      std::vector<std::string> &warnings)
 {
   constexpr double nearly_incompressible = 0.49;
-  if (material.poisson_ratio > nearly_incompressible && mesh.degree == 1 &&
+  if (!material.is_orthotropic() && material.poisson_ratio > nearly_incompressible && mesh.degree == 1 &&
       mesh.volumetric_quadrature == VolumetricQuadrature::full)
     warnings.push_back("Material/Poisson ratio = " + to_text(material.poisson_ratio) +
                        " with Mesh/Degree = 1: trilinear elements lock, forces come out much too large; "
@@ -86,12 +86,14 @@ void warn_of_large_strain(const std::string &motion, const double largest, const
 /// Most that friction can shear the body sideways under a compression by `compression`: mu E strain / G.
 double sheared_by_friction(const Parameters &parameters, const double compression)
 {
-  return 2 * (1 + parameters.material.poisson_ratio) *
+  return 2 * (1 + parameters.material.isotropic().poisson_ratio) *
          std::max(parameters.friction.mu[0], parameters.friction.mu[1]) * compression;
 }
 
 void warn_of_large_strains(const Parameters &parameters, std::vector<std::string> &warnings)
 {
+  if (parameters.geometry.is_from_file())
+    return; // whose height is not known here
   double compression = 0;
   double sideways = 0;
   for (const auto &corner : corners(parameters.load))
@@ -208,7 +210,7 @@ std::vector<std::string> parameter_warnings(const Parameters &parameters)
   warn_of_locking(parameters.material, parameters.mesh, warnings);
   warn_of_large_strains(parameters, warnings);
   warn_of_large_rotations(parameters.load, warnings);
-  if (parameters.obstacle.is_plane())
+  if (parameters.obstacle.is_plane() && !parameters.geometry.is_from_file())
     warn_of_no_contact(parameters.load, warnings);
   warn_of_unresolved_period("Stop when periodic", parameters.load.stop_when_periodic,
                             parameters.contact_solver.tolerance, warnings);

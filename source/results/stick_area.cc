@@ -113,8 +113,8 @@ double stick_share(const double reserve, const double slip, const double edge_co
 }
 
 StickArea::StickArea(const ContactSurface &surface, const MaterialOptions &material)
-    : edge_compliance_(4. / 3 * (1 - material.poisson_ratio * material.poisson_ratio) /
-                       material.young_modulus)
+    : edge_compliance_(4. / 3 * (1 - std::pow(material.isotropic().poisson_ratio, 2)) /
+                       material.isotropic().young_modulus)
 {
   const bool is_section = !surface.faces.empty() && surface.faces.front().size() == surface.degree + 1;
   for (const auto &face : surface.faces)

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/scene/asymmetry.h>
 
+#include <orthocone/body/shapes/imported_mesh.h>
 #include <orthocone/parameters/values.h>
 #include <orthocone/scene/first_contact.h>
 #include <orthocone/scene/friction_field.h>
@@ -13,19 +14,32 @@ namespace orthocone
 namespace
 {
 /// Why the body or its cells are not as symmetric as a model; empty if they are.
-std::string of_shape(const Parameters &parameters, const ModelSymmetry &symmetry)
+std::string of_shape(const Parameters &parameters, const SymmetryPlanes &of_file,
+                     const ModelSymmetry &symmetry)
 {
   const bool is_box = parameters.geometry.shape == BodyShape::box;
   if (symmetry.is_axisymmetric())
-    return is_box ? "Geometry/Shape = " + to_word(parameters.geometry.shape) + " is no body of revolution"
-                  : "";
+    return parameters.geometry.shape == BodyShape::cylinder
+               ? ""
+               : "Geometry/Shape = " + to_word(parameters.geometry.shape) + " is no body of revolution";
   const unsigned int direction = symmetry.planes().normal_to_x ? 0 : 1;
+  if (parameters.geometry.is_from_file())
+    return (direction == 0 ? of_file.normal_to_x : of_file.normal_to_y)
+               ? ""
+               : std::string("Geometry/Symmetry surfaces has none in ") + "xy"[direction] + " = 0";
   const unsigned int n = is_box ? parameters.mesh.cells[direction] : parameters.mesh.core_cells;
   if (n % 2 == 0)
     return {};
   return is_box ? "Mesh/Cells has an odd number along " + std::string(direction == 0 ? "x" : "y") + ", " +
                       std::to_string(n)
                 : "Mesh/Core cells = " + std::to_string(n) + " is odd";
+}
+
+/// Whether a force drives the held face along z, which must not begin to press before there is contact.
+bool has_forces(const LoadOptions &load)
+{
+  constexpr unsigned int normal = 2;
+  return is_driven_by_force(load, normal);
 }
 
 std::string of_load(const LoadOptions &load, const ModelSymmetry &symmetry)
@@ -39,11 +53,18 @@ std::string of_load(const LoadOptions &load, const ModelSymmetry &symmetry)
   return {};
 }
 
-/// Isotropic and the same everywhere, the material is as symmetric as the shape.
+/// The axes of an orthotropic material are x, y and z, and those of a region its file mirrors.
+std::string of_material(const MaterialOptions &material, const ModelSymmetry &symmetry)
+{
+  return symmetry.is_axisymmetric() && material.is_orthotropic()
+             ? "Material/Law = orthotropic has axes along x and y"
+             : "";
+}
+
 std::string first_of(const Parameters &parameters, const FrictionField &friction, const Obstacle &obstacle,
                      const SurfaceSample &sample, const ModelSymmetry &symmetry)
 {
-  if (std::string why = of_shape(parameters, symmetry); !why.empty())
+  if (std::string why = of_material(parameters.material, symmetry); !why.empty())
     return why;
   if (std::string why = friction.asymmetry(symmetry, sample); !why.empty())
     return why;
@@ -63,17 +84,24 @@ Asymmetry asymmetry_of(const Parameters &parameters)
 {
   const FrictionField friction(parameters.friction);
   const auto obstacle = make_obstacle(parameters.obstacle);
+  SymmetryPlanes of_file;
+  if (parameters.geometry.is_from_file())
+    of_file = ImportedMesh(parameters.geometry).planes();
   SurfaceSample sample;
-  if (varies_over_surface(parameters))
+  if (varies_over_surface(parameters) || (parameters.geometry.is_from_file() && has_forces(parameters.load)))
   {
     sample = surface_sample(parameters);
     friction.check(sample.places);
     obstacle->check(sample.places);
-    require_contact_before_force(parameters, *obstacle, sample.places);
+    require_contact_before_force(parameters, *obstacle, sample);
   }
   const auto why = [&](const ModelSymmetry &symmetry)
-  { return first_of(parameters, friction, *obstacle, sample, symmetry); };
+  {
+    const std::string of_body = of_shape(parameters, of_file, symmetry);
+    return of_body.empty() ? first_of(parameters, friction, *obstacle, sample, symmetry) : of_body;
+  };
   return {{{why(SymmetryPlanes{true, false}), why(SymmetryPlanes{false, true})}},
-          why(ModelSymmetry::of_revolution())};
+          why(ModelSymmetry::of_revolution()),
+          of_file};
 }
 } // namespace orthocone

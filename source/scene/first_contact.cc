@@ -47,21 +47,25 @@ private:
   std::array<bool, n_rigid_components> by_force_{};
 };
 
-double least_gap(const Obstacle &obstacle, const std::vector<Vector2d> &places, const RigidMotion &held,
-                 const double height)
+double least_gap(const Obstacle &obstacle, const SurfaceSample &sample, const RigidMotion &held)
 {
   double least = std::numeric_limits<double>::infinity();
-  for (const Vector2d &place : places)
-    least = std::min(least, obstacle.gap(place) + held.at({place[0], place[1], -height})[normal]);
+  for (std::size_t i = 0; i < sample.places.size(); ++i)
+  {
+    const Vector2d &place = sample.places[i];
+    const double height = sample.heights.empty() ? 0 : sample.heights[i];
+    const Eigen::Vector3d arm = Eigen::Vector3d(place[0], place[1], height) - sample.held_centre;
+    least = std::min(least, obstacle.gap(place) + height + held.at(arm)[normal]);
+  }
   return least;
 }
 } // namespace
 
 void require_contact_before_force(const Parameters &parameters, const Obstacle &obstacle,
-                                  const std::vector<Vector2d> &places)
+                                  const SurfaceSample &sample)
 {
   constexpr double rounding = 1e-12;
-  const double height = parameters.geometry.held_height();
+  const double height = sample.held_centre[2];
   const LoadOptions &load = parameters.load;
   Way way;
   const auto pass = [&](const std::vector<Leg> &legs, const std::string &entry)
@@ -69,7 +73,7 @@ void require_contact_before_force(const Parameters &parameters, const Obstacle &
     for (std::size_t i = 0; i < legs.size(); ++i)
     {
       if (way.is_left_by(legs[i]))
-        if (const double gap = least_gap(obstacle, places, way.motion(), height); gap > rounding * height)
+        if (const double gap = least_gap(obstacle, sample, way.motion()); gap > rounding * height)
           throw InputError("Load program/" + entry + ": Fz presses from leg " + std::to_string(i + 1) +
                            " on, where a gap of " + to_text(gap) +
                            " mm is open: allowed is a leg before it that closes the gap by a motion of uz");

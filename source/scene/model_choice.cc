@@ -75,6 +75,22 @@ ModelChoice smallest_choice(const Parameters &parameters, const Asymmetry &asymm
                                          : asymmetry.of_planes()};
 }
 
+/// A file has one part of the body: the scene must be as symmetric as that, and no other can be asked for.
+ModelChoice choice_of_file(const Parameters &parameters, const Asymmetry &asymmetry)
+{
+  const SymmetryPlanes &planes = asymmetry.of_file;
+  for (const unsigned int d : {0, 1})
+    if ((d == 0 ? planes.normal_to_x : planes.normal_to_y) && !asymmetry.has_plane(d))
+      throw InputError("Geometry/Symmetry surfaces: the mesh file ends at " + std::string(1, "xy"[d]) +
+                       " = 0, about which the scene is not symmetric: " + asymmetry.about_planes[d] +
+                       "; allowed is a mesh of both sides");
+  if (parameters.mesh.model != ModelKind::automatic && to_word(parameters.mesh.model) != planes.name())
+    throw InputError("Mesh/Model = " + to_word(parameters.mesh.model) +
+                     " is not possible: the mesh file has " + "the " + planes.name() +
+                     " body; possible models are " + planes.name() + ", auto");
+  return {planes, "what the mesh file has"};
+}
+
 ModelSymmetry requested_symmetry(const Parameters &parameters, const Asymmetry &asymmetry)
 {
   const SymmetryPlanes smallest = asymmetry.planes();
@@ -104,7 +120,8 @@ ModelChoice choose_model(const Parameters &parameters)
 {
   const Asymmetry asymmetry = asymmetry_of(parameters);
   const ModelChoice choice =
-      parameters.mesh.model == ModelKind::automatic
+      parameters.geometry.is_from_file() ? choice_of_file(parameters, asymmetry)
+      : parameters.mesh.model == ModelKind::automatic
           ? smallest_choice(parameters, asymmetry)
           : ModelChoice{requested_symmetry(parameters, asymmetry), "as Mesh/Model says"};
   check_guided_top(parameters, asymmetry, choice.symmetry);

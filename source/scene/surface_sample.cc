@@ -5,6 +5,7 @@
 #include <orthocone/base/numbers.h>
 #include <orthocone/base/text.h>
 #include <orthocone/body/body.h>
+#include <orthocone/body/shapes/imported_mesh.h>
 #include <orthocone/body/shapes/mesh_ladder.h>
 
 #include <algorithm>
@@ -33,6 +34,24 @@ MeshOptions flat_mesh(const Parameters &parameters, const bool is_axisymmetric)
   return mesh;
 }
 
+/// Of the part of the body that the file has, and mirrored.
+SurfaceSample sample_of_file(const Parameters &parameters)
+{
+  const SymmetryPlanes planes = ImportedMesh(parameters.geometry).planes();
+  const Body body(parameters, planes);
+  SurfaceSample sample;
+  for (const double x : {1., -1.})
+    for (const double y : {1., -1.})
+      if ((x > 0 || planes.normal_to_x) && (y > 0 || planes.normal_to_y))
+        for (const ContactNode &node : body.unknowns().contact_surface().nodes)
+        {
+          sample.places.emplace_back(x * node.position[0], y * node.position[1]);
+          sample.heights.push_back(node.height);
+        }
+  sample.held_centre = body.unknowns().held_centre();
+  return sample;
+}
+
 std::vector<Vector2d> contact_places(const Parameters &given, const ModelSymmetry &symmetry)
 {
   Parameters parameters = given;
@@ -52,7 +71,10 @@ std::vector<Vector2d> places_of(const ContactSurface &surface)
 
 SurfaceSample surface_sample(const Parameters &parameters)
 {
+  if (parameters.geometry.is_from_file())
+    return sample_of_file(parameters);
   SurfaceSample sample{contact_places(parameters, {}), {}};
+  sample.held_centre[2] = parameters.geometry.held_height();
   if (parameters.geometry.shape == BodyShape::cylinder)
     sample.radii = contact_places(parameters, ModelSymmetry::of_revolution());
   return sample;

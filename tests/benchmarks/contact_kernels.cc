@@ -17,7 +17,7 @@ void residual(benchmark::State &state)
 {
   const Scene &s = scene_of(state);
   // In turns: the last product with W is remembered.
-  const std::array<NodeVector, 2> forces{s.force, 0.99 * s.force};
+  const std::array<NodeVector, 2> forces{{s.force, 0.99 * s.force}};
   std::size_t turn = 0;
   for (auto _ : state)
     benchmark::DoNotOptimize(s.problem.residual(forces[++turn % 2]));

@@ -152,7 +152,7 @@ ROWS = [
     ("box_size_zero", "subsection Geometry\n  set Shape = box\n  set Sizes = 20, 0, 10\nend\n",
      "{file}:4: Geometry/Sizes = 20, 0, 10: allowed is three numbers > 0 separated by commas"),
     ("shape_block", "subsection Geometry\n  set Radius = 10\n  set Shape = block\nend\n",
-     "{file}:4: Geometry/Shape = block: allowed is cylinder | box"),
+     "{file}:4: Geometry/Shape = block: allowed is cylinder | box | file"),
     ("slip_rule_infinite", "subsection Checks\n  set Equilibrium = 1e-8\n  set Slip rule = inf\nend\n",
      "{file}:4: Checks/Slip rule = inf: allowed is a number > 0 and < 1e+300"),
     ("tab_behind_keywords", "subsection\tMesh\n\tset\tLayers\t=\t900\nend\n",

@@ -22,7 +22,7 @@ PROBE = "probes \"name: x y\""
 
 # Values that are wrong by themselves: section, entry, what the message says is allowed, values.
 WRONG_VALUES = [
-    ("Geometry", "Shape", "cylinder | box", ["cube"]),
+    ("Geometry", "Shape", "cylinder | box | file", ["cube"]),
     ("Geometry", "Sizes", "three numbers > 0 separated by commas", ["1, 2", "0, 1, 1", "1 2 3", "1, 2, inf"]),
     ("Mesh", "Cells", "three whole numbers from 1 to 200 separated by commas", ["8, 8", "0, 1, 1", "201, 1, 1", "1.5, 1, 1"]),
     ("Geometry", "Radius", POSITIVE, ["ten", "", "1,5", "+-5", "++5"]),

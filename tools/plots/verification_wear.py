@@ -55,9 +55,10 @@ def fretted_pressure(runs, ax):
 def fretted_force(runs, ax):
     for depth, colour in (("8e-5", GREEN), ("2e-5", BLUE)):
         history = runs.verified("fretting_wear", "Load program/Cycles=20000", f"Wear/Largest depth of a jump={depth}").history
-        ax.plot(history["cycle"], history["force_z"], color=colour, linewidth=1.2,
+        cyclic = history["cycle"] > 0
+        ax.plot(history["cycle"][cyclic] / 1e3, history["force_z"][cyclic], color=colour, linewidth=1.2,
                 label=f"jumps of at most {1e6 * float(depth):.0f} nm: {len(history['cycle']) // N_STEPS} cycles computed")
-    label(ax, "Fretting: the normal force that wear leaves", "cycles", "normal force in N")
+    label(ax, "Fretting: the normal force that wear leaves", "thousand cycles", "normal force in N")
 
 
 PANELS = (worn_cap, fretted_pressure, fretted_force)

@@ -21,8 +21,8 @@ bool multigrid_can(const Parameters &parameters, const ModelSymmetry &symmetry);
 
 /// What Mesh/Backend = auto stands for: what takes less time by estimates that know nothing of this machine
 /// but its memory, which the factorization must fit into. Nothing is compared where only one can do it
-/// (multigrid needs a solid, full quadrature, Newton's method and a Poisson ratio below 0.495), nor where no
-/// cell is halved and the factorization fits and takes seconds, or neither fits. `parameters` have the
-/// resolved mesh.
+/// (multigrid needs a solid, one isotropic material, full quadrature, Newton's method and a Poisson ratio
+/// below 0.495), nor where no cell is halved and the factorization fits and takes seconds, or neither fits.
+/// `parameters` have the resolved mesh.
 BackendChoice choose_backend(const Parameters &parameters, const ModelSymmetry &symmetry, double gigabytes);
 } // namespace orthocone

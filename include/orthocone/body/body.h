@@ -30,7 +30,9 @@ public:
 
   /// Entries of the stiffness on and below the diagonal.
   void make_pattern(dealii::SparsityPattern &pattern) const;
-  Stiffness stiffness(const MaterialOptions &material) const;
+  Stiffness stiffness(const Materials &materials) const;
+
+  const Materials &materials() const { return materials_; }
 
   /// The displacement space of a solid. Throws std::bad_variant_access for a section.
   const Discretization &solid() const { return std::get<Solid>(shape_).discretization; }
@@ -58,6 +60,7 @@ private:
   using Shape = std::variant<Solid, Section>;
   static Shape shape_of(const Parameters &parameters, const ModelSymmetry &symmetry);
 
+  Materials materials_;
   Shape shape_;
 };
 } // namespace orthocone

@@ -21,7 +21,7 @@ struct Checkpoint
   std::vector<std::pair<std::string, std::string>> parameters; ///< entry_values() as given
   std::vector<std::pair<std::string, std::string>> chosen;     ///< those with the mesh and the parts of steps
                                                                ///< that were chosen
-  std::uint32_t gap_file = 0;                                  ///< gap_file_checksum()
+  std::uint32_t gap_file = 0;                                  ///< input_files_checksum()
   std::string program;                                         ///< version and revision that wrote it
   TableMarks tables;                                           ///< the CSV files
   FieldSteps fields;                                           ///< that have a field file
@@ -41,8 +41,9 @@ struct CheckpointError : std::runtime_error
 /// Version of the bytes; another one is refused.
 constexpr unsigned int checkpoint_format = 10;
 
-/// Checksum of the gaps in the file that the options name; 0 if they name none. Throws as read_gap_file().
-std::uint32_t gap_file_checksum(const ObstacleOptions &options);
+/// Checksum of the gaps and of the mesh in the files that the parameters name; 0 if they name none. Throws as
+/// read_gap_file() and read_gmsh_file().
+std::uint32_t input_files_checksum(const Parameters &parameters);
 
 /// The bytes of a checkpoint: a line with format version, length and checksum, then CBOR.
 std::string encode(const Checkpoint &checkpoint);

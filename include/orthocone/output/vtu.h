@@ -20,15 +20,14 @@ std::string contact_vtu(const ContactFieldEvaluator &evaluator, const ContactSta
 /// hexahedra. A section lies in the plane y = 0 and has one Lagrange cell an element. Where several processes
 /// share the body, only the cells of this one, and nothing if there are none.
 template<int dim>
-std::string volume_vtu(const DisplacementSpace<dim> &space, const MaterialOptions &material,
+std::string volume_vtu(const DisplacementSpace<dim> &space, const Materials &materials,
                        const Eigen::VectorXd &displacement);
 
 /// That of the body's displacement space, of all degrees of freedom.
-inline std::string volume_vtu(const Body &body, const MaterialOptions &material,
-                              const Eigen::VectorXd &displacement)
+inline std::string volume_vtu(const Body &body, const Eigen::VectorXd &displacement)
 {
   return body.visit([&](const auto &discretization)
-                    { return volume_vtu(discretization, material, displacement); });
+                    { return volume_vtu(discretization, body.materials(), displacement); });
 }
 
 /// PVTU text that names the pieces of several processes.

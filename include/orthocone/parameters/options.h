@@ -29,6 +29,7 @@ enum class BodyShape
 {
   cylinder,
   box,
+  file,
 };
 
 /// Part of the body that is modelled; axisymmetric is its section (r, z).
@@ -66,6 +67,13 @@ enum class ObstacleKind
   half_space,
 };
 
+/// Law of elasticity of the body.
+enum class MaterialLaw
+{
+  isotropic,
+  orthotropic,
+};
+
 /// How the elastic body is solved: factorized and condensed to its contact nodes, or by multigrid.
 enum class BodyBackend
 {
@@ -90,8 +98,15 @@ struct GeometryOptions
   TopFace top_face = TopFace::clamped;
   BodyShape shape = BodyShape::cylinder;
   std::array<double, 3> sizes{{20, 20, 10}}; ///< of a box, along x, y, z
+  std::string mesh_file{};                   ///< path, or empty
+  // Physical groups of that file, by name or number:
+  std::string contact_surface{};
+  std::string held_surface{};
+  std::vector<std::string> symmetry_surfaces{};
 
-  /// Distance of the held face from the base.
+  bool is_from_file() const { return shape == BodyShape::file; }
+
+  /// Distance of the held face from the base; not of a body from a file.
   double held_height() const { return shape == BodyShape::box ? sizes[2] : height; }
 };
 
@@ -128,11 +143,31 @@ struct MeshOptions
   unsigned int n_quadrature_points() const { return quadrature_points == 0 ? degree + 1 : quadrature_points; }
 };
 
-/// Section Material: isotropic linear elasticity.
+/// Isotropic constants of a volume of an imported mesh.
+struct MaterialRegion
+{
+  std::string volume;   ///< name or number of the physical group
+  double young_modulus; ///< MPa
+  double poisson_ratio;
+};
+
+/// Section Material: linear elasticity.
 struct MaterialOptions
 {
   double young_modulus = 210000; ///< MPa
   double poisson_ratio = 0.3;
+  MaterialLaw law = MaterialLaw::isotropic;
+  // Of the orthotropic law:
+  std::array<double, 3> young_moduli{{210000, 210000, 210000}}; ///< E_x, E_y, E_z, MPa
+  std::array<double, 3> poisson_ratios{{0.3, 0.3, 0.3}};        ///< nu_xy, nu_xz, nu_yz
+  std::array<double, 3> shear_moduli{{80000, 80000, 80000}};    ///< G_xy, G_xz, G_yz, MPa
+  std::vector<MaterialRegion> regions{};
+
+  bool is_orthotropic() const { return law == MaterialLaw::orthotropic; }
+  bool is_uniform_and_isotropic() const { return !is_orthotropic() && regions.empty(); }
+
+  /// The constants themselves, or, where the law is orthotropic, isotropic ones of its size: for estimates.
+  MaterialOptions isotropic() const;
 };
 
 /// Section Friction: semi-axes of the friction ellipse (mu) and of the slip ellipse (p), both along axes
@@ -178,8 +213,8 @@ struct FrictionOptions
 /// Section Obstacle: the gap between the plane z = 0 and the obstacle is `gap` and that of the file, mm.
 struct ObstacleOptions
 {
-  std::string gap = "0"; ///< an Expression
-  std::string gap_file;  ///< path, or empty
+  std::string gap = "0";  ///< an Expression
+  std::string gap_file{}; ///< path, or empty
   ObstacleKind kind = ObstacleKind::rigid;
   MaterialOptions material{}; ///< of a half-space
 

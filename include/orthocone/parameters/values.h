@@ -23,8 +23,15 @@ struct Words;
 template<>
 struct Words<BodyShape>
 {
-  static constexpr std::array<std::pair<BodyShape, std::string_view>, 2> table{
-      {{BodyShape::cylinder, "cylinder"}, {BodyShape::box, "box"}}};
+  static constexpr std::array<std::pair<BodyShape, std::string_view>, 3> table{
+      {{BodyShape::cylinder, "cylinder"}, {BodyShape::box, "box"}, {BodyShape::file, "file"}}};
+};
+
+template<>
+struct Words<MaterialLaw>
+{
+  static constexpr std::array<std::pair<MaterialLaw, std::string_view>, 2> table{
+      {{MaterialLaw::isotropic, "isotropic"}, {MaterialLaw::orthotropic, "orthotropic"}}};
 };
 
 template<>

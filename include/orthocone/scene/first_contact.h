@@ -7,7 +7,7 @@
 namespace orthocone
 {
 /// Refuses a load program in which a force begins to press while nothing touches: the motion until then is
-/// not determined. Throws InputError. `places`: contact nodes of the whole body, mm.
+/// not determined. Throws InputError. `sample`: of the whole body.
 void require_contact_before_force(const Parameters &parameters, const Obstacle &obstacle,
-                                  const std::vector<Eigen::Vector2d> &places);
+                                  const SurfaceSample &sample);
 } // namespace orthocone

@@ -19,7 +19,9 @@ struct SurfaceSample
 {
   std::vector<Eigen::Vector2d> places; ///< of the whole contact surface, mm
   std::vector<Eigen::Vector2d>
-      radii; ///< (r, 0) of the rings of a section, mm; none where there is no section
+      radii;                     ///< (r, 0) of the rings of a section, mm; none where there is no section
+  std::vector<double> heights{}; ///< of the places above z = 0, mm; none: all 0
+  Eigen::Vector3d held_centre = Eigen::Vector3d::Zero(); ///< of the whole held face, mm
 
   /// The places of a model that its maps are applied to.
   const std::vector<Eigen::Vector2d> &of(const ModelSymmetry &symmetry) const
@@ -37,7 +39,8 @@ inline bool varies_over_surface(const Parameters &parameters)
 /// Where contact nodes lie, mm.
 std::vector<Eigen::Vector2d> places_of(const ContactSurface &surface);
 
-/// The contact nodes that the parameters give without single cells that are halved; those of the finest mesh
+/// The contact nodes that the parameters give without single cells that are halved; of a mesh file all of
+/// them and their images; those of the finest mesh
 /// of the ladder if a search is to choose it. The nodes of the run are checked when there is a model (Scene).
 SurfaceSample surface_sample(const Parameters &parameters);
 

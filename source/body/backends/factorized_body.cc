@@ -8,11 +8,11 @@ namespace orthocone
 {
 namespace
 {
-Stiffness announced_stiffness(const Parameters &parameters, const Body &mesh,
-                              const std::function<void(const Body &)> &on_meshed, double &seconds)
+Stiffness announced_stiffness(const Body &mesh, const std::function<void(const Body &)> &on_meshed,
+                              double &seconds)
 {
   on_meshed(mesh);
-  return timed(seconds, [&] { return mesh.stiffness(parameters.material); });
+  return timed(seconds, [&] { return mesh.stiffness(mesh.materials()); });
 }
 } // namespace
 
@@ -20,7 +20,7 @@ FactorizedBody::FactorizedBody(const Parameters &parameters, const ModelSymmetry
                                const std::function<LocalAxes(const ContactSurface &)> &axes_of,
                                const std::function<void(const Body &)> &on_meshed, PhaseSeconds &seconds)
     : mesh_(timed(seconds.mesh, [&] { return Body(parameters, symmetry); })),
-      stiffness_(announced_stiffness(parameters, mesh_, on_meshed, seconds.assembly)),
+      stiffness_(announced_stiffness(mesh_, on_meshed, seconds.assembly)),
       factor_(timed(seconds.factorization,
                     [&] { return StiffnessFactor(stiffness_.matrix(), mesh_.unknowns().n_interior()); })),
       condensed_(timed(seconds.condensation,

@@ -46,11 +46,11 @@ const dealii::UpdateFlags needed =
 } // namespace
 
 template<int dim>
-CellFields<dim>::CellFields(const DisplacementSpace<dim> &space, const Material &material,
+CellFields<dim>::CellFields(const DisplacementSpace<dim> &space, const Materials &materials,
                             const dealii::Quadrature<dim> &points, const VectorXd &displacement)
     : space_(space),
       displacement_(displacement),
-      material_(material),
+      materials_(materials),
       values_(space.mapping(), space.scalar_fe(), points, needed),
       quadrature_values_(space.mapping(), space.scalar_fe(), dealii::QGauss<dim>(space.n_quadrature_points()),
                          needed | dealii::update_JxW_values),
@@ -95,7 +95,8 @@ std::vector<PointFields> CellFields<dim>::in(const typename DisplacementSpace<di
     const Strain strain = strain_at(values_, q, nodal);
     fields[q].place = in_space(values_.quadrature_point(q));
     fields[q].displacement = displacement_at(values_, q, nodal);
-    fields[q].stress = material_.stress(strain, is_reduced ? changes[q] : trace(strain));
+    fields[q].stress =
+        materials_.of(cell->material_id()).stress(strain, is_reduced ? changes[q] : trace(strain));
   }
   return fields;
 }

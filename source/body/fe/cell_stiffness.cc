@@ -39,25 +39,33 @@ Vector3d divergence_factors_of(const unsigned int c)
 } // namespace
 
 template<int dim>
-CellStiffness<dim>::CellStiffness(const DisplacementSpace<dim> &space, const Material &material)
+CellStiffness<dim>::CellStiffness(const DisplacementSpace<dim> &space, const Materials &materials)
     : space_(space),
       values_(space.mapping(), space.scalar_fe(), dealii::QGauss<dim>(space.n_quadrature_points()),
               dealii::update_values | dealii::update_gradients | dealii::update_quadrature_points |
                   dealii::update_JxW_values),
-      volumetric_modulus_(material.volumetric_modulus()),
-      mu_(material.shear_modulus())
+      materials_(materials)
 {
-  const bool is_reduced = space.volumetric_quadrature() == VolumetricQuadrature::reduced;
-  lambda_ = is_reduced ? 0 : volumetric_modulus_;
-  if (is_reduced)
+  if (space.volumetric_quadrature() == VolumetricQuadrature::reduced)
     divergence_.emplace(space.scalar_fe().degree, values_.get_quadrature());
+  for (unsigned int c = 0; c < dim; ++c)
+    divergence_factors_[c] = divergence_factors_of<dim>(c);
+}
+
+template<int dim>
+void CellStiffness<dim>::take(const Material &material)
+{
+  if (material_ == &material)
+    return;
+  material_ = &material;
+  const bool is_reduced = divergence_.has_value();
+  volumetric_modulus_ = material.volumetric_modulus();
+  lambda_ = is_reduced ? 0 : volumetric_modulus_;
+  mu_ = material.shear_modulus();
   const ElasticTangent tangent = is_reduced ? material.tangent_at_constant_volume() : material.tangent();
   for (unsigned int c = 0; c < dim; ++c)
-  {
-    divergence_factors_[c] = divergence_factors_of<dim>(c);
     for (unsigned int d = 0; d < dim; ++d)
       factors_[dim * c + d] = factors_of<dim>(tangent, c, d);
-  }
 }
 
 // FEValues cannot be copied.
@@ -67,10 +75,7 @@ CellStiffness<dim>::CellStiffness(const CellStiffness &other)
       values_(other.values_.get_mapping(), other.values_.get_fe(), other.values_.get_quadrature(),
               other.values_.get_update_flags()),
       divergence_(other.divergence_),
-      volumetric_modulus_(other.volumetric_modulus_),
-      lambda_(other.lambda_),
-      mu_(other.mu_),
-      factors_(other.factors_),
+      materials_(other.materials_),
       divergence_factors_(other.divergence_factors_)
 {
 }
@@ -99,10 +104,25 @@ void CellStiffness<dim>::integrate()
   }
 }
 
+template<int dim>
+void CellStiffness<dim>::combine_by_factors()
+{
+  const Eigen::Index n_nodes = values_.dofs_per_cell;
+  matrix_.resize(dim * n_nodes, dim * n_nodes);
+  for (Eigen::Index b = 0; b < n_nodes; ++b)
+    for (Eigen::Index a = 0; a < n_nodes; ++a)
+      for (Eigen::Index c = 0; c < dim; ++c)
+        for (Eigen::Index d = 0; d < dim; ++d)
+          matrix_(dim * a + c, dim * b + d) =
+              factors_[dim * c + d].cwiseProduct(products_.block<3, 3>(3 * a, 3 * b)).sum();
+}
+
 /// Hooke's law in closed form: lambda d_i N_a d_j N_b + mu (d_j N_a d_i N_b + delta_ij grad N_a . grad N_b).
 template<>
 void CellStiffness<3>::combine()
 {
+  if (!material_->is_isotropic())
+    return combine_by_factors();
   matrix_.resizeLike(products_);
   for (Eigen::Index b = 0; b < products_.cols(); b += 3)
     for (Eigen::Index a = 0; a < products_.rows(); a += 3)
@@ -116,19 +136,13 @@ void CellStiffness<3>::combine()
 template<>
 void CellStiffness<2>::combine()
 {
-  const Eigen::Index n_nodes = values_.dofs_per_cell;
-  matrix_.resize(2 * n_nodes, 2 * n_nodes);
-  for (Eigen::Index b = 0; b < n_nodes; ++b)
-    for (Eigen::Index a = 0; a < n_nodes; ++a)
-      for (Eigen::Index c = 0; c < 2; ++c)
-        for (Eigen::Index d = 0; d < 2; ++d)
-          matrix_(2 * a + c, 2 * b + d) =
-              factors_[2 * c + d].cwiseProduct(products_.block<3, 3>(3 * a, 3 * b)).sum();
+  combine_by_factors();
 }
 
 template<int dim>
 const MatrixXd &CellStiffness<dim>::of(const typename DisplacementSpace<dim>::Cell &cell)
 {
+  take(materials_.of(cell->material_id()));
   values_.reinit(typename dealii::Triangulation<dim>::active_cell_iterator(cell));
   integrate();
   combine();

@@ -6,7 +6,7 @@
 
 #include <orthocone/body/fe/displacement_space.h>
 #include <orthocone/body/fe/projected_divergence.h>
-#include <orthocone/body/materials/material.h>
+#include <orthocone/body/materials/materials.h>
 
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_values.h>
@@ -16,28 +16,32 @@
 
 namespace orthocone
 {
-/// Stiffness of one cell after the other, of a section those of the rings, from one tangent for all.
+/// Stiffness of one cell after the other, of a section those of the rings.
 template<int dim>
 class CellStiffness
 {
 public:
-  CellStiffness(const DisplacementSpace<dim> &space, const Material &material);
+  CellStiffness(const DisplacementSpace<dim> &space, const Materials &materials);
   CellStiffness(const CellStiffness &other);
 
   /// Numbered dim a + c by scalar node a and component c; N/mm.
   const Eigen::MatrixXd &of(const typename DisplacementSpace<dim>::Cell &cell);
 
 private:
+  void take(const Material &material);
   void integrate();
   void combine();
+  void combine_by_factors();
 
   static constexpr unsigned int n_terms = 3;
   const DisplacementSpace<dim> &space_;
   dealii::FEValues<dim> values_;
   std::optional<ProjectedDivergence<dim>> divergence_; ///< with reduced volumetric quadrature
-  double volumetric_modulus_;
+  Materials materials_;
+  const Material *material_ = nullptr; ///< that the next numbers are of
+  double volumetric_modulus_ = 0;
   double lambda_ = 0; ///< what combine() takes care of: 0 with reduced volumetric quadrature
-  double mu_;
+  double mu_ = 0;
   /// By components (dim c + d): what the products of terms of two nodes contribute to their entry (c, d).
   std::array<Eigen::Matrix3d, static_cast<std::size_t>(dim *dim)> factors_;
   std::array<Eigen::Vector3d, dim> divergence_factors_; ///< of the terms, by components

@@ -96,8 +96,9 @@ ContactFaces::ContactFaces(std::vector<ContactFace> of_this_process, const bool 
       faces_.insert(faces_.end(), faces.begin(), faces.end());
   else
     faces_ = std::move(of_this_process);
-  std::sort(faces_.begin(), faces_.end(),
-            [](const ContactFace &a, const ContactFace &b) { return a.cell < b.cell; });
+  // A cell may have several.
+  std::stable_sort(faces_.begin(), faces_.end(),
+                   [](const ContactFace &a, const ContactFace &b) { return a.cell < b.cell; });
 }
 
 ContactSurface ContactFaces::surface(const unsigned int degree,

@@ -26,6 +26,23 @@ namespace
 template<int dim>
 constexpr unsigned int lower_face = dealii::GeometryInfo<dim>::faces_per_cell - 2;
 
+/// Nodes of a face by their lexicographic numbers in the cell, themselves lexicographic: along two axes that
+/// make a right-handed system with the normal into the cell.
+template<int dim>
+std::vector<unsigned int> nodes_of_face(const unsigned int face, const unsigned int degree)
+{
+  const unsigned int normal = face / 2, n = degree + 1;
+  unsigned int first = (normal + 1) % dim, second = dim == 2 ? normal : (normal + 2) % dim;
+  if (dim == 3 && face % 2 == 1)
+    std::swap(first, second);
+  const std::array<unsigned int, 3> stride{{1, n, n * n}};
+  std::vector<unsigned int> nodes;
+  for (unsigned int j = 0; j < (dim == 2 ? 1 : n); ++j)
+    for (unsigned int i = 0; i < n; ++i)
+      nodes.push_back((face % 2) * degree * stride[normal] + i * stride[first] + j * stride[second]);
+  return nodes;
+}
+
 /// Direction in which a component moves.
 template<int dim>
 std::array<unsigned char, dim> directions();
@@ -170,10 +187,9 @@ void DisplacementSpace<dim>::find_contact_surface(const dealii::AffineConstraint
       for (const unsigned int face : cell->face_indices())
         if (cell->face(face)->at_boundary() && cell->face(face)->boundary_id() == Boundary::contact_surface)
         {
-          AssertThrow(face == lower_face<dim>,
-                      dealii::ExcMessage("the contact surface is not the lower face of a cell"));
+          const auto nodes = nodes_of_face<dim>(face, scalar_fe_.degree);
           values.reinit(typename dealii::Triangulation<dim>::active_cell_iterator(cell), face);
-          faces.push_back(contact_face(cell, face_weights(values), hanging));
+          faces.push_back(contact_face(cell, nodes, face_weights(values, nodes), hanging));
           cells[common_id(cell)] = cell->active_cell_index();
         }
   const ContactFaces all(std::move(faces), is_shared());
@@ -187,7 +203,8 @@ void DisplacementSpace<dim>::find_contact_surface(const dealii::AffineConstraint
 }
 
 template<int dim>
-ContactFace DisplacementSpace<dim>::contact_face(const Cell &cell, Eigen::VectorXd weights,
+ContactFace DisplacementSpace<dim>::contact_face(const Cell &cell, const std::vector<unsigned int> &nodes,
+                                                 Eigen::VectorXd weights,
                                                  const dealii::AffineConstraints<double> &hanging)
 {
   if (has_axis_face(cell))
@@ -195,7 +212,7 @@ ContactFace DisplacementSpace<dim>::contact_face(const Cell &cell, Eigen::Vector
   ContactFace face{common_id(cell), {}};
   for (unsigned int point = 0; point < weights.size(); ++point)
   {
-    face.nodes.push_back(face_node(cell, point));
+    face.nodes.push_back(face_node(cell, nodes[point]));
     FaceNode &node = face.nodes.back();
     node.weight = weights[point];
     node.hangs = hanging.is_constrained(node.dofs[2]) && !held_.is_element(node.dofs[2]);
@@ -207,7 +224,7 @@ ContactFace DisplacementSpace<dim>::contact_face(const Cell &cell, Eigen::Vector
   return face;
 }
 
-/// Numbers and place of a node of a contact face.
+/// Numbers and place of a node of a contact face, by its lexicographic number in the cell.
 template<int dim>
 FaceNode DisplacementSpace<dim>::face_node(const Cell &cell, const unsigned int point)
 {
@@ -234,13 +251,13 @@ FaceNode DisplacementSpace<dim>::face_node(const Cell &cell, const unsigned int 
 
 /// Integrals of the shape functions of FE_Q over a contact face, or its ring, mm^2.
 template<int dim>
-Eigen::VectorXd DisplacementSpace<dim>::face_weights(const dealii::FEFaceValues<dim> &values) const
+Eigen::VectorXd DisplacementSpace<dim>::face_weights(const dealii::FEFaceValues<dim> &values,
+                                                     const std::vector<unsigned int> &nodes) const
 {
-  const unsigned int n_side = scalar_fe_.degree + 1;
-  Eigen::VectorXd weights = Eigen::VectorXd::Zero(dim == 2 ? n_side : n_side * n_side);
+  Eigen::VectorXd weights = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(nodes.size()));
   for (unsigned int i = 0; i < weights.size(); ++i)
     for (const unsigned int q : values.quadrature_point_indices())
-      weights[i] += values.shape_value(hierarchic_[i], q) *
+      weights[i] += values.shape_value(hierarchic_[nodes[i]], q) *
                     (ring_length<dim>(values.quadrature_point(q)) * values.JxW(q));
   return weights;
 }

@@ -66,6 +66,16 @@ DofPlaces places_of(const dealii::Mapping<dim> &mapping, const dealii::DoFHandle
   return places;
 }
 
+/// Length of an edge, or area of a quadrilateral, which may be warped: half the product of its diagonals.
+inline double measure_of(const dealii::Triangulation<2>::face_iterator &face)
+{
+  return face->measure();
+}
+inline double measure_of(const dealii::Triangulation<3>::face_iterator &face)
+{
+  return cross_product_3d(face->vertex(3) - face->vertex(0), face->vertex(2) - face->vertex(1)).norm() / 2;
+}
+
 /// Centroid of the held face of the whole body: of the modelled part's, but in the planes of symmetry, or on
 /// the axis.
 template<int dim>
@@ -85,8 +95,8 @@ Eigen::Vector3d held_centre_of(const dealii::Triangulation<dim> &triangulation)
     extent = std::max(extent, centre.norm());
     if (face->boundary_id() != Boundary::top_face)
       return;
-    area += face->measure();
-    moment += face->measure() * centre;
+    area += measure_of(face);
+    moment += measure_of(face) * centre;
   };
   for (const auto &cell : triangulation.active_cell_iterators())
     if (cell->is_locally_owned())

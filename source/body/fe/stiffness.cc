@@ -25,7 +25,7 @@ struct CellMatrix
 };
 
 template<int dim>
-void assemble(const DisplacementSpace<dim> &space, const Material &material,
+void assemble(const DisplacementSpace<dim> &space, const Materials &materials,
               dealii::SparseMatrix<double> &matrix)
 {
   const auto work = [&space](const typename DisplacementSpace<dim>::Cell &cell, CellStiffness<dim> &stiffness,
@@ -38,7 +38,7 @@ void assemble(const DisplacementSpace<dim> &space, const Material &material,
   const auto add = [&](const CellMatrix<dim> &copy) { add_cell_matrix(copy.matrix, copy.dofs, matrix); };
   const auto &dof_handler = space.dof_handler();
   dealii::WorkStream::run(dof_handler.begin_active(), dof_handler.end(), work, add,
-                          CellStiffness<dim>(space, material), CellMatrix<dim>());
+                          CellStiffness<dim>(space, materials), CellMatrix<dim>());
 }
 } // namespace
 
@@ -65,17 +65,17 @@ void make_stiffness_pattern(const DisplacementSpace<dim> &space, dealii::Sparsit
 }
 
 template<int dim>
-Stiffness::Stiffness(const DisplacementSpace<dim> &space, const MaterialOptions &material)
+Stiffness::Stiffness(const DisplacementSpace<dim> &space, const Materials &materials)
 {
   make_stiffness_pattern(space, pattern_);
   matrix_.reinit(pattern_);
-  assemble(space, Material(material), matrix_);
+  assemble(space, materials, matrix_);
 }
 
 template void make_stiffness_pattern(const Discretization &, dealii::SparsityPattern &);
 template void make_stiffness_pattern(const SectionDiscretization &, dealii::SparsityPattern &);
-template Stiffness::Stiffness(const Discretization &, const MaterialOptions &);
-template Stiffness::Stiffness(const SectionDiscretization &, const MaterialOptions &);
+template Stiffness::Stiffness(const Discretization &, const Materials &);
+template Stiffness::Stiffness(const SectionDiscretization &, const Materials &);
 
 Eigen::VectorXd diagonal_beside_hanging_nodes(const Discretization &space, const MaterialOptions &material)
 {

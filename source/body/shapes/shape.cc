@@ -19,6 +19,8 @@ std::unique_ptr<Shape> make_shape(const GeometryOptions &geometry, const MeshOpt
     return make_cylinder(geometry, mesh);
   case BodyShape::box:
     return make_box(geometry, mesh);
+  case BodyShape::file:
+    return make_file_shape(geometry, mesh);
   }
   throw std::logic_error("unknown shape");
 }

@@ -15,4 +15,7 @@ std::unique_ptr<Shape> make_cylinder(const GeometryOptions &geometry, const Mesh
 /// Box centred on the z axis, of bricks graded towards the side faces, the base and the held face. A model
 /// that ends at x = 0 or y = 0 needs an even number of cells along that axis.
 std::unique_ptr<Shape> make_box(const GeometryOptions &geometry, const MeshOptions &mesh);
+
+/// The cells of a mesh file. There is no other model than the part of the body that the file has.
+std::unique_ptr<Shape> make_file_shape(const GeometryOptions &geometry, const MeshOptions &mesh);
 } // namespace orthocone

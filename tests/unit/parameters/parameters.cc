@@ -125,7 +125,8 @@ TEST(Parameters, AreWrittenWithTheirHelpInLinesOf78Characters)
   const std::string text = text_of(Parameters());
   EXPECT_EQ(text.find("# Listing of Parameters\n# ---------------------\nsubsection Geometry\n  # "), 0u);
   EXPECT_NE(
-      text.find("\n  # Height of a cylinder in mm. Allowed: a number > 0.\n  set Height   = 10\n\n  # "),
+      text.find(
+          "\n  # Height of a cylinder in mm. Allowed: a number > 0.\n  set Height            = 10\n\n  # "),
       std::string::npos);
   EXPECT_NE(text.find("\nend\n\n\nsubsection Mesh\n  # "), std::string::npos);
   std::istringstream lines(text);

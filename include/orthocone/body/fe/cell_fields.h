@@ -4,7 +4,7 @@
 
 #include <orthocone/body/fe/displacement_space.h>
 #include <orthocone/body/fe/projected_divergence.h>
-#include <orthocone/body/materials/material.h>
+#include <orthocone/body/materials/materials.h>
 
 #include <deal.II/fe/fe_values.h>
 
@@ -32,7 +32,7 @@ class CellFields
 public:
   /// `points` in the unit cell; `displacement` of all degrees of freedom. `space` and `displacement` must
   /// outlive this.
-  CellFields(const DisplacementSpace<dim> &space, const Material &material,
+  CellFields(const DisplacementSpace<dim> &space, const Materials &materials,
              const dealii::Quadrature<dim> &points, const Eigen::VectorXd &displacement);
 
   std::vector<PointFields> in(const typename DisplacementSpace<dim>::Cell &cell);
@@ -44,7 +44,7 @@ private:
 
   const DisplacementSpace<dim> &space_;
   const Eigen::VectorXd &displacement_;
-  Material material_;
+  Materials materials_;
   dealii::FEValues<dim> values_;
   dealii::FEValues<dim> quadrature_values_; ///< with reduced volumetric quadrature, as the next two
   ProjectedDivergence<dim> divergence_;

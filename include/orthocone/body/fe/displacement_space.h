@@ -80,10 +80,11 @@ private:
   dealii::IndexSet held_dofs(TopFace top_face) const;
   void make_axis_face_basis();
   void find_contact_surface(const dealii::AffineConstraints<double> &hanging);
-  ContactFace contact_face(const Cell &cell, Eigen::VectorXd weights,
+  ContactFace contact_face(const Cell &cell, const std::vector<unsigned int> &nodes, Eigen::VectorXd weights,
                            const dealii::AffineConstraints<double> &hanging);
   FaceNode face_node(const Cell &cell, unsigned int point);
-  Eigen::VectorXd face_weights(const dealii::FEFaceValues<dim> &values) const;
+  Eigen::VectorXd face_weights(const dealii::FEFaceValues<dim> &values,
+                               const std::vector<unsigned int> &nodes) const;
 
   dealii::FE_Q<dim> scalar_fe_;
   dealii::FESystem<dim> fe_;

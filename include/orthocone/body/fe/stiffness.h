@@ -3,7 +3,7 @@
 #pragma once
 
 #include <orthocone/body/fe/displacement_space.h>
-#include <orthocone/parameters/options.h>
+#include <orthocone/body/materials/materials.h>
 
 #include <deal.II/lac/sparse_matrix.h>
 
@@ -19,13 +19,13 @@ void make_stiffness_pattern(const DisplacementSpace<dim> &space, dealii::Sparsit
 /// strains the cell in more than its own node. Of all degrees of freedom, N/mm; nothing where no node hangs.
 Eigen::VectorXd diagonal_beside_hanging_nodes(const Discretization &space, const MaterialOptions &material);
 
-/// Stiffness of the free degrees of freedom, n_free() x n_free() (N/mm), of isotropic linear elasticity at
-/// small strain; of a section, of whole rings. Only the entries on and below the diagonal are stored.
+/// Stiffness of the free degrees of freedom, n_free() x n_free() (N/mm), of linear elasticity at small
+/// strain; of a section, of whole rings. Only the entries on and below the diagonal are stored.
 class Stiffness
 {
 public:
   template<int dim>
-  Stiffness(const DisplacementSpace<dim> &space, const MaterialOptions &material);
+  Stiffness(const DisplacementSpace<dim> &space, const Materials &materials);
 
   const dealii::SparseMatrix<double> &matrix() const { return matrix_; }
 

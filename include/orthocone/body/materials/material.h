@@ -6,45 +6,60 @@
 
 #include <deal.II/base/symmetric_tensor.h>
 
+#include <optional>
+
 namespace orthocone
 {
 using Strain = dealii::SymmetricTensor<2, 3>;
 using Stress = dealii::SymmetricTensor<2, 3>;         ///< MPa
 using ElasticTangent = dealii::SymmetricTensor<4, 3>; ///< MPa
 
-/// Isotropic linear elasticity at small strain, the same in solids and sections.
+/// Orthotropic linear elasticity along x, y, z: the inverse of the compliance that the nine constants make.
+/// nu_xy is - strain along y / strain along x under a stress along x alone.
+ElasticTangent orthotropic_tangent(const MaterialOptions &options);
+
+/// Linear elasticity at small strain, isotropic, the same in solids and sections, or orthotropic.
 class Material
 {
 public:
   explicit Material(const MaterialOptions &options)
       : lame_(options)
   {
+    if (options.is_orthotropic())
+      orthotropic_ = orthotropic_tangent(options);
   }
+
+  bool is_isotropic() const { return !orthotropic_; }
 
   Stress stress(const Strain &strain) const { return stress(strain, trace(strain)); }
 
-  /// Of elements that see another change of volume than the trace of `strain`.
+  /// Of elements that see another change of volume than the trace of `strain`, which isotropic ones may.
   Stress stress(const Strain &strain, const double volume_change) const
   {
+    if (orthotropic_)
+      return *orthotropic_ * strain;
     return lame_.lambda * volume_change * dealii::unit_symmetric_tensor<3>() + 2 * lame_.mu * strain;
   }
 
   /// Derivative of the stress by the strain.
   ElasticTangent tangent() const
   {
+    if (orthotropic_)
+      return *orthotropic_;
     const auto one = dealii::unit_symmetric_tensor<3>();
     return lame_.lambda * outer_product(one, one) + tangent_at_constant_volume();
   }
 
-  /// What is left of it if the stress from the change of volume is taken care of elsewhere.
+  /// What is left of it if the stress from the change of volume is taken care of elsewhere; isotropic.
   ElasticTangent tangent_at_constant_volume() const { return 2 * lame_.mu * dealii::identity_tensor<3>(); }
 
-  double shear_modulus() const { return lame_.mu; } ///< MPa
+  double shear_modulus() const { return lame_.mu; } ///< MPa, isotropic
 
-  /// Stress from a change of volume by 1, MPa.
+  /// Stress from a change of volume by 1, MPa, isotropic.
   double volumetric_modulus() const { return lame_.lambda; }
 
 private:
   LameParameters lame_;
+  std::optional<ElasticTangent> orthotropic_;
 };
 } // namespace orthocone

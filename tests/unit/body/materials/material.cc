@@ -35,4 +35,37 @@ TEST(Material, HasTheTangentOfItsStress)
   EXPECT_LE((material.tangent_at_constant_volume() * strain - rest).norm(), 1e-14 * rest.norm());
   EXPECT_NEAR(stress[0][0] - rest[0][0], material.volumetric_modulus() * trace(strain), 1e-9);
 }
+
+// Each column of the compliance is the strain under one stress.
+TEST(Material, IsOrthotropic)
+{
+  MaterialOptions options;
+  options.law = MaterialLaw::orthotropic;
+  options.young_moduli = {{100, 50, 20}};
+  options.poisson_ratios = {{0.3, 0.2, 0.4}};
+  options.shear_moduli = {{11, 12, 13}};
+  const Material material(options);
+  Strain along_x;
+  along_x[0][0] = 0.01;
+  along_x[1][1] = -0.003;
+  along_x[2][2] = -0.002;
+  Strain along_z;
+  along_z[2][2] = 0.01;
+  along_z[0][0] = -0.2 / 100 * 20 * 0.01;
+  along_z[1][1] = -0.4 / 50 * 20 * 0.01;
+  Strain shear;
+  shear[0][1] = 0.01;
+  shear[1][2] = 0.02;
+  Stress expected;
+  expected[0][0] = 1;
+  EXPECT_LE((material.stress(along_x) - expected).norm(), 1e-13);
+  expected.clear();
+  expected[2][2] = 0.2;
+  EXPECT_LE((material.stress(along_z) - expected).norm(), 1e-13);
+  expected.clear();
+  expected[0][1] = 2 * 11 * 0.01;
+  expected[1][2] = 2 * 13 * 0.02;
+  EXPECT_LE((material.stress(shear) - expected).norm(), 1e-13);
+  EXPECT_LE((material.tangent() * shear - expected).norm(), 1e-13);
+}
 } // namespace orthocone::test

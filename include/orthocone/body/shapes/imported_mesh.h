@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/parameters/gmsh_file.h>
+#include <orthocone/parameters/options.h>
+#include <orthocone/surface/model_symmetry.h>
+
+#include <deal.II/grid/tria.h>
+
+#include <string>
+#include <vector>
+
+namespace orthocone
+{
+/// The mesh of a file, checked: one piece of hexahedra that are not inverted, on or above the plane z = 0,
+/// with surfaces for contact, hold and symmetry. Boundary and material ids are the numbers of the physical
+/// groups, 0 for none. What rounding leaves between nodes and the planes that they lie in is taken away.
+class ImportedMesh
+{
+public:
+  /// Throws InputError with the path of the file, or the entry, and what is allowed; FileError.
+  explicit ImportedMesh(const GeometryOptions &geometry);
+
+  const dealii::Triangulation<3> &triangulation() const { return triangulation_; }
+  const SymmetryPlanes &planes() const { return planes_; }
+
+  /// The same cells with the boundary ids of boundary.h.
+  void copy_to(dealii::Triangulation<3> &triangulation) const;
+
+  /// Volumes, surfaces with areas, worst cell and height of the contact surface, a line each.
+  std::string describe() const;
+
+  /// What makes such a mesh suspicious, a sentence each.
+  std::vector<std::string> warnings(const MeshOptions &mesh) const;
+
+private:
+  using Face = dealii::Triangulation<3>::active_face_iterator;
+
+  void read();
+  void find_planes();
+  void align();
+  void check_cells();
+  void check_surfaces() const;
+  void require_outside(const std::string &entry, const std::string &surface) const;
+  bool is_curved() const;
+  dealii::types::boundary_id id_of(const Face &face) const;
+  std::vector<Face> faces_of(unsigned int number) const;
+  unsigned int number_of(const std::string &surface) const { return file_.find(2, surface)->number; }
+
+  GeometryOptions geometry_;
+  GmshFile file_;
+  dealii::Triangulation<3> triangulation_;
+  SymmetryPlanes planes_;
+  dealii::Point<3> lowest_, highest_; ///< of the box around, mm
+  double extent_ = 0;                 ///< longest side of that box, mm
+  double worst_quality_ = 1;          ///< scaled Jacobian, of the worst cell
+  dealii::Point<3> worst_place_;
+};
+} // namespace orthocone

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/body/materials/materials.h>
+
+#include <orthocone/parameters/gmsh_file.h>
+
+namespace orthocone
+{
+Materials::Materials(const Parameters &parameters)
+    : other_(parameters.material)
+{
+  if (parameters.material.regions.empty())
+    return;
+  const GmshFile file = read_gmsh_file(parameters.geometry.mesh_file);
+  for (const MaterialRegion &region : parameters.material.regions)
+  {
+    MaterialOptions isotropic;
+    isotropic.young_modulus = region.young_modulus;
+    isotropic.poisson_ratio = region.poisson_ratio;
+    regions_.emplace(file.find(3, region.volume)->number, Material(isotropic));
+  }
+}
+} // namespace orthocone

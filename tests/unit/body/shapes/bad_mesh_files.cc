@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "bad_meshes.h"
+
+#include "parameters/parameter_files.h"
+#include "rejection.h"
+
+#include <orthocone/body/shapes/imported_mesh.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <gtest/gtest.h>
+
+namespace orthocone::test
+{
+namespace
+{
+std::string sentence(const GeometryOptions &geometry)
+{
+  Parameters parameters;
+  parameters.geometry = geometry;
+  return rejection_of(
+      [&]
+      {
+        check_parameters(parameters);
+        const ImportedMesh mesh(geometry);
+      });
+}
+
+void expect_rejected(const std::vector<Row> &rows)
+{
+  const Folder folder;
+  for (const Row &row : rows)
+  {
+    GeometryOptions geometry = imported(folder.write("bad.msh", row.text), {"x0", "y0"});
+    row.options(geometry);
+    const std::string told = sentence(geometry);
+    EXPECT_NE(told.find(row.expected), std::string::npos) << row.fault << ": " << told;
+    EXPECT_EQ(told.find('\n'), std::string::npos) << row.fault;
+  }
+}
+} // namespace
+
+TEST(BadMeshFile, GoodOnesAreTaken)
+{
+  const Folder folder;
+  EXPECT_EQ(sentence(imported(folder.write("good.msh", good_mesh().text()), {"x0", "y0"})), "");
+  EXPECT_EQ(sentence(imported(folder.write("good.msh", good_41), {})), "");
+}
+
+TEST(BadMeshFile, BrokenTextsAreRefused)
+{
+  expect_rejected(broken_texts());
+  expect_rejected(broken_sections());
+}
+
+TEST(BadMeshFile, BrokenMeshesAreRefused)
+{
+  // deal.II's assertions would end a debug build where its reader refuses what does not fit together.
+  dealii::deal_II_exceptions::disable_abort_on_exception();
+  expect_rejected(broken_meshes());
+  expect_rejected(misplaced_meshes());
+}
+
+TEST(BadMeshFile, WrongNamesAreRefused)
+{
+  expect_rejected(wrong_names());
+}
+
+TEST(BadMeshFile, FoldersAndMissingFilesCannotBeRead)
+{
+  const Folder folder;
+  EXPECT_THROW(ImportedMesh(imported(folder.path("part"))), FileError);
+  EXPECT_THROW(ImportedMesh(imported(folder.path("nowhere.msh"))), FileError);
+}
+} // namespace orthocone::test
