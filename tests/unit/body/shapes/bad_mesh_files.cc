@@ -27,6 +27,16 @@ std::string sentence(const GeometryOptions &geometry)
       });
 }
 
+/// What is said of a mesh; the assertions of deal.II's reader find cells without volume before our checks do.
+std::string expected(const Row &row)
+{
+#ifdef DEBUG
+  if (row.fault == std::string("inverted") || row.fault == std::string("collapsed"))
+    return "its elements do not fit together";
+#endif
+  return row.expected;
+}
+
 void expect_rejected(const std::vector<Row> &rows)
 {
   const Folder folder;
@@ -35,7 +45,7 @@ void expect_rejected(const std::vector<Row> &rows)
     GeometryOptions geometry = imported(folder.write("bad.msh", row.text), {"x0", "y0"});
     row.options(geometry);
     const std::string told = sentence(geometry);
-    EXPECT_NE(told.find(row.expected), std::string::npos) << row.fault << ": " << told;
+    EXPECT_NE(told.find(expected(row)), std::string::npos) << row.fault << ": " << told;
     EXPECT_EQ(told.find('\n'), std::string::npos) << row.fault;
   }
 }
