@@ -7,6 +7,7 @@
 
 #include <orthocone/base/contact_solver_options.h>
 #include <orthocone/base/rigid_components.h>
+#include <orthocone/parameters/body_options.h>
 #include <orthocone/parameters/expression.h>
 
 #include <array>
@@ -17,71 +18,6 @@
 
 namespace orthocone
 {
-/// How the upper face is held: clamped (moves as a rigid plate) or guided (u_z prescribed, free sideways).
-enum class TopFace
-{
-  clamped,
-  guided,
-};
-
-/// Shape of the body.
-enum class BodyShape
-{
-  cylinder,
-  box,
-  file,
-};
-
-/// Part of the body that is modelled; axisymmetric is its section (r, z).
-enum class ModelKind
-{
-  automatic,
-  full,
-  half,
-  quarter,
-  axisymmetric,
-};
-
-/// Who chooses the cells of the mesh: the single entries (custom), or one word for all of them.
-enum class MeshResolution
-{
-  custom,
-  paper,
-  coarse,
-  medium,
-  fine,
-};
-
-/// How the part of the stiffness that resists changes of volume is integrated: like the rest (full), or so
-/// that it sees the divergence one degree lower (reduced).
-enum class VolumetricQuadrature
-{
-  full,
-  reduced,
-};
-
-/// What the body rests on.
-enum class ObstacleKind
-{
-  rigid,
-  half_space,
-};
-
-/// Law of elasticity of the body.
-enum class MaterialLaw
-{
-  isotropic,
-  orthotropic,
-};
-
-/// How the elastic body is solved: factorized and condensed to its contact nodes, or by multigrid.
-enum class BodyBackend
-{
-  automatic,
-  condensed,
-  multigrid,
-};
-
 /// What takes material off the base of the body where it slips.
 enum class WearKind
 {
@@ -90,84 +26,11 @@ enum class WearKind
   energy,
 };
 
-/// Section Geometry (mm).
-struct GeometryOptions
+/// What the body rests on.
+enum class ObstacleKind
 {
-  double radius = 10;
-  double height = 10;
-  TopFace top_face = TopFace::clamped;
-  BodyShape shape = BodyShape::cylinder;
-  std::array<double, 3> sizes{{20, 20, 10}}; ///< of a box, along x, y, z
-  std::string mesh_file{};                   ///< path, or empty
-  // Physical groups of that file, by name or number:
-  std::string contact_surface{};
-  std::string held_surface{};
-  std::vector<std::string> symmetry_surfaces{};
-
-  bool is_from_file() const { return shape == BodyShape::file; }
-
-  /// Distance of the held face from the base; not of a body from a file.
-  double held_height() const { return shape == BodyShape::box ? sizes[2] : height; }
-};
-
-/// Cells of a mesh from `first` to `last`, numbers in its order.
-struct CellRange
-{
-  unsigned int first, last;
-};
-
-/// Section Mesh: an o-grid disc extruded into layers, or the rows of cells of a box.
-struct MeshOptions
-{
-  ModelKind model = ModelKind::automatic;
-  unsigned int core_cells = 8;        ///< cells along a side of the core block
-  unsigned int rings = 0;             ///< cells from core to rim; 0: as many as core cells
-  unsigned int layers = 4;            ///< cells over the height
-  unsigned int degree = 2;            ///< polynomial degree of FE_Q
-  unsigned int quadrature_points = 0; ///< Gauss points per direction; 0: degree + 1
-  VolumetricQuadrature volumetric_quadrature = VolumetricQuadrature::full;
-  double core_ratio = 0.5;  ///< core corner radius / R
-  double rim_grading = 1;   ///< thickness of a ring / thickness of the next inner ring
-  double layer_grading = 1; ///< thickness of a layer / thickness of its neighbour towards mid-height
-  MeshResolution resolution = MeshResolution::custom;
-  double accuracy = 0; ///< wanted of the four quantities that users look at, percent; 0: the mesh is given
-  std::array<unsigned int, 3> cells{{8, 8, 4}}; ///< of a box, along x, y, z
-  double edge_grading = 1;      ///< of a box: thickness of a cell / that of its neighbour towards the middle
-  unsigned int refinements = 0; ///< how often every cell is divided into eight, a section's into four
-  BodyBackend backend = BodyBackend::automatic;
-  unsigned int adaptive = 0; ///< rounds of refinement where the first cycle asks for it
-  std::vector<std::vector<CellRange>> refined_cells{}; ///< halved after all refinements, round by round
-  unsigned int coarsenings = 0; ///< how often cells that were halved are made larger again; no entry
-
-  unsigned int n_rings() const { return rings == 0 ? core_cells : rings; }
-  unsigned int n_quadrature_points() const { return quadrature_points == 0 ? degree + 1 : quadrature_points; }
-};
-
-/// Isotropic constants of a volume of an imported mesh.
-struct MaterialRegion
-{
-  std::string volume;   ///< name or number of the physical group
-  double young_modulus; ///< MPa
-  double poisson_ratio;
-};
-
-/// Section Material: linear elasticity.
-struct MaterialOptions
-{
-  double young_modulus = 210000; ///< MPa
-  double poisson_ratio = 0.3;
-  MaterialLaw law = MaterialLaw::isotropic;
-  // Of the orthotropic law:
-  std::array<double, 3> young_moduli{{210000, 210000, 210000}}; ///< E_x, E_y, E_z, MPa
-  std::array<double, 3> poisson_ratios{{0.3, 0.3, 0.3}};        ///< nu_xy, nu_xz, nu_yz
-  std::array<double, 3> shear_moduli{{80000, 80000, 80000}};    ///< G_xy, G_xz, G_yz, MPa
-  std::vector<MaterialRegion> regions{};
-
-  bool is_orthotropic() const { return law == MaterialLaw::orthotropic; }
-  bool is_uniform_and_isotropic() const { return !is_orthotropic() && regions.empty(); }
-
-  /// The constants themselves, or, where the law is orthotropic, isotropic ones of its size: for estimates.
-  MaterialOptions isotropic() const;
+  rigid,
+  half_space,
 };
 
 /// Section Friction: semi-axes of the friction ellipse (mu) and of the slip ellipse (p), both along axes

@@ -182,8 +182,7 @@ TEST(Checkpoint, OfAnotherFormatIsRefused)
   const std::string format = std::to_string(checkpoint_format);
   ASSERT_EQ(bytes.substr(place, format.size() + 1), format + " ");
   bytes.replace(place, format.size(), "7");
-  EXPECT_EQ(complaint(bytes),
-            "has format version 7, and this program reads version " + format);
+  EXPECT_EQ(complaint(bytes), "has format version 7, and this program reads version " + format);
 }
 
 TEST(Checkpoint, KeepsWhatSearchesAndThreadsAre)
