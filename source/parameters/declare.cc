@@ -19,7 +19,7 @@ void declare_geometry(GeometryOptions &geometry, EntryTable &table)
   add_sizes(table, "Sizes", geometry.sizes, "l_x, l_y, l_z: lengths of a box along the axes in mm.");
   add_path(
       table, "Mesh file", geometry.mesh_file,
-      "Of a file: a mesh of hexahedra by Gmsh (format 2.2 or 4.1, ASCII; lengths in mm), relative to the "
+      "Of a file: a mesh of hexahedra by Gmsh (format 2.2 or 4.1, ASCII, mm), relative to the "
       "folder of the parameter file. It has the modelled part of the body, and all of its base is at z "
       ">= 0: the height of a node of the base is its gap.");
   add_group(table, "Contact surface", geometry.contact_surface,

@@ -5,11 +5,12 @@ import re
 
 UNITS = {
     "Geometry": {"Radius": "mm", "Height": "mm", "Sizes": "mm"},
-    "Material": {"Young modulus": "MPa"},
+    "Material": {name: "MPa" for name in ("Young modulus", "Young moduli", "Shear moduli")},
     "Mesh": {"Accuracy": "%"},
     "Friction": {"Orthotropy angle": "degrees"},
-    "Obstacle": {"Gap": "mm"},
+    "Obstacle": {"Gap": "mm", "Young modulus": "MPa"},
     "Load program": {"Accuracy": "%", **{name: "(mm, degrees, N, N mm : steps)" for name in ("Preload", "Legs")}},
+    "Wear": {"Coefficient": "MPa\u207b\u00b9", "Largest depth of a jump": "mm"},
     "Checks": {name: "\u00d7 tolerance" for name in ("Penetration", "Complementarity", "Friction cone", "Slip rule")},
     "Output": {"Checkpoint": "s", "Probes": "(mm)"},
 }
