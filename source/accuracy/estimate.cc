@@ -5,6 +5,7 @@
 #include <orthocone/base/stopwatch.h>
 #include <orthocone/body/backends/stiffness_factor.h>
 #include <orthocone/march/step_solver.h>
+#include <orthocone/parameters/lower_body.h>
 #include <orthocone/scene/load_program.h>
 
 #include <algorithm>
@@ -19,7 +20,7 @@ namespace
 constexpr double bytes_per_number = 8;
 constexpr double gigabyte = 1e9;
 constexpr double dense_matrices = 3;     // of the size of the compliance, at most at a time
-constexpr double of_half_space = 1;      // more of them: its compliance, then the sum
+constexpr double of_counterbody = 1;     // more of them: its compliance, then the sum
 constexpr double bytes_per_step = 100;   // of the load program and the lists of files
 constexpr double memory_bandwidth = 8e9; // bytes/s that one core of a usual machine reads
 
@@ -113,8 +114,8 @@ static Estimate of_factorization(const Parameters &parameters, const ModelSize &
       (2 * 1.5 * size.stiffness_entries + cost.entries + dense_matrices * n_contact * n_contact) *
           bytes_per_number / gigabyte +
       step_gigabytes(parameters.load, size.contact_nodes);
-  if (parameters.obstacle.kind == ObstacleKind::half_space)
-    result.gigabytes += of_half_space * n_contact * n_contact * bytes_per_number / gigabyte;
+  if (parameters.obstacle.kind != ObstacleKind::rigid)
+    result.gigabytes += of_counterbody * n_contact * n_contact * bytes_per_number / gigabyte;
   const unsigned int dim = symmetry.is_axisymmetric() ? 2 : 3;
   const double n_cell = dim * std::pow(parameters.mesh.degree + 1, dim);
   const double assembly =
@@ -128,6 +129,18 @@ static Estimate of_factorization(const Parameters &parameters, const ModelSize &
   const double checks = (2 * cost.entries + 3 * size.stiffness_entries) * bytes_per_number / memory_bandwidth;
   result.step_seconds = contact + checks;
   return result;
+}
+
+/// What the lower body adds to the estimate of the other one, all but the program and the load steps.
+static void add_lower_body(const Parameters &parameters, const ModelSymmetry &symmetry, Estimate &sum)
+{
+  Parameters lower = lower_parameters(parameters);
+  lower.load = LoadOptions{};
+  lower.output.contact_interval = 0;
+  const Estimate own = estimate(lower, Body(lower, symmetry), symmetry);
+  sum.gigabytes += own.gigabytes;
+  sum.set_up_seconds += own.set_up_seconds;
+  sum.step_seconds += own.step_seconds;
 }
 
 Estimate estimate(const Parameters &parameters, const Body &body, const ModelSymmetry &symmetry)
@@ -145,6 +158,8 @@ Estimate estimate(const Parameters &parameters, const Body &body, const ModelSym
   result.step_seconds +=
       volume_seconds_per_step(parameters.output, size.dofs) +
       seconds_per_value * 9 * n_drawn * fields_written_per_step(parameters.output.contact_interval);
+  if (parameters.obstacle.kind == ObstacleKind::body)
+    add_lower_body(parameters, symmetry, result);
   return result;
 }
 

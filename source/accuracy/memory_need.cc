@@ -4,6 +4,7 @@
 
 #include <orthocone/accuracy/estimate.h>
 #include <orthocone/base/errors.h>
+#include <orthocone/parameters/lower_body.h>
 
 #include <iomanip>
 #include <limits>
@@ -41,7 +42,10 @@ static std::optional<double> needed_gigabytes(const Parameters &parameters, cons
   if (const double least = least_estimate(size).gigabytes; least > gigabytes)
     return least;
   require_countable(size);
-  if (size.dofs * most_per_unknown + program + steps < gigabytes)
+  const double lower_dofs = parameters.obstacle.kind == ObstacleKind::body
+                                ? model_size(lower_parameters(parameters), symmetry).dofs
+                                : 0;
+  if ((size.dofs + lower_dofs) * most_per_unknown + program + steps < gigabytes)
     return std::nullopt;
   return estimate(parameters, Body(parameters, symmetry), symmetry).gigabytes;
 }

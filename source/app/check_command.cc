@@ -10,6 +10,7 @@
 #include <orthocone/body/shapes/imported_mesh.h>
 #include <orthocone/body/shapes/mesh_ladder.h>
 #include <orthocone/output/summary.h>
+#include <orthocone/parameters/lower_body.h>
 #include <orthocone/scene/load_program.h>
 
 #include <iostream>
@@ -36,7 +37,7 @@ void print_unknown_mesh(const Parameters &parameters, const ModelChoice &model)
 {
   std::cout << describe_model(model) << "mesh           is chosen by the run, for errors of "
             << to_text(parameters.mesh.accuracy) << " %\n"
-            << describe_friction(parameters) << describe_obstacle(parameters.obstacle)
+            << describe_friction(parameters) << describe_obstacle(parameters)
             << describe_steps(parameters.load);
   print_warnings(parameters, "");
 }
@@ -65,10 +66,21 @@ void print_large_model(const Parameters &parameters, const ModelChoice &model, c
   const Estimate cost =
       is_condensed ? least_estimate(size) : multigrid_estimate(parameters, size, model.symmetry);
   std::cout << describe_model(model) << describe(size) << "\n"
-            << describe_friction(parameters) << describe_obstacle(parameters.obstacle)
+            << describe_friction(parameters) << describe_obstacle(parameters)
             << describe_steps(parameters.load) << describe(cost, n_steps, limit, is_condensed) << "\n";
   const std::string lack = lack_of_memory(cost.gigabytes, limit);
   print_warnings(parameters, is_condensed ? why_too_large(size, lack) : lack);
+}
+
+void print_lower_mesh(const Parameters &parameters, const ModelChoice &model)
+{
+  if (parameters.obstacle.kind != ObstacleKind::body)
+    return;
+  const std::string line = of_lower_body(
+      [&] {
+        return describe_lower_mesh(parameters, Body(lower_parameters(parameters), model.symmetry).unknowns());
+      });
+  std::cout << line << "\n";
 }
 
 void print_model(const Parameters &parameters, const ModelChoice &model)
@@ -77,6 +89,7 @@ void print_model(const Parameters &parameters, const ModelChoice &model)
   const MemoryLimit limit = memory_limit();
   const Body body(parameters, model.symmetry);
   std::cout << describe_model(parameters, model, body.unknowns()) << "\n";
+  print_lower_mesh(parameters, model);
   try
   {
     const Estimate cost =

@@ -144,6 +144,8 @@ std::optional<Checkpoint> find_checkpoint(const RunFolder &folder, const Paramet
     folder.require_tables(checkpoint.tables);
     require_fields(folder, "contact", checkpoint.fields.contact);
     require_fields(folder, "volume", checkpoint.fields.volume);
+    if (parameters.obstacle.kind == ObstacleKind::body)
+      require_fields(folder, "lower", checkpoint.fields.volume);
     return checkpoint;
   }
   catch (const CheckpointError &error)

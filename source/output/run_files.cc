@@ -68,6 +68,8 @@ const std::vector<RunFile> &run_files()
       {"volume-#.vtu", FileKind::file, "fields of the modelled part"},
       {"volume-#.pvtu", FileKind::file, "the same of several processes: names their pieces"},
       {"volume-#.*.vtu", FileKind::file, "the piece of a process"},
+      {"lower.pvd", FileKind::file, "names the files of the lower body"},
+      {"lower-#.vtu", FileKind::file, "the same fields of the lower body"},
       {"input.prm", FileKind::file, "the parameter file as given"},
       {"input.json", FileKind::file, "the parameter file as given"},
       {"parameters.prm", FileKind::file, "all values used"},

@@ -18,7 +18,8 @@ RunOutput::RunOutput(const RunFolder &folder, const OutputOptions &options, cons
       probes_(folder, options.probes, evaluator),
       cycles_(folder),
       contact_(folder, "contact"),
-      volume_(folder, "volume")
+      volume_(folder, "volume"),
+      lower_(folder, "lower")
 {
 }
 
@@ -40,6 +41,8 @@ void RunOutput::return_to(const unsigned int step, const TableMarks &tables, con
   probes_.start(tables);
   contact_.set(fields.contact);
   volume_.set(fields.volume);
+  if (scene_.lower() != nullptr)
+    lower_.set(fields.volume);
   folder_.remove_fields_after(step);
 }
 
@@ -55,7 +58,10 @@ void RunOutput::write_fields(const ContactState &state, const Eigen::VectorXd &v
   if (is_due(options_.contact_interval, state.step) && !contact_.has(state.step))
     contact_.add(state.step, [this, state] { return contact_vtu(evaluator_, state); });
   if (is_due(options_.volume_interval, state.step) && !volume_.has(state.step))
+  {
     write_volume(state, volume);
+    write_lower(state);
+  }
 }
 
 /// The pieces of other processes come to the first one, which alone writes.
@@ -68,6 +74,18 @@ void RunOutput::write_volume(const ContactState &state, const Eigen::VectorXd &v
   volume_.add_pieces(state.step, gather_on_first(make()), volume_pvtu);
 }
 
+void RunOutput::write_lower(const ContactState &state)
+{
+  const LowerBody *const lower = scene_.lower();
+  if (lower == nullptr)
+    return;
+  const ElasticBody &body = lower->body();
+  const auto make =
+      [&body, u = body.with_motion({}, body.elastic_displacement(lower->own_force(state.force)))]
+  { return volume_vtu(body.mesh(), u, true); };
+  lower_.add(state.step, make);
+}
+
 void RunOutput::end_with(const ContactState &state)
 {
   last_step_ = state.step;
@@ -78,5 +96,6 @@ void RunOutput::flush()
 {
   contact_.flush();
   volume_.flush();
+  lower_.flush();
 }
 } // namespace orthocone

@@ -144,22 +144,54 @@ std::string describe_energy(const RunRecord &record)
   return text.str();
 }
 
-/// A line only where it is not the rigid plane z = 0.
-std::string describe_obstacle(const ObstacleOptions &obstacle)
+/// What gives way below; nothing where it is rigid.
+static std::string describe_counterbody(const Parameters &parameters)
 {
-  const MaterialOptions &material = obstacle.material;
-  const std::string half_space = obstacle.kind == ObstacleKind::half_space
-                                     ? "elastic half-space, E " + to_text(material.young_modulus) +
-                                           " MPa, nu " + to_text(material.poisson_ratio)
-                                     : "";
+  const auto constants = [](const MaterialOptions &material)
+  {
+    return material.is_orthotropic()
+               ? std::string("orthotropic")
+               : "E " + to_text(material.young_modulus) + " MPa, nu " + to_text(material.poisson_ratio);
+  };
+  const GeometryOptions &lower = parameters.lower.geometry;
+  const std::string outline =
+      lower.is_from_file() ? shown_path(lower.mesh_file)
+      : lower.shape == BodyShape::box
+          ? "box, " + to_text(lower.sizes[0]) + " x " + to_text(lower.sizes[1]) + " x " +
+                to_text(lower.sizes[2]) + " mm"
+          : "cylinder, radius " + to_text(lower.radius) + " mm, height " + to_text(lower.height) + " mm";
+  switch (parameters.obstacle.kind)
+  {
+  case ObstacleKind::half_space:
+    return "elastic half-space, " + constants(parameters.obstacle.material);
+  case ObstacleKind::body:
+    return "elastic body (" + outline + "), " + constants(parameters.lower.material);
+  case ObstacleKind::rigid:
+    break;
+  }
+  return {};
+}
+
+/// A line only where it is not the rigid plane z = 0.
+std::string describe_obstacle(const Parameters &parameters)
+{
+  const ObstacleOptions &obstacle = parameters.obstacle;
+  const std::string below = describe_counterbody(parameters);
   const std::string gap =
       obstacle.is_plane()
           ? ""
           : "gap " + obstacle.gap +
                 (obstacle.gap_file.empty() ? "" : " and that of " + shown_path(obstacle.gap_file));
-  if (half_space.empty() && gap.empty())
+  if (below.empty() && gap.empty())
     return {};
-  return "obstacle       " + half_space + (half_space.empty() || gap.empty() ? "" : "; ") + gap + "\n";
+  return "obstacle       " + below + (below.empty() || gap.empty() ? "" : "; ") + gap + "\n";
+}
+
+std::string describe_lower_mesh(const Parameters &parameters, const BodyUnknowns &unknowns)
+{
+  return "lower mesh     " + std::to_string(unknowns.size().cells) + " hexahedra of degree " +
+         std::to_string(parameters.lower.mesh.degree) + ", " + std::to_string(unknowns.size().free_dofs) +
+         " unknowns, " + std::to_string(unknowns.contact_surface().nodes.size()) + " contact nodes";
 }
 
 std::string describe_steps(const LoadOptions &load)
@@ -216,9 +248,8 @@ std::string describe_model(const Parameters &parameters, const ModelChoice &mode
                : "\n")
        << "unknowns       " << unknowns.size().free_dofs << " of " << unknowns.size().dofs
        << " degrees of freedom\n"
-       << describe_obstacle(parameters.obstacle) << "contact nodes  "
-       << unknowns.contact_surface().nodes.size() << (model.symmetry.is_axisymmetric() ? " (rings)" : "")
-       << "\n"
+       << describe_obstacle(parameters) << "contact nodes  " << unknowns.contact_surface().nodes.size()
+       << (model.symmetry.is_axisymmetric() ? " (rings)" : "") << "\n"
        << describe_friction(parameters) << describe_steps(parameters.load)
        << (parameters.mesh.backend == BodyBackend::multigrid ? "elastic body   multigrid\n" : "")
        << "contact solver " << solver.method << ", tolerance " << to_text(solver.tolerance);

@@ -113,13 +113,22 @@ Json outline_json(const GeometryOptions &geometry)
   return {{"shape", "disc"}, {"radius_mm", geometry.radius}};
 }
 
-Json counterface_json(const ObstacleOptions &obstacle)
+Json counterface_json(const Parameters &parameters)
 {
-  Json json{{"kind", to_word(obstacle.kind)}};
-  if (obstacle.kind == ObstacleKind::half_space)
+  const ObstacleKind kind = parameters.obstacle.kind;
+  Json json{{"kind", to_word(kind)}};
+  const MaterialOptions &material =
+      kind == ObstacleKind::body ? parameters.lower.material : parameters.obstacle.material;
+  if (kind != ObstacleKind::rigid)
   {
-    json["young_modulus_MPa"] = obstacle.material.young_modulus;
-    json["poisson_ratio"] = obstacle.material.poisson_ratio;
+    json["young_modulus_MPa"] = material.young_modulus;
+    json["poisson_ratio"] = material.poisson_ratio;
+  }
+  if (kind == ObstacleKind::body)
+  {
+    json["outline"] = outline_json(parameters.lower.geometry);
+    if (!parameters.lower.geometry.is_from_file())
+      json["height_mm"] = parameters.lower.geometry.held_height();
   }
   return json;
 }
@@ -140,7 +149,7 @@ Json scene_json(const Summary &summary)
       {"legs", entry_of(parameters, "Load program/Legs")},
       {"cycles", parameters.load.cycles},
       {"friction", friction_json(parameters)},
-      {"counterface", counterface_json(parameters.obstacle)},
+      {"counterface", counterface_json(parameters)},
       {"gap", entry_of(parameters, "Obstacle/Gap")},
       {"gap_file", entry_of(parameters, "Obstacle/Gap file")},
       {"units",

@@ -17,6 +17,26 @@ namespace
 {
 constexpr unsigned int n_rows = 3 + 9 + 1; // displacement, stress, von Mises stress
 
+/// The mirror image about z = 0.
+PointFields mirrored(PointFields point)
+{
+  point.place[2] = -point.place[2];
+  point.displacement[2] = -point.displacement[2];
+  for (const unsigned int d : {0, 1})
+    point.stress[d][2] = -point.stress[d][2]; // and with it its transposed one
+  return point;
+}
+
+/// The points of a cell that is mirrored, in an order that leaves it right-handed.
+std::vector<PointFields> mirrored(const std::vector<PointFields> &points, const unsigned int degree)
+{
+  const std::size_t n = degree + 1;
+  std::vector<PointFields> images;
+  for (std::size_t i = 0; i < points.size(); ++i)
+    images.push_back(mirrored(points[i - i % n + degree - i % n]));
+  return images;
+}
+
 /// Fields of a point, followed by its place.
 void fill_column(const PointFields &point, const unsigned int column, dealii::Table<2, float> &data)
 {
@@ -66,7 +86,7 @@ Ranges row_ranges()
 
 template<int dim>
 std::string volume_vtu(const DisplacementSpace<dim> &space, const Materials &materials,
-                       const Eigen::VectorXd &displacement)
+                       const Eigen::VectorXd &displacement, const bool is_mirrored)
 {
   const unsigned int degree = space.fe().degree;
   CellFields<dim> fields(space, materials, dealii::QIterated<dim>(dealii::QTrapezoid<1>(), degree),
@@ -74,7 +94,11 @@ std::string volume_vtu(const DisplacementSpace<dim> &space, const Materials &mat
   std::vector<dealii::DataOutBase::Patch<dim, 3>> patches;
   for (const auto &cell : space.dof_handler().active_cell_iterators())
     if (cell->is_locally_owned())
-      patches.push_back(patch_of<dim>(fields.in(cell), patches.size(), degree));
+    {
+      const std::vector<PointFields> points = fields.in(cell);
+      patches.push_back(
+          patch_of<dim>(is_mirrored ? mirrored(points, degree) : points, patches.size(), degree));
+    }
   if (patches.empty())
     return {};
   std::ostringstream text;
@@ -91,6 +115,7 @@ std::string volume_pvtu(const std::vector<std::string> &pieces)
   return text.str();
 }
 
-template std::string volume_vtu(const Discretization &, const Materials &, const Eigen::VectorXd &);
-template std::string volume_vtu(const SectionDiscretization &, const Materials &, const Eigen::VectorXd &);
+template std::string volume_vtu(const Discretization &, const Materials &, const Eigen::VectorXd &, bool);
+template std::string volume_vtu(const SectionDiscretization &, const Materials &, const Eigen::VectorXd &,
+                                bool);
 } // namespace orthocone

@@ -7,6 +7,7 @@
 #include <orthocone/base/errors.h>
 #include <orthocone/base/text.h>
 #include <orthocone/parameters/gap_file.h>
+#include <orthocone/parameters/lower_body.h>
 #include <orthocone/parameters/parameters.h>
 #include <orthocone/parameters/values.h>
 
@@ -14,15 +15,6 @@ namespace orthocone
 {
 namespace
 {
-void check_mesh(const MeshOptions &mesh)
-{
-  if (mesh.n_quadrature_points() <= mesh.degree)
-    throw InputError(
-        "Mesh/Quadrature points = " + std::to_string(mesh.quadrature_points) +
-        ": with Mesh/Degree = " + std::to_string(mesh.degree) +
-        " allowed is 0 or more than the degree (fewer points leave deformations without stiffness)");
-}
-
 /// The first mesh entry that a resolution or an accuracy would choose, but that was set beside it; or "".
 std::string changed_mesh_entry(const MeshOptions &mesh)
 {
@@ -69,8 +61,9 @@ void check_backend(const Parameters &parameters)
         "Contact solver/Method = " + method +
         " needs a dense compliance, and Mesh/Backend = multigrid has none: allowed is newton, or "
         "Backend = condensed");
-  if (parameters.obstacle.kind == ObstacleKind::half_space)
-    throw InputError("Obstacle/Kind = half-space with Mesh/Backend = multigrid: a half-space is no part of "
+  if (parameters.obstacle.kind != ObstacleKind::rigid)
+    throw InputError("Obstacle/Kind = " + to_word(parameters.obstacle.kind) +
+                     " with Mesh/Backend = multigrid: what is below is no part of "
                      "the body that its cycles solve; allowed is auto or condensed, or Kind = rigid");
   if (!parameters.material.is_uniform_and_isotropic())
     throw InputError((parameters.material.is_orthotropic() ? "Material/Law = orthotropic"
@@ -154,13 +147,14 @@ void check_parameters(const Parameters &parameters)
 {
   check_mesh_choice_of_shape(parameters);
   check_mesh_choice(parameters.mesh);
-  check_mesh(parameters.mesh);
+  check_quadrature(parameters.mesh);
   check_backend(parameters);
   check_load(parameters.load);
   check_wear(parameters.wear, parameters.load);
   check_compression(parameters.load, parameters.geometry);
   check_shape(parameters);
   check_material(parameters);
+  check_lower_body(parameters);
   check_obstacle(parameters.obstacle);
 }
 } // namespace orthocone

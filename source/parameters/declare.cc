@@ -10,24 +10,28 @@ using namespace entries;
 
 namespace
 {
-void declare_geometry(GeometryOptions &geometry, EntryTable &table)
+void declare_shape(GeometryOptions &geometry, EntryTable &table)
 {
   add_choice(table, "Shape", geometry.shape,
              "Shape of the body; its base z = 0 rests on the rigid plane, its axis is z.");
   add_number(table, "Radius", geometry.radius, positive, "Radius of a cylinder in mm.");
   add_number(table, "Height", geometry.height, positive, "Height of a cylinder in mm.");
   add_sizes(table, "Sizes", geometry.sizes, "l_x, l_y, l_z: lengths of a box along the axes in mm.");
-  add_path(
-      table, "Mesh file", geometry.mesh_file,
-      "Of a file: a mesh of hexahedra by Gmsh (format 2.2 or 4.1, ASCII, mm), relative to the "
-      "folder of the parameter file. It has the modelled part of the body, and all of its base is at z "
-      ">= 0: the height of a node of the base is its gap.");
+  add_path(table, "Mesh file", geometry.mesh_file,
+           "Of a file: a mesh of hexahedra by Gmsh (format 2.2 or 4.1, ASCII, mm), relative to the "
+           "folder of the parameter file. It has the modelled part of the body, and all of its base is at z "
+           ">= 0: the height of a node of the base is its gap.");
   add_group(table, "Contact surface", geometry.contact_surface,
             "Of a file: physical surface that is pressed on the plane.");
   add_group(table, "Held surface", geometry.held_surface,
             "Of a file: physical surface that moves as a rigid one, of any shape.");
   add_groups(table, "Symmetry surfaces", geometry.symmetry_surfaces,
              "Of a file: physical surfaces in x = 0 or y = 0, about which the body is symmetric.");
+}
+
+void declare_geometry(GeometryOptions &geometry, EntryTable &table)
+{
+  declare_shape(geometry, table);
   add_choice(
       table, "Top face", geometry.top_face,
       "The upper face moves as a rigid plate (clamped), or has u_z prescribed and is free sideways (guided; "
@@ -50,6 +54,10 @@ void declare_mesh(MeshOptions &mesh, EntryTable &table)
       "Largest wanted error of the largest slip, the total force, the dissipated energy and the stick area: "
       "the program refines the mesh until it estimates to have reached it; Resolution and the entries below "
       "then stay at their defaults. 0 = the mesh is given.");
+}
+
+void declare_cells(MeshOptions &mesh, EntryTable &table)
+{
   add_count(table, "Core cells", mesh.core_cells, 1, 200, "Cells along a side of the core block.");
   add_count(table, "Rings", mesh.rings, 0, 200, "Cells from core to rim; 0 = as many as core cells.");
   add_count(table, "Layers", mesh.layers, 1, 200, "Cells over the height.");
@@ -74,10 +82,14 @@ void declare_mesh(MeshOptions &mesh, EntryTable &table)
              "Each layer is this many times as thick as its neighbour towards mid-height; 1 = uniform.");
 }
 
-void declare_backend(MeshOptions &mesh, EntryTable &table)
+void declare_refinements(MeshOptions &mesh, EntryTable &table)
 {
   add_count(table, "Refinements", mesh.refinements, 0, 7,
             "How often all these cells are halved in every direction.");
+}
+
+void declare_backend(MeshOptions &mesh, EntryTable &table)
+{
   add_count(
       table, "Adaptive", mesh.adaptive, 0, 7,
       "Rounds in which cells are halved where the first cycle, solved on the mesh so far, shows that they "
@@ -136,9 +148,10 @@ void declare_obstacle(ObstacleOptions &obstacle, EntryTable &table)
       "ny lines of nx numbers, mm; relative to the folder of the parameter file.");
   add_choice(
       table, "Kind", obstacle.kind,
-      "What the body rests on: a rigid plane, or an elastic half-space (needs no mesh; not in the "
-      "axisymmetric "
-      "model, nor with Mesh/Backend = multigrid). Gap is that between both, whichever of them is curved.");
+      "What the body rests on: a rigid plane, an elastic half-space (needs no mesh), or a second elastic "
+      "body, that of the sections Lower geometry, Lower mesh and Lower material (neither in the "
+      "axisymmetric model, nor with Mesh/Backend = multigrid). Gap is that between both, whichever of them "
+      "is curved.");
   const std::string of_half_space = " of a half-space; without one it has no meaning.";
   add_number(table, "Young modulus", obstacle.material.young_modulus, positive,
              "Young's modulus in MPa" + of_half_space);
@@ -257,10 +270,16 @@ void declare_parameters(Parameters &parameters, EntryTable &table)
   };
   section("Geometry", declare_geometry, parameters.geometry);
   section("Mesh", declare_mesh, parameters.mesh);
+  section("Mesh", declare_cells, parameters.mesh);
+  section("Mesh", declare_refinements, parameters.mesh);
   section("Mesh", declare_backend, parameters.mesh);
   section("Material", declare_material, parameters.material);
   section("Friction", declare_friction, parameters.friction);
   section("Obstacle", declare_obstacle, parameters.obstacle);
+  section("Lower geometry", declare_shape, parameters.lower.geometry);
+  section("Lower mesh", declare_cells, parameters.lower.mesh);
+  section("Lower mesh", declare_refinements, parameters.lower.mesh);
+  section("Lower material", declare_material, parameters.lower.material);
   section("Wear", declare_wear, parameters.wear);
   section("Load program", declare_load, parameters.load);
   section("Contact solver", declare_contact_solver, parameters.contact_solver);

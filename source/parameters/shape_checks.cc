@@ -165,6 +165,15 @@ void check_mesh_choice_of_shape(const Parameters &parameters)
                      chosen);
 }
 
+void check_quadrature(const MeshOptions &mesh)
+{
+  if (mesh.n_quadrature_points() <= mesh.degree)
+    throw InputError(
+        "Mesh/Quadrature points = " + std::to_string(mesh.quadrature_points) +
+        ": with Mesh/Degree = " + std::to_string(mesh.degree) +
+        " allowed is 0 or more than the degree (fewer points leave deformations without stiffness)");
+}
+
 void check_shape(const Parameters &parameters)
 {
   if (parameters.geometry.is_from_file())

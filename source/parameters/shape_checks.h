@@ -15,6 +15,9 @@ std::string height_entry(const GeometryOptions &geometry);
 /// Refuses what would choose the mesh of another shape. Throws InputError.
 void check_mesh_choice_of_shape(const Parameters &parameters);
 
+/// Throws InputError unless Gauss points give every deformation of a cell a stiffness.
+void check_quadrature(const MeshOptions &mesh);
+
 /// Conditions between entries that depend on the shape: gradings, probes. Throws
 /// InputError.
 void check_shape(const Parameters &parameters);

@@ -125,15 +125,15 @@ private:
 
 void Reader::check_include(const std::string &file_name, const std::string &asked_from)
 {
-  constexpr std::size_t deepest = 20, longest = 16000000;
+  constexpr std::size_t most_nested = 20, longest = 16000000;
   constexpr unsigned int most = 1000;
   const std::string name = asked_from + shown_path(file_name);
   std::error_code code;
   for (const std::string &open : open_files_)
     if (fs::equivalent(open, file_name, code))
       throw InputError(name + ": is included by itself");
-  if (open_files_.size() > deepest)
-    throw InputError(name + ": includes are nested more than " + std::to_string(deepest) + " deep");
+  if (open_files_.size() > most_nested)
+    throw InputError(name + ": includes are nested more than " + std::to_string(most_nested) + " deep");
   if (++n_files_ > most || result.text.size() > longest)
     throw InputError(name + ": is one include too many: allowed are " + std::to_string(most) +
                      " with 16 MB in all");

@@ -5,6 +5,7 @@
 
 #include <orthocone/base/text.h>
 #include <orthocone/contact/solvers/contact_method.h>
+#include <orthocone/parameters/lower_body.h>
 #include <orthocone/parameters/parameters.h>
 #include <orthocone/parameters/values.h>
 
@@ -170,6 +171,26 @@ void warn_of_ignored_half_space(const ObstacleOptions &obstacle, std::vector<std
     warnings.push_back("Obstacle/Poisson ratio = " + to_text(given.poisson_ratio) + ignored);
 }
 
+/// The same of a lower body; where there is one, what is suspicious about it.
+void warn_of_lower_body(const Parameters &parameters, std::vector<std::string> &warnings)
+{
+  if (parameters.obstacle.kind == ObstacleKind::body)
+  {
+    std::vector<std::string> of_lower;
+    const Parameters lower = lower_parameters(parameters);
+    warn_of_locking(lower.material, lower.mesh, of_lower);
+    warn_of_shape(lower, of_lower);
+    for (const std::string &warning : of_lower)
+      warnings.push_back(with_lower_sections(warning));
+    return;
+  }
+  const auto values = entry_values(parameters), usual = entry_values(Parameters());
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (values[i].first.rfind("Lower ", 0) == 0 && values[i].second != usual[i].second)
+      warnings.push_back(values[i].first + " = " + values[i].second +
+                         " is ignored with Obstacle/Kind = " + to_word(parameters.obstacle.kind));
+}
+
 /// Forces may differ by a hundred times the residual that the solver leaves: W is that ill-conditioned.
 void warn_of_unresolved_period(const std::string &entry, const double bound, const double tolerance,
                                std::vector<std::string> &warnings)
@@ -220,6 +241,7 @@ std::vector<std::string> parameter_warnings(const Parameters &parameters)
   warn_of_loose_period("Jump when periodic", parameters.load.jump_when_periodic, warnings);
   warn_of_shape(parameters, warnings);
   warn_of_ignored_half_space(parameters.obstacle, warnings);
+  warn_of_lower_body(parameters, warnings);
   warn_of_ignored_relaxation(parameters.contact_solver, warnings);
   warn_of_ignored_rho(parameters.contact_solver, warnings);
   warn_of_weak_method(parameters.contact_solver, warnings);

@@ -92,6 +92,18 @@ double work_into_wear(const ContactState &before, const ContactState &after)
             (after.found_depth[node] - before.found_depth[node]);
   return work;
 }
+/// The lower body under the same forces, and what its own displacements part the surfaces by.
+void include(BodyMismatch &mismatch, const LowerBody &lower, const NodeVector &force,
+             const NodeVector &given_way, const double bound)
+{
+  const NodeVector own_force = lower.own_force(force);
+  NodeVector own;
+  lower.body().compliance().vmult(own, own_force);
+  const BodyMismatch of_lower = lower.body().mismatch(own_force, own, bound);
+  mismatch.unbalanced = std::max(mismatch.unbalanced, of_lower.unbalanced);
+  mismatch.displacement = std::max({mismatch.displacement, of_lower.displacement,
+                                    (lower.parted(own) - given_way).lpNorm<Eigen::Infinity>()});
+}
 } // namespace
 
 StepChecker::StepChecker(const Scene &scene, const CheckOptions &options, const double tolerance)
@@ -115,6 +127,8 @@ void StepChecker::check_equilibrium(const ContactState &state, StepChecks &check
   const NodeVector elastic =
       unworn_displacement(state) - gaps_ - body_.moved_with(state.motion) - scene_.given_way(state.force);
   auto mismatch = body_.mismatch(state.force, elastic, options_.equilibrium);
+  if (const LowerBody *const lower = scene_.lower())
+    include(mismatch, *lower, state.force, scene_.given_way(state.force), options_.equilibrium);
   checks.equilibrium =
       std::max(mismatch.unbalanced,
                relative(mismatch.displacement,

@@ -3,6 +3,7 @@
 #include <orthocone/scene/asymmetry.h>
 
 #include <orthocone/body/shapes/imported_mesh.h>
+#include <orthocone/parameters/lower_body.h>
 #include <orthocone/parameters/values.h>
 #include <orthocone/scene/first_contact.h>
 #include <orthocone/scene/friction_field.h>
@@ -61,6 +62,29 @@ std::string of_material(const MaterialOptions &material, const ModelSymmetry &sy
              : "";
 }
 
+/// Why the lower body is not as symmetric as a model; empty if it is, or if there is none.
+std::string of_lower(const Parameters &parameters, const SymmetryPlanes &of_file,
+                     const ModelSymmetry &symmetry)
+{
+  if (parameters.obstacle.kind != ObstacleKind::body)
+    return {};
+  if (symmetry.is_axisymmetric())
+    return "Obstacle/Kind = body has no section (r, z)";
+  return with_lower_sections(of_shape(lower_parameters(parameters), of_file, symmetry));
+}
+
+SymmetryPlanes planes_of_file(const GeometryOptions &geometry)
+{
+  return geometry.is_from_file() ? ImportedMesh(geometry).planes() : SymmetryPlanes();
+}
+
+SymmetryPlanes planes_of_lower_file(const Parameters &parameters)
+{
+  if (parameters.obstacle.kind != ObstacleKind::body)
+    return {};
+  return of_lower_body([&] { return planes_of_file(parameters.lower.geometry); });
+}
+
 std::string first_of(const Parameters &parameters, const FrictionField &friction, const Obstacle &obstacle,
                      const SurfaceSample &sample, const ModelSymmetry &symmetry)
 {
@@ -84,9 +108,8 @@ Asymmetry asymmetry_of(const Parameters &parameters)
 {
   const FrictionField friction(parameters.friction);
   const auto obstacle = make_obstacle(parameters.obstacle);
-  SymmetryPlanes of_file;
-  if (parameters.geometry.is_from_file())
-    of_file = ImportedMesh(parameters.geometry).planes();
+  const SymmetryPlanes of_file = planes_of_file(parameters.geometry);
+  const SymmetryPlanes of_lower_file = planes_of_lower_file(parameters);
   SurfaceSample sample;
   if (varies_over_surface(parameters) || (parameters.geometry.is_from_file() && has_forces(parameters.load)))
   {
@@ -97,11 +120,14 @@ Asymmetry asymmetry_of(const Parameters &parameters)
   }
   const auto why = [&](const ModelSymmetry &symmetry)
   {
-    const std::string of_body = of_shape(parameters, of_file, symmetry);
+    std::string of_body = of_shape(parameters, of_file, symmetry);
+    if (of_body.empty())
+      of_body = of_lower(parameters, of_lower_file, symmetry);
     return of_body.empty() ? first_of(parameters, friction, *obstacle, sample, symmetry) : of_body;
   };
   return {{{why(SymmetryPlanes{true, false}), why(SymmetryPlanes{false, true})}},
           why(ModelSymmetry::of_revolution()),
-          of_file};
+          of_file,
+          of_lower_file};
 }
 } // namespace orthocone

@@ -91,6 +91,19 @@ ModelChoice choice_of_file(const Parameters &parameters, const Asymmetry &asymme
   return {planes, "what the mesh file has"};
 }
 
+/// The lower body's file has one part of it, too.
+void check_lower_file(const Asymmetry &asymmetry, const ModelSymmetry &symmetry)
+{
+  const SymmetryPlanes &planes = asymmetry.of_lower_file;
+  for (const unsigned int d : {0, 1})
+    if ((d == 0 ? planes.normal_to_x : planes.normal_to_y) &&
+        !(d == 0 ? symmetry.planes().normal_to_x : symmetry.planes().normal_to_y))
+      throw InputError("Lower geometry/Symmetry surfaces: the mesh file ends at " + std::string(1, "xy"[d]) +
+                       " = 0, but the model (" + symmetry.name() + ") does not" +
+                       (asymmetry.has_plane(d) ? "" : ": " + asymmetry.about_planes[d]) +
+                       "; allowed is a mesh of both sides");
+}
+
 ModelSymmetry requested_symmetry(const Parameters &parameters, const Asymmetry &asymmetry)
 {
   const SymmetryPlanes smallest = asymmetry.planes();
@@ -127,6 +140,7 @@ ModelChoice choose_model(const Parameters &parameters)
   check_guided_top(parameters, asymmetry, choice.symmetry);
   check_degree(parameters, asymmetry, choice.symmetry);
   check_backend(parameters, choice.symmetry);
+  check_lower_file(asymmetry, choice.symmetry);
   return choice;
 }
 } // namespace orthocone

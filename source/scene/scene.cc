@@ -6,6 +6,7 @@
 #include <orthocone/base/stopwatch.h>
 #include <orthocone/body/backends/factorized_body.h>
 #include <orthocone/multigrid/multigrid_body.h>
+#include <orthocone/parameters/lower_body.h>
 #include <orthocone/scene/change_length.h>
 
 #include <stdexcept>
@@ -43,18 +44,27 @@ std::unique_ptr<const ElasticBody> make_body(const Parameters &parameters, const
   return std::make_unique<FactorizedBody>(parameters, symmetry, axes_of, on_meshed, seconds);
 }
 
-/// Nothing where the obstacle is rigid.
-std::unique_ptr<const Compliance> sum_of(const ElasticBody &body, const Obstacle &obstacle,
-                                         const ModelSymmetry &symmetry, const LocalAxes &axes)
+/// Nothing where the other body is none.
+std::unique_ptr<const LowerBody> make_lower(const Parameters &parameters, const ModelSymmetry &symmetry,
+                                            const ElasticBody &body, const LocalAxes &axes,
+                                            PhaseSeconds &seconds)
 {
-  if (!obstacle.material())
+  if (parameters.obstacle.kind != ObstacleKind::body)
+    return nullptr;
+  return of_lower_body(
+      [&] { return std::make_unique<LowerBody>(parameters, symmetry, body.surface(), axes, seconds); });
+}
+
+/// Nothing where the obstacle is rigid.
+std::unique_ptr<const Compliance> sum_of(const ElasticBody &body, Eigen::MatrixXd of_obstacle)
+{
+  if (of_obstacle.size() == 0)
     return nullptr;
   const Eigen::MatrixXd *const of_body = body.compliance().dense();
   if (of_body == nullptr)
     throw std::logic_error("an obstacle that gives way needs a body with a dense compliance");
-  Eigen::MatrixXd sum = obstacle.compliance(body.surface(), symmetry, axes);
-  sum += *of_body;
-  return std::make_unique<DenseCompliance>(std::move(sum));
+  of_obstacle += *of_body;
+  return std::make_unique<DenseCompliance>(std::move(of_obstacle));
 }
 } // namespace
 
@@ -80,11 +90,19 @@ Scene::Scene(const Parameters &parameters, const ModelChoice &choice, const Obst
           },
           seconds_)),
       axes_(friction_.axes(surface(), choice.symmetry)),
+      lower_(make_lower(parameters, choice.symmetry, *body_, axes_, seconds_)),
       gaps_(gaps_of(obstacle, surface())),
-      obstacle_material_(obstacle.material()),
-      sum_(timed(seconds_.condensation, [&] { return sum_of(*body_, obstacle, choice.symmetry, axes_); })),
+      obstacle_material_(lower_ ? parameters.lower.material.isotropic() : obstacle.material()),
+      sum_(timed(seconds_.condensation,
+                 [&]
+                 {
+                   return sum_of(*body_, lower_ ? lower_->compliance()
+                                                : obstacle.compliance(surface(), choice.symmetry, axes_));
+                 })),
       system_(compliance(), friction_.laws(surface(), choice.symmetry))
 {
+  if (lower_)
+    gaps_ += lower_->gaps();
   if (friction_.varies() || !obstacle.is_plane())
     change_lengths_ = orthocone::change_lengths(obstacle, friction_, surface());
 }

@@ -2,10 +2,11 @@
 // Copyright (C) 2026 the orthocone authors
 #include "half_space_patches.h"
 
+#include "face_basis.h"
+
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <stdexcept>
 
 namespace orthocone
 {
@@ -14,65 +15,26 @@ using Eigen::Vector2d;
 
 namespace
 {
-/// The unit interval of a face of this degree: where its nodes lie, and where their weights meet.
-struct Division
-{
-  std::vector<double> nodes, ends;
-};
-
-Division division(const unsigned int degree)
+/// Where the weights of the nodes of the unit interval meet.
+std::vector<double> weight_ends(const unsigned int degree)
 {
   switch (degree)
   {
   case 1:
-    return {{0, 1}, {0, 0.5, 1}};
+    return {0, 0.5, 1};
   case 2:
-    return {{0, 0.5, 1}, {0, 1. / 6, 5. / 6, 1}};
-  case 3:
-  {
-    const double node = std::sqrt(1. / 5) / 2;
-    return {{0, 0.5 - node, 0.5 + node, 1}, {0, 1. / 12, 0.5, 11. / 12, 1}};
-  }
+    return {0, 1. / 6, 5. / 6, 1};
   default:
-    throw std::logic_error("patches have degree 1 to 3");
+    return {0, 1. / 12, 0.5, 11. / 12, 1};
   }
-}
-
-double shape(const std::vector<double> &nodes, const std::size_t own, const double at)
-{
-  double value = 1;
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    if (i != own)
-      value *= (at - nodes[i]) / (nodes[own] - nodes[i]);
-  return value;
-}
-
-/// Gauss points and weights on (0, 1).
-std::vector<std::array<double, 2>> gauss(const unsigned int n)
-{
-  Eigen::MatrixXd jacobi = Eigen::MatrixXd::Zero(n, n);
-  for (Eigen::Index i = 1; i < n; ++i)
-    jacobi(i, i - 1) = jacobi(i - 1, i) =
-        static_cast<double>(i) / std::sqrt(4 * static_cast<double>(i * i) - 1);
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(jacobi); // Golub and Welsch
-  std::vector<std::array<double, 2>> rule;
-  for (Eigen::Index i = 0; i < n; ++i)
-  {
-    // Points of a pair are mirror images to the last bit, and so are models and their halves.
-    const double point = (solver.eigenvalues()[i] - solver.eigenvalues()[n - 1 - i]) / 2;
-    const double weight = std::pow(solver.eigenvectors()(0, i), 2);
-    const double partner = std::pow(solver.eigenvectors()(0, n - 1 - i), 2);
-    rule.push_back({{(1 + point) / 2, (weight + partner) / 2}});
-  }
-  return rule;
 }
 
 /// The displacement under a patch has kinks at its edges, which those who share them see.
 struct Rules
 {
   explicit Rules(const unsigned int n)
-      : points(gauss(n)),
-        close_points(gauss(2 * n))
+      : points(gauss_rule(n)),
+        close_points(gauss_rule(2 * n))
   {
   }
   std::vector<std::array<double, 2>> points, close_points;
@@ -103,7 +65,7 @@ void at_points(const Quadrilateral &corners, const std::vector<std::array<double
 /// Enters a part; moments about the origin, until finish().
 void add_part(SurfacePatch &patch, const Quadrilateral &corners, const Rules &rules)
 {
-  static const auto exact = gauss(2);
+  static const auto exact = gauss_rule(2);
   at_points(corners, exact,
             [&](const Vector2d &position, const double area)
             {
@@ -153,19 +115,12 @@ void finish(SurfacePatch &patch)
 }
 
 /// The corners of the parts of a face, (degree + 2)^2, lexicographic.
-std::vector<Vector2d> part_corners(const std::vector<Vector2d> &places, const Division &division)
+std::vector<Vector2d> part_corners(const PlaneFace &face, const std::vector<double> &ends)
 {
   std::vector<Vector2d> corners;
-  for (const double v : division.ends)
-    for (const double u : division.ends)
-    {
-      Vector2d corner = Vector2d::Zero();
-      for (std::size_t j = 0; j < division.nodes.size(); ++j)
-        for (std::size_t i = 0; i < division.nodes.size(); ++i)
-          corner += shape(division.nodes, i, u) * shape(division.nodes, j, v) *
-                    places[i + division.nodes.size() * j];
-      corners.push_back(corner);
-    }
+  for (const double v : ends)
+    for (const double u : ends)
+      corners.push_back(face.position({u, v}));
   return corners;
 }
 } // namespace
@@ -173,7 +128,7 @@ std::vector<Vector2d> part_corners(const std::vector<Vector2d> &places, const Di
 std::vector<SurfacePatch> surface_patches(const ContactSurface &surface, const WholeSurface &whole,
                                           const unsigned int n_points)
 {
-  const Division parts = division(surface.degree);
+  const std::vector<double> ends = weight_ends(surface.degree);
   const Rules rules(n_points);
   const std::size_t n = surface.degree + 1;
   std::vector<SurfacePatch> patches(whole.nodes.size());
@@ -185,7 +140,7 @@ std::vector<SurfacePatch> surface_patches(const ContactSurface &surface, const W
       const auto &position = surface.place(whole.nodes[node].node).position;
       places.emplace_back(whole.images[whole.nodes[node].image] * Vector2d(position[0], position[1]));
     }
-    const std::vector<Vector2d> corners = part_corners(places, parts);
+    const std::vector<Vector2d> corners = part_corners(PlaneFace(surface.degree, places), ends);
     for (std::size_t j = 0; j < n; ++j)
       for (std::size_t i = 0; i < n; ++i)
       {

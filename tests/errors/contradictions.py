@@ -2,6 +2,7 @@
 # Copyright (C) 2026 the orthocone authors
 """Entries that do not fit together: name of the file, its text without the message, the message."""
 FOLDER = "contradictions"
+ON_BODY = "subsection Obstacle\n  set Kind = body\nend\n"
 ROWS = [
     ("accuracy_and_resolution", "subsection Mesh\n  set Resolution = fine\n  set Accuracy   = 1 %\nend\n",
      "{file}: Mesh/Accuracy = 1 % with Mesh/Resolution = fine: allowed is one of them; an accuracy chooses the "
@@ -36,8 +37,38 @@ ROWS = [
      "models are full, half, quarter"),
     ("half_space_on_multigrid",
      "subsection Mesh\n  set Backend = multigrid\nend\nsubsection Obstacle\n  set Kind = half-space\nend\n",
-     "{file}: Obstacle/Kind = half-space with Mesh/Backend = multigrid: a half-space is no part of the body that its "
+     "{file}: Obstacle/Kind = half-space with Mesh/Backend = multigrid: what is below is no part of the body that its "
      "cycles solve; allowed is auto or condensed, or Kind = rigid"),
+    ("body_on_multigrid", "subsection Mesh\n  set Backend = multigrid\nend\n" + ON_BODY,
+     "{file}: Obstacle/Kind = body with Mesh/Backend = multigrid: what is below is no part of the body that its "
+     "cycles solve; allowed is auto or condensed, or Kind = rigid"),
+    ("body_axisymmetric",
+     "subsection Mesh\n  set Model = axisymmetric\nend\nsubsection Friction\n  set Coefficients = 0.2, 0.2\nend\n"
+     + ON_BODY,
+     "{file}: Mesh/Model = axisymmetric is not possible: Obstacle/Kind = body has no section (r, z); possible models "
+     "are full, half, quarter"),
+    ("body_adaptive", "subsection Mesh\n  set Adaptive = 2\nend\n" + ON_BODY,
+     "{file}: Mesh/Adaptive = 2 with Obstacle/Kind = body: allowed is 0; cells are halved in one body alone "
+     "(Mesh/Refinements halves all)"),
+    ("body_accuracy", "subsection Mesh\n  set Accuracy = 5 %\nend\n" + ON_BODY,
+     "{file}: Mesh/Accuracy = 5 % with Obstacle/Kind = body: allowed is 0; the search refines one body alone"),
+    ("body_refined_cells", "subsection Mesh\n  set Refined cells = 1\nend\n" + ON_BODY,
+     "{file}: Mesh/Refined cells is set with Obstacle/Kind = body: allowed is nothing; faces of both bodies are joined "
+     "without hanging nodes"),
+    ("body_degree_4", "subsection Lower mesh\n  set Degree = 4\nend\n" + ON_BODY,
+     "{file}: Lower mesh/Degree = 4: allowed is a whole number from 1 to 3"),
+    ("body_points", "subsection Lower mesh\n  set Degree = 2\n  set Quadrature points = 2\nend\n" + ON_BODY,
+     "{file}: Lower mesh/Quadrature points = 2: with Lower mesh/Degree = 2 allowed is 0 or more than the degree (fewer "
+     "points leave deformations without stiffness)"),
+    ("body_odd_cells",
+     "subsection Mesh\n  set Model = quarter\nend\nsubsection Lower mesh\n  set Core cells = 5\nend\n" + ON_BODY,
+     "{file}: Mesh/Model = quarter is not possible: Lower mesh/Core cells = 5 is odd; possible models are full"),
+    ("body_regions", "subsection Lower material\n  set Regions = core: 70000, 0.3\nend\n" + ON_BODY,
+     "{file}: Lower material/Regions is set without a mesh file: allowed is nothing, or Lower geometry/Shape = file, "
+     "whose physical volumes they name"),
+    ("body_without_file", "subsection Lower geometry\n  set Shape = file\nend\n" + ON_BODY,
+     "{file}: Lower geometry/Mesh file is empty with Lower geometry/Shape = file: allowed is the path of a mesh by "
+     "Gmsh"),
     ("guided_full", "subsection Geometry\n  set Top face = guided\nend\nsubsection Mesh\n  set Model = full\nend\n",
      "{file}: Geometry/Top face = guided with Mesh/Model = full is not possible: the model could drift sideways; "
      "possible models are quarter and auto"),

@@ -22,5 +22,10 @@ ROWS = [
     row("shear_moduli_zero", "Material", "Shear moduli", "800, 700, 0", "three numbers > 0 separated by commas"),
     row("regions_without_poisson_ratio", "Material", "Regions", "core: 70000", REGIONS),
     row("regions_incompressible", "Material", "Regions", "core: 70000, 0.5", REGIONS),
+    row("lower_radius_zero", "Lower geometry", "Radius", "0", "a number > 0"),
+    row("lower_shape_sphere", "Lower geometry", "Shape", "sphere", "cylinder | box | file"),
+    row("lower_layers_none", "Lower mesh", "Layers", "0", "a whole number from 1 to 200"),
+    row("lower_refinements_many", "Lower mesh", "Refinements", "8", "a whole number from 0 to 7"),
+    row("lower_poisson_ratio_half", "Lower material", "Poisson ratio", "0.5", "a number > -1 and < 0.5"),
     row("regions_twice", "Material", "Regions", "core: 70000, 0.3 ; core: 1000, 0.3", REGIONS),
 ]

@@ -87,7 +87,7 @@ ROWS = [
     ("model_capital", "subsection Mesh\n  set Core cells = 8\n  set Model = Quarter\nend\n",
      "{file}:4: Mesh/Model = Quarter: allowed is auto | full | half | quarter | axisymmetric"),
     ("obstacle_kind_elastic", "subsection Obstacle\n  set Kind = elastic\nend\n",
-     "{file}:3: Obstacle/Kind = elastic: allowed is rigid | half-space"),
+     "{file}:3: Obstacle/Kind = elastic: allowed is rigid | half-space | body"),
     ("obstacle_poisson_ratio_half", "subsection Obstacle\n  set Kind = half-space\n  set Poisson ratio = 0.5\nend\n",
      "{file}:4: Obstacle/Poisson ratio = 0.5: allowed is a number > -1 and < 0.5"),
     ("obstacle_young_modulus_negative",

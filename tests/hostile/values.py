@@ -51,6 +51,10 @@ REFUSED = {
     "Output/Probes": ["P: 1e400 0", "P: nan 0", ";", "P 1 0", "P: 0 0; p: 0", "P/Q: 0 0", "P.csv: 0 0", "P: 0,0",
                       "\u00b5: 0 0", "P:: 0 0"],
 }
+# The lower body has the entries of the other one.
+REFUSED.update({f"Lower {entry[0].lower()}{entry[1:]}": REFUSED[entry][:2] for entry in
+                ("Geometry/Shape", "Geometry/Radius", "Geometry/Height", "Mesh/Core cells", "Mesh/Rings", "Mesh/Layers",
+                 "Mesh/Degree", "Mesh/Core ratio", "Material/Young modulus", "Material/Poisson ratio")})
 # Settings of one run each that must go well.
 DONE_WITH = [
     ["Geometry/Radius=1e-9", "Geometry/Height=1e-9", "Load program/Legs=0 0 -1e-11 : 2", "Output/Probes="],

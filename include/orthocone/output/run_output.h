@@ -40,6 +40,7 @@ public:
 private:
   bool is_due(unsigned int interval, unsigned int step) const;
   void write_volume(const ContactState &state, const Eigen::VectorXd &volume);
+  void write_lower(const ContactState &state);
   void write_fields(const ContactState &state, const Eigen::VectorXd &volume);
 
   const RunFolder &folder_;
@@ -52,5 +53,6 @@ private:
   const CycleTable cycles_;
   FieldList contact_;
   FieldList volume_;
+  FieldList lower_; ///< the steps of volume_, if there is such a body
 };
 } // namespace orthocone

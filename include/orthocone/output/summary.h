@@ -111,9 +111,12 @@ std::string describe_steps(const LoadOptions &load);
 /// angle, or its expressions; and that of the gap, if there is one.
 std::string describe_model(const ModelChoice &model);
 std::string describe_friction(const Parameters &parameters);
-std::string describe_obstacle(const ObstacleOptions &obstacle);
+std::string describe_obstacle(const Parameters &parameters);
 
 /// The resolved model in a few lines: kind, cells, unknowns, contact nodes, steps.
 std::string describe_model(const Parameters &parameters, const ModelChoice &model,
                            const BodyUnknowns &unknowns);
+
+/// Its cells, unknowns and contact nodes alone, in one line.
+std::string describe_lower_mesh(const Parameters &parameters, const BodyUnknowns &unknowns);
 } // namespace orthocone

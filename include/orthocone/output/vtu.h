@@ -18,16 +18,18 @@ std::string contact_vtu(const ContactFieldEvaluator &evaluator, const ContactSta
 /// VTU text of the modelled part of the body: displacement (mm), stress and von Mises stress (MPa). Each
 /// element has points of its own, because stress jumps between elements. Between them are trilinear
 /// hexahedra. A section lies in the plane y = 0 and has one Lagrange cell an element. Where several processes
-/// share the body, only the cells of this one, and nothing if there are none.
+/// share the body, only the cells of this one, and nothing if there are none. `is_mirrored`: the image about
+/// z = 0.
 template<int dim>
 std::string volume_vtu(const DisplacementSpace<dim> &space, const Materials &materials,
-                       const Eigen::VectorXd &displacement);
+                       const Eigen::VectorXd &displacement, bool is_mirrored = false);
 
 /// That of the body's displacement space, of all degrees of freedom.
-inline std::string volume_vtu(const Body &body, const Eigen::VectorXd &displacement)
+inline std::string volume_vtu(const Body &body, const Eigen::VectorXd &displacement,
+                              const bool is_mirrored = false)
 {
   return body.visit([&](const auto &discretization)
-                    { return volume_vtu(discretization, body.materials(), displacement); });
+                    { return volume_vtu(discretization, body.materials(), displacement, is_mirrored); });
 }
 
 /// PVTU text that names the pieces of several processes.

@@ -31,6 +31,7 @@ enum class ObstacleKind
 {
   rigid,
   half_space,
+  body,
 };
 
 /// Section Friction: semi-axes of the friction ellipse (mu) and of the slip ellipse (p), both along axes
@@ -83,6 +84,15 @@ struct ObstacleOptions
 
   /// Whether it is the plane z = 0.
   bool is_plane() const;
+};
+
+/// Sections Lower geometry, Lower mesh and Lower material: the body that the other one is pressed on, as if
+/// it stood on a plane itself. What is below z = 0 is its mirror image. Its held face does not move.
+struct LowerBodyOptions
+{
+  GeometryOptions geometry{};
+  MeshOptions mesh{};
+  MaterialOptions material{};
 };
 
 /// Section Wear.
@@ -179,6 +189,7 @@ struct Parameters
   MaterialOptions material;
   FrictionOptions friction;
   ObstacleOptions obstacle;
+  LowerBodyOptions lower;
   WearOptions wear;
   LoadOptions load;
   ContactSolverOptions contact_solver;

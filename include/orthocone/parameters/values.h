@@ -80,8 +80,10 @@ struct Words<WearKind>
 template<>
 struct Words<ObstacleKind>
 {
-  static constexpr std::array<std::pair<ObstacleKind, std::string_view>, 2> table{
-      {{ObstacleKind::rigid, "rigid"}, {ObstacleKind::half_space, "half-space"}}};
+  static constexpr std::array<std::pair<ObstacleKind, std::string_view>, 3> table{
+      {{ObstacleKind::rigid, "rigid"},
+       {ObstacleKind::half_space, "half-space"},
+       {ObstacleKind::body, "body"}}};
 };
 
 template<>

@@ -17,6 +17,7 @@ struct Asymmetry
   std::array<std::string, 2> about_planes; ///< x = 0, y = 0
   std::string about_axis;                  ///< the body is not that of a revolved section
   SymmetryPlanes of_file{};                ///< where a mesh file ends
+  SymmetryPlanes of_lower_file{};          ///< where that of the lower body ends
 
   bool has_plane(const unsigned int direction) const { return about_planes[direction].empty(); }
   bool can_be_revolved() const { return about_axis.empty(); }

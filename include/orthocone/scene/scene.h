@@ -8,6 +8,7 @@
 #include <orthocone/contact/problem/free_face.h>
 #include <orthocone/scene/friction_field.h>
 #include <orthocone/scene/load_program.h>
+#include <orthocone/scene/lower_body.h>
 #include <orthocone/scene/model_choice.h>
 #include <orthocone/scene/obstacle.h>
 
@@ -40,6 +41,9 @@ public:
   const ElasticBody &body() const { return *body_; }
   const ContactSurface &surface() const { return body_->surface(); }
   const LocalAxes &axes() const { return axes_; }
+
+  /// The second elastic body, or nothing.
+  const LowerBody *lower() const { return lower_.get(); }
   const ContactSystem &system() const { return system_; }
 
   /// Of body and obstacle together: forces r part their surfaces by W r.
@@ -80,10 +84,11 @@ private:
   PhaseSeconds seconds_;
   std::unique_ptr<const ElasticBody> body_;
   LocalAxes axes_;
+  std::unique_ptr<const LowerBody> lower_;
   NodeVector gaps_;
   Eigen::VectorXd change_lengths_;
   std::optional<MaterialOptions> obstacle_material_;
-  std::unique_ptr<const Compliance> sum_; ///< none where the obstacle is rigid
+  std::unique_ptr<const Compliance> sum_; ///< none where what is below is rigid
   ContactSystem system_;
 };
 } // namespace orthocone

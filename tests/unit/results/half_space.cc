@@ -18,12 +18,6 @@ Parameters on_half_space(const double stiffness, const unsigned int degree = 2)
   parameters.load.legs = {move_to(0, 0, -0.1, 2), move_to(0, 0, -0.05, 2)};
   return parameters;
 }
-
-Parameters with_model(Parameters parameters, const ModelKind model)
-{
-  parameters.mesh.model = model;
-  return parameters;
-}
 } // namespace
 
 TEST(HalfSpaceScene, ReducedModelsGiveTheAnswersOfTheFullOne)

@@ -41,6 +41,12 @@ inline Parameters full_scene(const unsigned int degree = 1)
   return parameters;
 }
 
+inline Parameters with_model(Parameters parameters, const ModelKind model)
+{
+  parameters.mesh.model = model;
+  return parameters;
+}
+
 /// How far answers of the same scene in other words may be apart, relative: what the solver leaves,
 /// amplified.
 constexpr double closeness = 1e-8;

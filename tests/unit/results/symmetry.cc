@@ -15,12 +15,6 @@ Eigen::Vector3d mapped(const Eigen::Matrix2d &map, const Eigen::Vector3d &vector
   return result;
 }
 
-Parameters with_model(Parameters parameters, const ModelKind model)
-{
-  parameters.mesh.model = model;
-  return parameters;
-}
-
 void expect_same_totals(const Totals &a, const Totals &b)
 {
   constexpr double height = 10; // mm, the arm of the moments

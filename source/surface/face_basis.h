@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <Eigen/Dense>
+
+#include <array>
+#include <cstddef>
+#include <vector>
+
+namespace orthocone
+{
+/// Places of a face's nodes on the unit interval, those of Gauss and Lobatto. Throws std::logic_error for
+/// another degree than 1 to 3.
+const std::vector<double> &face_nodes(unsigned int degree);
+
+/// Gauss points and weights on (0, 1). Points of a pair are mirror images to the last bit.
+std::vector<std::array<double, 2>> gauss_rule(unsigned int n);
+
+/// A face in the plane, as its nodes span it.
+class PlaneFace
+{
+public:
+  /// `places`: (degree + 1)^2, lexicographic.
+  PlaneFace(unsigned int degree, std::vector<Eigen::Vector2d> places);
+
+  /// Values of all nodes at a point of the unit square, in their order.
+  Eigen::VectorXd values(const Eigen::Vector2d &unit) const;
+
+  Eigen::Vector2d position(const Eigen::Vector2d &unit) const;
+
+  /// The point of the unit square, or next to it, whose position this is.
+  Eigen::Vector2d unit_of(const Eigen::Vector2d &position) const;
+
+  /// Corners of a polygon that follows the edges: straight ones as they are, curved ones in short pieces.
+  std::vector<Eigen::Vector2d> outline() const;
+
+private:
+  bool is_straight(unsigned int edge) const;
+  std::size_t n() const { return nodes_.size(); }
+
+  const std::vector<double> &nodes_;
+  std::vector<Eigen::Vector2d> places_;
+};
+} // namespace orthocone

@@ -1,0 +1,197 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/surface/mortar.h>
+
+#include "face_basis.h"
+#include "face_pieces.h"
+
+#include <Eigen/Dense>
+#include <Eigen/Geometry>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace orthocone
+{
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::Vector2d;
+using Eigen::VectorXd;
+
+namespace
+{
+/// A face and the triangles of its outline.
+struct CutFace
+{
+  CutFace(const unsigned int degree, std::vector<Vector2d> places)
+      : face(degree, std::move(places)),
+        parts(triangles(face.outline())),
+        area(std::abs(signed_area(face.outline())))
+  {
+    for (const Vector2d &corner : face.outline())
+      box.extend(corner);
+  }
+  PlaneFace face;
+  std::vector<SignedTriangle> parts;
+  double area;
+  Eigen::AlignedBox2d box;
+};
+
+std::vector<CutFace> cut_faces(const ContactSurface &surface)
+{
+  std::vector<CutFace> faces;
+  for (const auto &face : surface.faces)
+  {
+    std::vector<Vector2d> places;
+    for (const unsigned int node : face)
+      places.emplace_back(surface.nodes[node].position[0], surface.nodes[node].position[1]);
+    faces.emplace_back(surface.degree, std::move(places));
+  }
+  return faces;
+}
+
+/// Gauss points of a triangle, with one corner as the end of a square.
+class TriangleRule
+{
+public:
+  explicit TriangleRule(const unsigned int n)
+      : rule_(gauss_rule(n))
+  {
+  }
+
+  /// Calls use(position, area) at the points of the triangles of a convex polygon.
+  template<typename Use>
+  void at_points(const PlanePolygon &polygon, const Use &use) const
+  {
+    for (const auto &[corners, sign] : triangles(polygon))
+    {
+      const double twice_area = 2 * sign * signed_area(corners);
+      for (const auto &[u, weight_u] : rule_)
+        for (const auto &[v, weight_v] : rule_)
+          use(corners[0] + u * (corners[1] - corners[0] + v * (corners[2] - corners[1])),
+              weight_u * weight_v * u * twice_area);
+    }
+  }
+
+private:
+  std::vector<std::array<double, 2>> rule_;
+};
+
+/// Integrals over a face: of its nodes' functions, of products of two, and of one and one of the other's.
+struct FaceIntegrals
+{
+  explicit FaceIntegrals(const Index n)
+      : single(VectorXd::Zero(n)),
+        products(MatrixXd::Zero(n, n))
+  {
+  }
+  VectorXd single;
+  MatrixXd products;
+  std::vector<std::pair<std::size_t, MatrixXd>> mixed; ///< with the nodes of a face of the other surface
+  double area = 0;
+};
+
+/// Adds what two faces have in common.
+void add_common(const CutFace &own, const CutFace &other, const TriangleRule &rule, FaceIntegrals &sums,
+                MatrixXd &mixed)
+{
+  for (const SignedTriangle &part : own.parts)
+    for (const SignedTriangle &of_other : other.parts)
+    {
+      const double sign = part.sign * of_other.sign;
+      rule.at_points(common_part(part.corners, of_other.corners),
+                     [&](const Vector2d &position, const double area)
+                     {
+                       const VectorXd at_own = own.face.values(own.face.unit_of(position));
+                       sums.area += sign * area;
+                       sums.single += sign * area * at_own;
+                       sums.products += sign * area * at_own * at_own.transpose();
+                       mixed +=
+                           sign * area * at_own * other.face.values(other.face.unit_of(position)).transpose();
+                     });
+    }
+}
+
+FaceIntegrals integrals(const CutFace &own, const std::vector<CutFace> &others, const TriangleRule &rule)
+{
+  FaceIntegrals sums(own.face.values({0, 0}).size());
+  for (std::size_t k = 0; k < others.size(); ++k)
+  {
+    if (!own.box.intersects(others[k].box))
+      continue;
+    MatrixXd mixed = MatrixXd::Zero(sums.single.size(), others[k].face.values({0, 0}).size());
+    add_common(own, others[k], rule, sums, mixed);
+    sums.mixed.emplace_back(k, std::move(mixed));
+  }
+  return sums;
+}
+
+/// The sums over faces that make the map.
+class MapSums
+{
+public:
+  MapSums(const ContactSurface &surface, const ContactSurface &other)
+      : surface_(surface),
+        other_(other),
+        single_(VectorXd::Zero(static_cast<Index>(surface.nodes.size())))
+  {
+  }
+
+  /// The dual functions are those sums of the nodes' functions that see one node each.
+  void add(const std::vector<unsigned int> &face, const FaceIntegrals &of)
+  {
+    const MatrixXd dual = of.single.asDiagonal() * of.products.inverse();
+    for (std::size_t i = 0; i < face.size(); ++i)
+      single_[face[i]] += of.single[static_cast<Index>(i)];
+    for (const auto &[number, mixed] : of.mixed)
+    {
+      const MatrixXd seen = dual * mixed;
+      for (std::size_t i = 0; i < face.size(); ++i)
+        for (std::size_t j = 0; j < other_.faces[number].size(); ++j)
+          terms_.emplace_back(face[i], other_.faces[number][j],
+                              seen(static_cast<Index>(i), static_cast<Index>(j)));
+    }
+  }
+
+  Eigen::SparseMatrix<double> map() const
+  {
+    Eigen::SparseMatrix<double> map(static_cast<Index>(surface_.nodes.size()),
+                                    static_cast<Index>(other_.nodes.size()));
+    map.setFromTriplets(terms_.begin(), terms_.end());
+    return single_.cwiseInverse().asDiagonal() * map;
+  }
+
+private:
+  const ContactSurface &surface_, &other_;
+  VectorXd single_;
+  std::vector<Eigen::Triplet<double>> terms_;
+};
+} // namespace
+
+MortarMap mortar_map(const ContactSurface &surface, const ContactSurface &other)
+{
+  constexpr double least_cover = 0.9;
+  const std::vector<CutFace> own = cut_faces(surface), others = cut_faces(other);
+  // Exact for products of two functions of parallelograms.
+  const TriangleRule rule(2 * std::max(surface.degree, other.degree) + 1);
+  MortarMap result;
+  MapSums sums(surface, other);
+  for (std::size_t i = 0; i < own.size(); ++i)
+  {
+    const FaceIntegrals of = integrals(own[i], others, rule);
+    const double cover = of.area / own[i].area;
+    if (cover < result.least_cover)
+    {
+      const Vector2d centre = own[i].face.position({0.5, 0.5});
+      result.least_cover = cover;
+      result.uncovered = {{centre[0], centre[1]}};
+    }
+    if (cover >= least_cover)
+      sums.add(surface.faces[i], of);
+  }
+  if (result.least_cover >= least_cover)
+    result.map = sums.map();
+  return result;
+}
+} // namespace orthocone

@@ -1,0 +1,112 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""One elastic body on another one: files of both, resumed runs, what --check says.
+
+Usage: test_two_bodies.py PROGRAM [unittest options]"""
+import sys
+
+import meshio
+import numpy as np
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+import program  # noqa: E402
+from program import ROOT, content, main  # noqa: E402
+
+FILE = ROOT / "prm/two_bodies/steel_on_aluminium.prm"
+CYLINDER = ROOT / "prm/import/cylinder.msh"
+SURFACES = ("Contact surface=base", "Held surface=top", "Symmetry surfaces=x0, y0")
+SMALL = ["Mesh/Core cells=4", "Mesh/Rings=3", "Mesh/Layers=3", "Lower mesh/Core cells=2", "Lower mesh/Rings=4",
+         "Lower mesh/Layers=3", "Load program/Legs=0 0 -0.1 : 2 ; 0.02 0 -0.1 : 2", "Output/Volume fields=1"]
+
+
+class TwoBodiesTest(program.RunTest):
+    FILE = FILE
+
+    def run_well(self, name, *arguments, settings):
+        result = self.run_program(name, *arguments, settings=settings)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+
+    def body(self, name, kind, step):
+        grid = meshio.read(self.folder / name / f"{kind}-{step:04}.vtu")
+        return grid.points, grid.point_data
+
+    def test_fields_of_both_bodies(self):
+        """Both end where they are held; where they are pressed together their surfaces move alike."""
+        self.run_well("run", settings=SMALL)
+        for step, u_x in ((2, 0), (4, 0.02)):
+            upper, of_upper = self.body("run", "volume", step)
+            lower, of_lower = self.body("run", "lower", step)
+            self.assertEqual((upper[:, 2].min(), upper[:, 2].max()), (0, 10))
+            self.assertEqual((lower[:, 2].min(), lower[:, 2].max()), (-10, 0))
+            np.testing.assert_allclose(of_upper["displacement"][upper[:, 2] == 10], [[u_x, 0, -0.1]] * int(
+                np.sum(upper[:, 2] == 10)), atol=1e-8)
+            self.assertEqual(np.abs(of_lower["displacement"][lower[:, 2] == -10]).max(), 0)
+            on_axis = [u["displacement"][np.abs(x).max(axis=1) < 1e-9][0] for x, u in ((upper, of_upper),
+                                                                                      (lower, of_lower))]
+            np.testing.assert_allclose(*on_axis, atol=2e-4)  # the axis sticks
+            # What gives way more is the softer one, by about the ratio of the moduli.
+            self.assertLess(on_axis[1][2], -0.06)
+
+    def test_forces_of_both_bodies_balance(self):
+        """The stress at the held end of the lower one carries what the other one is pressed with."""
+        settings = [*SMALL, "Lower mesh/Refinements=1", "Lower material/Poisson ratio=0", "Mesh/Model=full"]
+        self.run_well("run", settings=settings)
+        force = float(self.rows("run")[-1]["force_x"]), float(self.rows("run")[-1]["force_z"])
+        grid = meshio.read(self.folder / "run/lower-0004.vtu")
+        sums = np.zeros(2)
+        for cell in grid.cells_dict["hexahedron"]:
+            at_end = cell[grid.points[cell, 2] == -10]
+            if len(at_end) == 4:
+                x, y = grid.points[at_end, :2].T
+                order = np.argsort(np.arctan2(y - y.mean(), x - x.mean()))
+                x, y = x[order], y[order]
+                area = abs(np.dot(x, np.roll(y, -1)) - np.dot(y, np.roll(x, -1))) / 2
+                stress = grid.point_data["stress"][at_end].mean(axis=0).reshape(3, 3)
+                sums += area * stress[2, [0, 2]]
+        self.assertAlmostEqual(abs(sums[1]) / abs(force[1]), 1, delta=0.05)
+        self.assertAlmostEqual(abs(sums[0]) / abs(force[0]), 1, delta=0.1)
+
+    def test_killed_runs_go_on(self):
+        settings = [*SMALL, "Output/Checkpoint=0"]
+        self.run_well("whole", settings=settings)
+        for seconds in (0.3, 0.6):
+            self.kill_after("killed", settings, seconds, file=FILE)
+        self.run_well("killed", "--resume", settings=settings)
+        names = sorted(file.name for file in (self.folder / "whole").iterdir())
+        self.assertEqual(names, sorted(file.name for file in (self.folder / "killed").iterdir()))
+        for name in (name for name in names if name.endswith((".vtu", ".pvd")) or name == "history.csv"):
+            self.assertEqual(content(self.folder / "whole" / name), content(self.folder / "killed" / name), name)
+
+    def test_lost_fields_of_the_lower_body_are_found(self):
+        settings = [*SMALL, "Output/Checkpoint=0"]
+        self.run_well("run", settings=settings)
+        (self.folder / "run/lower-0002.vtu").unlink()
+        result = self.run_program("run", "--resume", settings=[*settings, "Load program/Cycles=2"])
+        self.assertEqual(result.returncode, 4)
+        self.assertRegex(result.stderr, r"lower-0002\.vtu: is missing")
+
+    def test_an_imported_body_below(self):
+        """The paper's cylinder, meshed by gmsh or by the program, under a smaller one."""
+        small = [*SMALL[:3], "Geometry/Radius=8", "Load program/Legs=0 0 -0.1 : 1"]
+        self.run_well("own", settings=[*small, "Lower mesh/Refinements=1", *SMALL[3:6]])
+        self.run_well("file", settings=[*small, "Lower geometry/Shape=file", f"Lower geometry/Mesh file={CYLINDER}",
+                                        *(f"Lower geometry/{entry}" for entry in SURFACES)])
+        own, file = (float(self.rows(name)[-1]["force_z"]) for name in ("own", "file"))
+        self.assertAlmostEqual(file / own, 1, delta=0.02)
+
+    def test_check_draws_up_both(self):
+        result = self.run_program("run", "--check", settings=SMALL)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertIn("obstacle       elastic body (cylinder, radius 10 mm, height 10 mm), E 70000 MPa, nu 0.33\n",
+                      result.stdout)
+        self.assertRegex(result.stdout, r"\nlower mesh     \d+ hexahedra of degree 2, \d+ unknowns, \d+ contact nodes\n")
+        self.assertFalse((self.folder / "run").exists())
+
+    def test_entries_without_a_lower_body_are_warned_of(self):
+        result = self.run_program("run", "--check", settings=["Obstacle/Kind=rigid"])
+        self.assertIn("warning: Lower material/Young modulus = 70000 is ignored with Obstacle/Kind = rigid\n",
+                      result.stdout)
+
+
+if __name__ == "__main__":
+    main()
