@@ -200,9 +200,8 @@ class VerificationTest(program.RunTest):
         self.assertLessEqual(iterations["force"], 1.5 * iterations["motion"])
 
     def test_box(self):
-        for model in ("auto", "full", "quarter"):
-            settings = [f"Mesh/Model={model}"] if model != "full" else []
-            row = self.verified("box", *settings)
+        for model in ("auto", "quarter"):  # others could drift sideways with a guided top
+            row = self.verified("box", f"Mesh/Model={model}")
             for pressure in (row["min_pressure"], row["max_pressure"]):
                 self.assertAlmostEqual(pressure / 1000, 1, delta=1e-9)
             self.assertAlmostEqual(row["force_z"] / 240000, 1, delta=1e-9)
