@@ -103,8 +103,8 @@ bool QuasiStaticProblem::accepts(const MarchedStep &marched)
                           marched.step.driven(scene_.symmetry(), parameters_.geometry.top_face)};
   write(solved);
   if (marched.report.is_released)
-    log_.line("nothing presses any more: the top opens the contact at u_z = " + to_text(next.motion[2]) +
-              " mm");
+    log_.line("nothing presses any more: the top opens the contact at u_z = " + to_text(next.motion[2] + 0.) +
+              " mm"); // -0 is 0
   ended_cycle_ = cycles_.add_step(marched.step, marched.before, solved);
   record_.add_step(marched.step.number, totals_, totals, marched.report, checks);
   totals_ = totals;

@@ -63,7 +63,7 @@ StepSolver::StepSolver(StepSolver &&other) noexcept = default;
 StepSolver::~StepSolver() = default;
 
 /// Scene::free_displacement() with the room that wear has made before the step.
-NodeVector StepSolver::free_displacement(const ContactState &state, const FaceTarget &target) const
+NodeVector StepSolver::free_displacement_with_wear(const ContactState &state, const FaceTarget &target) const
 {
   NodeVector displacement = scene_.free_displacement(target);
   for (Index node = 0; node < state.n_nodes(); ++node)
@@ -75,7 +75,7 @@ StepSolver::Attempt StepSolver::attempt(const ContactState &state, const FaceTar
 {
   return {target,
           ContactStep(scene_.system(),
-                      step_displacement(free_displacement(state, target), state.displacement),
+                      step_displacement(free_displacement_with_wear(state, target), state.displacement),
                       scene_.free_face(target)),
           scene_.free_components(target)};
 }
@@ -275,7 +275,7 @@ SolverReport StepSolver::release(ContactState &state, const Attempt &attempt) co
   FaceTarget open{{}, attempt.target.motion, {}};
   for (const unsigned int component : attempt.components)
     open.motion[component] = component == normal ? 0 : state.motion[component];
-  open.motion[normal] = opening_motion(free_displacement(state, open));
+  open.motion[normal] = opening_motion(free_displacement_with_wear(state, open));
   const Attempt apart = this->attempt(state, open);
   const VectorXd none = VectorXd::Zero(apart.problem.n_unknowns());
   SolverReport report = make_report(apart.problem, none, 0, tolerance_);

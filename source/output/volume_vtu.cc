@@ -4,10 +4,10 @@
 
 #include <orthocone/body/fe/cell_fields.h>
 #include <orthocone/output/vtu.h>
+#include <orthocone/results/volume_fields.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
-#include <cmath>
 #include <sstream>
 #include <tuple>
 
@@ -15,7 +15,13 @@ namespace orthocone
 {
 namespace
 {
-constexpr unsigned int n_rows = 3 + 9 + 1; // displacement, stress, von Mises stress
+unsigned int n_rows()
+{
+  unsigned int n = 0;
+  for (const VolumeField &field : volume_field_list())
+    n += field.n_components();
+  return n;
+}
 
 /// The mirror image about z = 0.
 PointFields mirrored(PointFields point)
@@ -40,14 +46,15 @@ std::vector<PointFields> mirrored(const std::vector<PointFields> &points, const 
 /// Fields of a point, followed by its place.
 void fill_column(const PointFields &point, const unsigned int column, dealii::Table<2, float> &data)
 {
-  for (unsigned int i = 0; i < 3; ++i)
+  unsigned int row = 0;
+  for (const VolumeField &field : volume_field_list())
   {
-    data(i, column) = static_cast<float>(point.displacement[i]);
-    data(n_rows + i, column) = static_cast<float>(point.place[i]);
-    for (unsigned int j = 0; j < 3; ++j)
-      data(3 + 3 * i + j, column) = static_cast<float>(point.stress[i][j]);
+    const auto values = field.value(point);
+    for (unsigned int i = 0; i < field.n_components(); ++i)
+      data(row++, column) = static_cast<float>(values[i]);
   }
-  data(n_rows - 1, column) = static_cast<float>(std::sqrt(1.5) * deviator(point.stress).norm());
+  for (unsigned int i = 0; i < 3; ++i)
+    data(row + i, column) = static_cast<float>(point.place[i]);
 }
 
 template<int dim>
@@ -59,7 +66,7 @@ dealii::DataOutBase::Patch<dim, 3> patch_of(const std::vector<PointFields> &poin
   patch.reference_cell = dealii::ReferenceCells::get_hypercube<dim>(); // its constructor leaves it invalid
   patch.n_subdivisions = degree;
   patch.points_are_available = true;
-  patch.data.reinit(n_rows + 3, points.size());
+  patch.data.reinit(n_rows() + 3, points.size());
   for (unsigned int column = 0; column < points.size(); ++column)
     fill_column(points[column], column, patch.data);
   return patch;
@@ -67,9 +74,9 @@ dealii::DataOutBase::Patch<dim, 3> patch_of(const std::vector<PointFields> &poin
 
 std::vector<std::string> row_names()
 {
-  std::vector<std::string> names(3, "displacement");
-  names.insert(names.end(), 9, "stress");
-  names.emplace_back("von_mises_stress");
+  std::vector<std::string> names;
+  for (const VolumeField &field : volume_field_list())
+    names.insert(names.end(), field.n_components(), field.name);
   return names;
 }
 
@@ -79,8 +86,17 @@ using Ranges = std::vector<std::tuple<unsigned int, unsigned int, std::string,
 Ranges row_ranges()
 {
   using namespace dealii::DataComponentInterpretation;
-  return {{0, 2, "displacement", component_is_part_of_vector},
-          {3, 11, "stress", component_is_part_of_tensor}};
+  Ranges ranges;
+  unsigned int row = 0;
+  for (const VolumeField &field : volume_field_list())
+  {
+    const unsigned int n = field.n_components();
+    if (n > 1)
+      ranges.emplace_back(row, row + n - 1, field.name,
+                          n == 3 ? component_is_part_of_vector : component_is_part_of_tensor);
+    row += n;
+  }
+  return ranges;
 }
 } // namespace
 

@@ -56,6 +56,26 @@ class ChartsTest(Page):
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.read(folders[0] / "report.html")
 
+    def test_rotations_and_moments(self):
+        """A twist by a motion, then by its moment; what is only pressed has no such charts."""
+        folder = run("twisted", *COARSE, "Load program/Legs=uz -0.05 : 2 ; rz 0.05 : 4 ; Mz 0 : 4",
+                     "Load program/Cycles=1")
+        self.open(folder)
+        rows = table(folder)
+        for title, name in (("Rotation of the top", "rz"), ("Moment of the plane", "moment_z")):
+            path = self.chart(title).find_element("css selector", "path.curve").get_attribute("d")
+            pixels = np.array(re.findall(r"[ML]([\d.]+),([\d.]+)", path), dtype=float)
+            values = column(rows, name)
+            self.assertEqual(len(pixels), len(rows))
+            self.assertGreater(np.abs(values).max(), 0)
+            line = np.polyfit(values, pixels[:, 1], 1)
+            self.assertLess(np.max(np.abs(np.polyval(line, values) - pixels[:, 1])), 0.02, title)
+        self.assertTrue(self.chart("M_z over r_z of the top").find_elements("css selector", "path.curve"))
+        self.assert_quiet()
+        self.open(run("pressed", *COARSE, "Load program/Cycles=1"))
+        titles = self.script("return [...document.querySelectorAll('figcaption')].map(title => title.textContent)")
+        self.assertFalse([title for title in titles if "Moment" in title or "Rotation" in title], titles)
+
     # --- loops ---
 
     def test_loop_is_open_and_its_area_is_the_work(self):

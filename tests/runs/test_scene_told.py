@@ -5,6 +5,7 @@
 Usage: test_scene_told.py PROGRAM [unittest options]"""
 import json
 import math
+import re
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
@@ -44,6 +45,18 @@ class SceneTest(RunTest):
         self.assertGreater(float(rows[3]["moment_y"]), 1000)
         self.assertLess(float(rows[3]["force_x"]), -1000)
         self.assertRegex(log, r"\nstep 4 of 8, .* s left: ux 0\.01 mm, uz -0\.1 mm, open/stick/slip ")
+
+    def test_slips_that_leave_the_gap_behind_are_warned_of(self):
+        """Gap and friction are taken at the reference position: for slips up to a tenth of what they vary over, here a
+        wave of 20 mm whose range is 20 mm / pi times its slope."""
+        wave = "Obstacle/Gap=0.001*(1+cos(pi*x/10))"
+        for way, is_warned in ((0.1, False), (2, True)):
+            log = self.run_with(wave, "Mesh/Model=full", "Load program/Cycles=1", "Mesh/Core cells=8",
+                                f"Load program/Legs=uz -0.1 : 1 ; ux {way} : 1")
+            warned = re.search(r"warning: load step 2: a node slips by (\d+) % of the length over which gap or friction "
+                               r"change there; both are taken at the reference position", log)
+            self.assertEqual(bool(warned), is_warned, log)
+        self.assertAlmostEqual(float(warned[1]), 100 * way * math.pi / 20, delta=10)
 
     def test_lines_keep_their_words_where_the_body_is_only_pressed(self):
         self.assertRegex(self.run_with(), r"\nstep 4 of 45, .* s left: u_z -0\.08 mm, open/stick/slip ")

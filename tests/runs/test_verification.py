@@ -187,10 +187,21 @@ class VerificationTest(program.RunTest):
             both = np.array([[float(row[name]) for row in rows] for rows in (by_motion, by_force)])
             self.assertLessEqual(np.abs(both[1] - both[0]).max(), 1e-8 * np.abs(both).max(), name)
 
+    def test_forces_cost_what_motions_cost(self):
+        """Iterations of Newton's method, for a program of the same legs."""
+        self.verified("pressed_by_force")
+        rows = self.rows("run")
+        iterations = {}
+        for name, text in (("motion", "uz {uz} ux {ux} : 1"), ("force", "Fz -{force_z} Fx {reversed_x} : 1")):
+            legs = " ; ".join(text.format(**row, reversed_x=-float(row["force_x"])) for row in rows)
+            self.verified("pressed_by_force", f"Load program/Legs={legs}")
+            iterations[name] = sum(int(row["iterations"]) for row in self.rows("run"))
+        self.assertGreater(iterations["motion"], len(rows))
+        self.assertLessEqual(iterations["force"], 1.5 * iterations["motion"])
+
     def test_box(self):
-        for model in ("auto", "full", "quarter"):
-            settings = [f"Mesh/Model={model}"] if model != "full" else []
-            row = self.verified("box", *settings)
+        for model in ("auto", "quarter"):  # others could drift sideways with a guided top
+            row = self.verified("box", f"Mesh/Model={model}")
             for pressure in (row["min_pressure"], row["max_pressure"]):
                 self.assertAlmostEqual(pressure / 1000, 1, delta=1e-9)
             self.assertAlmostEqual(row["force_z"] / 240000, 1, delta=1e-9)

@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""Files have at most 300 lines, functions 40, a folder a quarter of the code; headers and sources mirror each other."""
+"""Files have at most 300 lines, functions 40, a folder a quarter of the code; folders mirror each other."""
+import ast
 import collections
 import pathlib
+import re
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
@@ -25,6 +27,22 @@ def bodies(path):
             opened = None
 
 
+def inner_bodies(path):
+    """All blocks between braces but those of namespaces and types. Yields (line, length)."""
+    opened, last = [], ""
+    for number, line in enumerate(path.read_text(encoding="utf-8").splitlines(), 1):
+        code = re.sub(r"//.*|\"(\\.|[^\"\\])*\"|'(\\.|[^'\\])*'", "", line)
+        for sign in code:
+            if sign == "{":
+                of_type = re.search(r"\b(namespace|class|struct|enum)\b", last + " " + code)
+                opened.append((number, bool(of_type)))
+            elif sign == "}" and opened:
+                first, of_type = opened.pop()
+                if not of_type:
+                    yield first, number - first + 1
+        last = code if code.strip() else last
+
+
 class SizeTest(unittest.TestCase):
     def test_files(self):
         for path in files("source", "include", "tests"):
@@ -40,6 +58,20 @@ class SizeTest(unittest.TestCase):
                     self.assertLessEqual(length, MOST_OF_FUNCTION)
         self.assertGreater(found, 1000)
 
+    def test_functions_of_scripts(self):
+        for path in [*sorted((ROOT / "tools").rglob("*.py")), *sorted((ROOT / "tests").rglob("*.py"))]:
+            for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+                if isinstance(node, ast.FunctionDef):
+                    with self.subTest(f"{path.relative_to(ROOT)}:{node.lineno}"):
+                        self.assertLessEqual(node.end_lineno - node.lineno + 1, MOST_OF_FUNCTION)
+
+    def test_functions_in_headers(self):
+        """Those of templates and classes, whose braces are not at the margin."""
+        for path in files("include", "source", "tests"):
+            for line, length in inner_bodies(path):
+                with self.subTest(f"{path.relative_to(ROOT)}:{line}"):
+                    self.assertLessEqual(length, MOST_OF_FUNCTION)
+
     def test_folders(self):
         lines = collections.Counter()
         for path in files("source", "include/orthocone"):
@@ -48,6 +80,12 @@ class SizeTest(unittest.TestCase):
         for folder, count in lines.items():
             with self.subTest(folder):
                 self.assertLessEqual(count, MOST_OF_FOLDER * sum(lines.values()))
+
+    def test_folders_mirror_each_other(self):
+        for root in ("include/orthocone", "tests/unit"):
+            for folder in sorted({path.parent.relative_to(ROOT / root) for path in files(root)}):
+                with self.subTest(f"{root}/{folder}"):
+                    self.assertTrue((ROOT / "source" / folder).is_dir())
 
 
 if __name__ == "__main__":

@@ -129,6 +129,9 @@ def gross_sliding(runs, ax):
             ax.plot(-history["force_x"][-1] / history["force_z"][-1], -history["force_y"][-1] / history["force_z"][-1],
                     "o", color=colour, markersize=5, markerfacecolor="none" if name == "collinear" else colour)
             ax.plot(*(np.interp(math.radians(angle), direction, -part) for part in along), "+", color="0.2", markersize=9)
+    history = runs.verified("gross_sliding_by_force").history
+    ax.plot(-history["force_x"][-1] / history["force_z"][-1], -history["force_y"][-1] / history["force_z"][-1], "s",
+            color=RED, markersize=10, markerfacecolor="none", label="associated, F_z given")
     ax.set_aspect("equal")
     angle = np.linspace(0, math.pi / 2, 100)
     ax.plot(mu[0] * np.cos(angle), mu[1] * np.sin(angle), color=GREY, linewidth=1, label="friction ellipse")

@@ -42,6 +42,14 @@ function drawBodyLoops() {
              {name, unit: "N"}, series);
     addDeparture(axis);
   }
+  for (const axis of ["x", "y", "z"]) {
+    if (largestOf(`r${axis}`) === 0) continue;
+    const name = `M_${axis}`;
+    const series = data.runs.map((run, r) => onePath(run, r, run.history.step, name, run.history[`r${axis}`],
+                                                     run.history[`moment_${axis}`])).filter(one => one.x);
+    addPaths(byId("body-loops"), `M_${axis} over r_${axis} of the top`, {name: `r_${axis}`, unit: "degrees"},
+             {name, unit: "N mm"}, series);
+  }
 }
 
 function ellipsePoints([a, b], degrees) {

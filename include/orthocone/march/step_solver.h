@@ -125,7 +125,7 @@ private:
   void accept_undivided(const ContactState &before, const ContactState &after, const LoadStep &step);
   Eigen::VectorXd start_of(const Attempt &attempt, const ContactState &state, const LoadStep &step) const;
   Attempt attempt(const ContactState &state, const FaceTarget &target) const;
-  NodeVector free_displacement(const ContactState &state, const FaceTarget &target) const;
+  NodeVector free_displacement_with_wear(const ContactState &state, const FaceTarget &target) const;
   SolverReport solve_to(ContactState &state, const Attempt &attempt, Eigen::VectorXd unknowns,
                         unsigned int n_halvings) const;
   SolverReport solve_halves(ContactState &state, const FaceTarget &target, const SolverReport &failure,

@@ -51,8 +51,8 @@ public:
   void require_own(const std::vector<std::string> &probes) const;
 
   /// Removes the files that an earlier run left; whatever else lies there stays. `parameters` becomes the
-  /// content of parameters.prm, which tells the  /// run from others. `parameter_file` and `probes` are kept,
-  /// too; returns the parameter file of the earlier run, if it was another one.
+  /// content of parameters.prm, which tells the run from others. `parameter_file` and
+  /// `probes` are kept, too; returns the parameter file of the earlier run, if it was another one.
   std::optional<std::string> start_anew(const std::string &parameters, const std::string &parameter_file,
                                         const std::vector<std::string> &probes) const;
 

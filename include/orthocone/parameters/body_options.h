@@ -6,15 +6,28 @@
 
 #include <array>
 #include <string>
+#include <string_view>
+#include <utility>
 #include <vector>
 
 namespace orthocone
 {
+/// Table of the words of an enumeration, as users write them; specialised for each of them.
+template<typename Enum>
+struct Words;
+
 /// How the upper face is held: clamped (moves as a rigid plate) or guided (u_z prescribed, free sideways).
 enum class TopFace
 {
   clamped,
   guided,
+};
+
+template<>
+struct Words<TopFace>
+{
+  static constexpr std::array<std::pair<TopFace, std::string_view>, 2> table{
+      {{TopFace::clamped, "clamped"}, {TopFace::guided, "guided"}}};
 };
 
 /// Shape of the body.
@@ -23,6 +36,13 @@ enum class BodyShape
   cylinder,
   box,
   file,
+};
+
+template<>
+struct Words<BodyShape>
+{
+  static constexpr std::array<std::pair<BodyShape, std::string_view>, 3> table{
+      {{BodyShape::cylinder, "cylinder"}, {BodyShape::box, "box"}, {BodyShape::file, "file"}}};
 };
 
 /// Part of the body that is modelled; axisymmetric is its section (r, z).
@@ -35,6 +55,17 @@ enum class ModelKind
   axisymmetric,
 };
 
+template<>
+struct Words<ModelKind>
+{
+  static constexpr std::array<std::pair<ModelKind, std::string_view>, 5> table{
+      {{ModelKind::automatic, "auto"},
+       {ModelKind::full, "full"},
+       {ModelKind::half, "half"},
+       {ModelKind::quarter, "quarter"},
+       {ModelKind::axisymmetric, "axisymmetric"}}};
+};
+
 /// Who chooses the cells of the mesh: the single entries (custom), or one word for all of them.
 enum class MeshResolution
 {
@@ -45,12 +76,30 @@ enum class MeshResolution
   fine,
 };
 
+template<>
+struct Words<MeshResolution>
+{
+  static constexpr std::array<std::pair<MeshResolution, std::string_view>, 5> table{
+      {{MeshResolution::custom, "custom"},
+       {MeshResolution::paper, "paper"},
+       {MeshResolution::coarse, "coarse"},
+       {MeshResolution::medium, "medium"},
+       {MeshResolution::fine, "fine"}}};
+};
+
 /// How the part of the stiffness that resists changes of volume is integrated: like the rest (full), or so
 /// that it sees the divergence one degree lower (reduced).
 enum class VolumetricQuadrature
 {
   full,
   reduced,
+};
+
+template<>
+struct Words<VolumetricQuadrature>
+{
+  static constexpr std::array<std::pair<VolumetricQuadrature, std::string_view>, 2> table{
+      {{VolumetricQuadrature::full, "full"}, {VolumetricQuadrature::reduced, "reduced"}}};
 };
 
 /// Law of elasticity of the body.
@@ -60,12 +109,28 @@ enum class MaterialLaw
   orthotropic,
 };
 
+template<>
+struct Words<MaterialLaw>
+{
+  static constexpr std::array<std::pair<MaterialLaw, std::string_view>, 2> table{
+      {{MaterialLaw::isotropic, "isotropic"}, {MaterialLaw::orthotropic, "orthotropic"}}};
+};
+
 /// How the elastic body is solved: factorized and condensed to its contact nodes, or by multigrid.
 enum class BodyBackend
 {
   automatic,
   condensed,
   multigrid,
+};
+
+template<>
+struct Words<BodyBackend>
+{
+  static constexpr std::array<std::pair<BodyBackend, std::string_view>, 3> table{
+      {{BodyBackend::automatic, "auto"},
+       {BodyBackend::condensed, "condensed"},
+       {BodyBackend::multigrid, "multigrid"}}};
 };
 
 /// Section Geometry (mm).

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// Values as users write them: legs, probes, and the words of the enumerations. Every accepted word stands in
-// one table here.
+// Values as users write them: legs, probes, and the words of the enumerations. Those of the body stand beside
+// their enumerations.
 #pragma once
 
 #include <orthocone/parameters/options.h>
@@ -16,60 +16,6 @@
 
 namespace orthocone
 {
-/// Table of the words of an enumeration; specialised for each of them.
-template<typename Enum>
-struct Words;
-
-template<>
-struct Words<BodyShape>
-{
-  static constexpr std::array<std::pair<BodyShape, std::string_view>, 3> table{
-      {{BodyShape::cylinder, "cylinder"}, {BodyShape::box, "box"}, {BodyShape::file, "file"}}};
-};
-
-template<>
-struct Words<MaterialLaw>
-{
-  static constexpr std::array<std::pair<MaterialLaw, std::string_view>, 2> table{
-      {{MaterialLaw::isotropic, "isotropic"}, {MaterialLaw::orthotropic, "orthotropic"}}};
-};
-
-template<>
-struct Words<TopFace>
-{
-  static constexpr std::array<std::pair<TopFace, std::string_view>, 2> table{
-      {{TopFace::clamped, "clamped"}, {TopFace::guided, "guided"}}};
-};
-
-template<>
-struct Words<ModelKind>
-{
-  static constexpr std::array<std::pair<ModelKind, std::string_view>, 5> table{
-      {{ModelKind::automatic, "auto"},
-       {ModelKind::full, "full"},
-       {ModelKind::half, "half"},
-       {ModelKind::quarter, "quarter"},
-       {ModelKind::axisymmetric, "axisymmetric"}}};
-};
-
-template<>
-struct Words<MeshResolution>
-{
-  static constexpr std::array<std::pair<MeshResolution, std::string_view>, 5> table{
-      {{MeshResolution::custom, "custom"},
-       {MeshResolution::paper, "paper"},
-       {MeshResolution::coarse, "coarse"},
-       {MeshResolution::medium, "medium"},
-       {MeshResolution::fine, "fine"}}};
-};
-
-template<>
-struct Words<VolumetricQuadrature>
-{
-  static constexpr std::array<std::pair<VolumetricQuadrature, std::string_view>, 2> table{
-      {{VolumetricQuadrature::full, "full"}, {VolumetricQuadrature::reduced, "reduced"}}};
-};
-
 template<>
 struct Words<WearKind>
 {
@@ -84,15 +30,6 @@ struct Words<ObstacleKind>
       {{ObstacleKind::rigid, "rigid"},
        {ObstacleKind::half_space, "half-space"},
        {ObstacleKind::body, "body"}}};
-};
-
-template<>
-struct Words<BodyBackend>
-{
-  static constexpr std::array<std::pair<BodyBackend, std::string_view>, 3> table{
-      {{BodyBackend::automatic, "auto"},
-       {BodyBackend::condensed, "condensed"},
-       {BodyBackend::multigrid, "multigrid"}}};
 };
 
 /// The word of an enumerator.

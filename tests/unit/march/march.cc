@@ -138,6 +138,41 @@ TEST(March, SolvesPartsAsSmallerSteps)
   EXPECT_EQ(by_parts.memory().change, by_steps.memory().change);
 }
 
+// A step is as good as the worst of its parts: the report has the largest residual, all iterations.
+TEST(March, ReportsTheWorstOfTheParts)
+{
+  Parameters divided = moved(), smaller = moved();
+  divided.load.legs[1].parts = 3;
+  smaller.load.legs[1].steps = 6;
+  const Scene scene(smaller, choose_model(smaller));
+  StepSolver by_parts(scene), by_steps(scene);
+  ContactState state(scene.gaps()), other(scene.gaps());
+  std::vector<SolverReport> reports;
+  for (const LoadStep &step : load_steps(smaller.load))
+  {
+    const ContactState before = other;
+    reports.push_back(by_steps.solve(other, step));
+    by_steps.accept(before, other, step);
+  }
+  for (const LoadStep &step : load_steps(divided.load))
+  {
+    const ContactState before = state;
+    const SolverReport report = by_parts.solve(state, step);
+    by_parts.accept(before, state, step);
+    const std::size_t first = step.number == 1 ? 0 : 3 * step.number - 5, n = step.number == 1 ? 1 : 3;
+    double worst = 0;
+    unsigned int iterations = 0;
+    for (std::size_t i = first; i < first + n; ++i)
+    {
+      worst = std::max(worst, reports[i].residual);
+      iterations += reports[i].iterations;
+    }
+    EXPECT_EQ(report.residual, worst) << step.number;
+    EXPECT_EQ(report.iterations, iterations) << step.number;
+  }
+  EXPECT_NE(reports[1].residual, reports[3].residual) << "a test that cannot fail";
+}
+
 /// Two of three parts of the second step are carried, the third is not.
 TEST(March, LeavesNothingOfAStepWhosePartIsNotSolved)
 {

@@ -53,6 +53,33 @@ TEST(Symmetry, ReducedModelsGiveTheAnswersOfTheFullOne)
     }
 }
 
+// A box whose cells shrink towards its edges, pressed, partly released, and moved along x.
+TEST(Symmetry, ReducedModelsOfABoxGiveTheAnswersOfTheFullOne)
+{
+  Parameters parameters = small_scene(2);
+  parameters.geometry.shape = BodyShape::box;
+  parameters.geometry.sizes = {{12, 16, 10}};
+  parameters.mesh.cells = {{4, 6, 2}};
+  parameters.mesh.edge_grading = 0.7;
+  parameters.load.legs = {move_to(0, 0, -0.1, 1), move_to(0, 0, -0.05, 2)};
+  for (const bool is_sheared : {false, true})
+  {
+    if (is_sheared)
+      parameters.load.legs.push_back(move_to(0.02, 0, -0.05, 2));
+    TestScene whole(with_model(parameters, ModelKind::full));
+    whole.march();
+    EXPECT_GT(whole.totals().n_slip, 0u);
+    for (const ModelKind model : {ModelKind::half, ModelKind::quarter})
+      if (model == ModelKind::half || !is_sheared)
+      {
+        TestScene part(with_model(parameters, model));
+        part.march();
+        expect_same_fields(part, whole, closeness);
+        expect_same_totals(part.totals(), whole.totals());
+      }
+  }
+}
+
 // Nodes that leave the plane count for a share of their step, which must be that of their images in the whole
 // body.
 TEST(Symmetry, NodesThatLiftOffDissipateAlikeInEveryModel)

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "dispatch.h"
+
+#include "batch.h"
+#include "commands.h"
+#include "interrupt.h"
+#include "shareable.h"
+
+#include <orthocone/base/memory.h>
+#include <orthocone/base/text.h>
+#include <orthocone/base/version.h>
+
+#include <deal.II/base/exceptions.h>
+
+#include <filesystem>
+#include <iostream>
+#include <new>
+#include <sstream>
+#include <string>
+#include <vector>
+
+namespace orthocone
+{
+namespace
+{
+void print_defaults()
+{
+  write_parameters(Parameters(), std::cout);
+}
+
+/// A command line of --batch, in a process of its own.
+int run_words(const std::vector<std::string> &words)
+{
+  std::vector<const char *> argv{"orthocone"};
+  for (const std::string &word : words)
+    argv.push_back(word.c_str());
+  return guarded_dispatch(static_cast<int>(argv.size()), argv.data());
+}
+
+int dispatch(const int argc, const char *const *const argv)
+{
+  const CommandLine line = parse_command_line(argc, argv);
+  if (line.batch)
+    return static_cast<int>(run_batch(std::cin, std::cout, run_words) ? ExitCode::done
+                                                                      : ExitCode::interrupted);
+  if (line.help)
+    std::cout << usage();
+  else if (line.version)
+    for (const auto &[name, version] : versions())
+      std::cout << name << " " << version << "\n";
+  else if (line.defaults)
+    print_defaults();
+  else
+  {
+    require_address_space();
+    catch_signals();
+    require_file_for_all(line.parameter_file);
+    const ParameterFile file = read_parameter_file(line.parameter_file, line.overrides);
+    require_same_for_all(line, file.parameters);
+    return line.check ? check(line, file.parameters) : run(line, file);
+  }
+  if (!std::cout.flush())
+    throw FileError("standard output: cannot be written");
+  return static_cast<int>(ExitCode::done);
+}
+
+} // namespace
+
+int guarded_dispatch(const int argc, const char *const *const argv)
+{
+  try
+  {
+    return dispatch(argc, argv);
+  }
+  catch (const InputError &error)
+  {
+    return fail(ExitCode::wrong_input, error.what());
+  }
+  catch (const FileError &error)
+  {
+    return fail(ExitCode::file_error, error.what());
+  }
+  catch (const std::filesystem::filesystem_error &error)
+  {
+    return fail(ExitCode::file_error, shown_path(error.path1().string()) + ": " + error.code().message());
+  }
+  catch (const dealii::ExceptionBase &error)
+  {
+    std::ostringstream text;
+    error.print_info(text);
+    return fail(ExitCode::unsolved_step, trimmed(text.str()));
+  }
+  catch (const std::bad_alloc &)
+  {
+    return fail(ExitCode::unsolved_step,
+                "memory runs out; a coarser mesh or a reduced Mesh/Model needs less");
+  }
+  catch (const std::exception &error)
+  {
+    return fail(ExitCode::unsolved_step, error.what());
+  }
+}
+} // namespace orthocone

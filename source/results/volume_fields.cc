@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/results/volume_fields.h>
+
+#include <cmath>
+
+namespace orthocone
+{
+namespace
+{
+double von_mises_stress(const PointFields &point)
+{
+  return std::sqrt(1.5) * deviator(point.stress).norm();
+}
+} // namespace
+
+const std::vector<VolumeField> &volume_field_list()
+{
+  static const std::vector<VolumeField> fields{
+      {"displacement", "mm", "from the undeformed body", &PointFields::displacement},
+      {"stress", "MPa", "of Cauchy, in global axes", &PointFields::stress},
+      {"von_mises_stress", "MPa", "sqrt(3/2) times the norm of the deviator", von_mises_stress}};
+  return fields;
+}
+
+unsigned int VolumeField::n_components() const
+{
+  return std::holds_alternative<Vector>(of) ? 3 : std::holds_alternative<Tensor>(of) ? 9 : 1;
+}
+
+std::array<double, 9> VolumeField::value(const PointFields &point) const
+{
+  std::array<double, 9> values{};
+  if (const auto *const vector = std::get_if<Vector>(&of))
+    for (unsigned int i = 0; i < 3; ++i)
+      values[i] = (point.*(*vector))[i];
+  else if (const auto *const tensor = std::get_if<Tensor>(&of))
+    for (unsigned int i = 0; i < 9; ++i)
+      values[i] = (point.*(*tensor))[i / 3][i % 3];
+  else
+    values[0] = std::get<Derived>(of)(point);
+  return values;
+}
+} // namespace orthocone

@@ -1,0 +1,63 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""What README and docs name is there: files, the targets of links, tests; docs/extending.md asks for few existing files."""
+import pathlib
+import re
+import unittest
+
+ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+MOST_FILES, MOST_OF_SHAPE = 4, 5
+OF_A_RUN = {"input.prm", "parameters.prm"}
+
+
+def sources():
+    folders = [ROOT / name for name in ("source", "include", "tests", "tools", "cmake", "prm")]
+    return ["/" + str(path.relative_to(ROOT)) for folder in folders for path in folder.rglob("*")]
+
+
+def gtests():
+    """Names "Suite.Test" of the C++ tests."""
+    names = set()
+    for path in (ROOT / "tests").rglob("*.cc"):
+        text = path.read_text(encoding="utf-8")
+        names.update(".".join(pair) for pair in re.findall(r"^TEST(?:_F|_P)?\((\w+),\s*(\w+)\)", text, re.MULTILINE))
+    return names
+
+
+class PagesTest(unittest.TestCase):
+    def test_links_lead_somewhere(self):
+        for page in PAGES:
+            for target in re.findall(r"\]\(([^)#:]+)(?:#[^)]*)?\)", page.read_text(encoding="utf-8")):
+                with self.subTest(page=page.name, target=target):
+                    self.assertTrue((page.parent / target).exists())
+
+    def test_sources_that_are_named_are_there(self):
+        names = sources()
+        for page in PAGES:
+            for named in set(re.findall(r"`([\w./-]+\.(?:cc|h|py|sh|prm|js))`", page.read_text(encoding="utf-8"))):
+                if named in OF_A_RUN or named.endswith("/X.cc"):
+                    continue
+                with self.subTest(page=page.name, file=named):
+                    self.assertTrue(any(name.endswith("/" + named) for name in names))
+
+    def test_tests_that_are_named_are_there(self):
+        tests = gtests()
+        suites = {name.split(".")[0] for name in tests}
+        for page in PAGES:
+            for suite, name in re.findall(r"`([A-Z]\w+)\.([A-Z]\w+|\*)`", page.read_text(encoding="utf-8")):
+                with self.subTest(page=page.name, test=f"{suite}.{name}"):
+                    self.assertTrue(suite in suites if name == "*" else f"{suite}.{name}" in tests)
+
+    def test_extensions_touch_few_files(self):
+        rows = [line.split("|")[1:4] for line in (ROOT / "docs/extending.md").read_text(encoding="utf-8").splitlines()
+                if line.startswith("| ")][1:]
+        self.assertGreater(len(rows), 12)
+        for change, _, existing in rows:
+            with self.subTest(change.strip()):
+                files = re.findall(r"`[\w/]+\.(?:cc|h)`", existing)
+                self.assertLessEqual(len(files), MOST_OF_SHAPE if "shape" in change else MOST_FILES)
+
+
+if __name__ == "__main__":
+    unittest.main()
