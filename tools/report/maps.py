@@ -20,6 +20,13 @@ def packed(array):
     return base64.b64encode(np.ascontiguousarray(array).tobytes()).decode()
 
 
+def distinct(points):
+    """One point of each node (cells may have points of their own), and the node of each point."""
+    places = np.round(points / (1e-6 * np.abs(points).max())).astype(np.int64)
+    _, one, node = np.unique(places, axis=0, return_index=True, return_inverse=True)
+    return one, node.reshape(-1)
+
+
 class Maps:
     """The frames of the slider; none for a run that wrote no contact fields."""
 
@@ -32,19 +39,15 @@ class Maps:
             last = self.file(self.all_steps[-1])
             if last is not None and WORN in last.data and last[WORN].max() > 0:
                 self.names = (*FIELDS, WORN)
-            self.nodes, self.node_of_point = self.distinct(self.mesh.points[:, :2])
+            self.nodes, self.node_of_point = distinct(self.mesh.points[:, :2])
+            self.places = self.mesh.points[self.nodes, :2]
+            self.quads = self.node_of_point[self.mesh.quadrilaterals()]
 
     def file(self, step):
         def contact():
             with contextlib.redirect_stderr(io.StringIO()):  # meshio prints before it gives up
                 return self.data.run.contact(step)
         return self.data.read(f"contact-{step:04d}.vtu", contact)
-
-    def distinct(self, points):
-        """One point of each node (cells may have points of their own), and the node of each point."""
-        places = np.round(points / (1e-6 * self.data.radius)).astype(np.int64)
-        _, one, node = np.unique(places, axis=0, return_index=True, return_inverse=True)
-        return one, node.reshape(-1)
 
     def steps(self):
         if not self.mesh:
@@ -74,11 +77,10 @@ class Maps:
         if not steps:
             return None
         index = np.uint16 if len(self.nodes) < 2**16 else np.uint32
-        places = self.mesh.points[self.nodes, :2]
-        quads = self.node_of_point[self.mesh.quadrilaterals()]
-        self.lines = [Line(places, quads, axis) for axis in (0, 1)]
+        places, centre = self.places, self.data.centre
+        self.lines = [Line(places, self.quads, axis, centre[1 - axis]) for axis in (0, 1)]
         return {"x": packed(places[:, 0].astype(np.float32)), "y": packed(places[:, 1].astype(np.float32)),
-                "quads": packed(quads.astype(index)), "index_bytes": index().nbytes,
+                "quads": packed(self.quads.astype(index)), "index_bytes": index().nbytes,
                 "small": spread_steps(steps, MOST_SMALL_MAPS, self.data.blocks),
                 "line_places": [line.payload for line in self.lines], "line_quantities": QUANTITIES,
                 "frames": [self.frame(step) for step in steps]}

@@ -89,5 +89,6 @@ def payload_of(runs):
             "checks": table(data.checks, CHECKS, steps) if data.checks else None,
             "timing": table(data.timing, ("seconds",), steps),
             "probes": probes(data), "maps": data.maps.payload(frames), "periodic": thresholds,
-            "radius": data.radius, "mu": data.mu, "angle": data.angle,
+            "radius": data.radius, "centre": numbers(data.centre),
+            "outline": [[numbers(point) for point in polygon] for polygon in data.outline], "mu": data.mu, "angle": data.angle,
             "tolerance": data.number("Contact solver", "Tolerance", 0)}
