@@ -21,6 +21,7 @@ from report_run import SCRATCH, report  # noqa: E402
 
 sys.path[:0] = [str(ROOT / "tools/plots"), str(ROOT / "tools/report")]
 import outline  # noqa: E402
+import verification_import  # noqa: E402
 from imported_body import ImportedBody  # noqa: E402
 from run_data import RunData  # noqa: E402
 
@@ -136,6 +137,19 @@ class BodiesTest(Page):
         on = np.unique(places[np.abs(places[:, 1] - 1) < 1e-6, 0])
         self.assertGreaterEqual(len(on), 5)
         np.testing.assert_allclose([float(row["x (mm)"]) for row in saved], on, rtol=1e-5)
+
+    def test_border_encloses_the_body(self):
+        """Faces look outwards, and with their mirror images leave no hole: Gauss' theorem gives the volume."""
+        for name, volume, surfaces in (("cylinder", 4 * 780.361, ("base", "top", "x0, y0")),
+                                       ("dovetail", 64 * 6, ("flank", "neck", "middle"))):
+            geometry = dict(zip(("Contact surface", "Held surface", "Symmetry surfaces"), surfaces))
+            body = ImportedBody.of({"Mesh file": ROOT / f"prm/import/{name}.msh", **geometry})
+            faces = body.border[~verification_import.is_cut(body, body.border)]
+            parts = verification_import.all_parts(body, faces).reshape(-1, len(faces), 4, 3)
+            signs = [x * y for x, y in itertools.product(*((1, -1)[:1 + mirrored] for mirrored in body.mirrored))]
+            found = sum(sign * np.sum(np.linalg.det(part[:, corners]) / 6) for part, sign in zip(parts, signs)  # mirrors
+                        for corners in ([0, 1, 2], [0, 2, 3]))  # turn faces round
+            self.assertAlmostEqual(found / volume, 1, delta=1e-5)
 
     def test_body_from_the_side(self):
         """Of the quarter of a cylinder both sides are drawn, of the dovetail the whole profile and no seam."""

@@ -43,6 +43,7 @@ class ImportedBody:
                      for name in geometry.get("Symmetry surfaces", "").split(",") if name.strip()]
         small = ROUNDING * np.ptp(self.points, axis=0).max()
         self.mirrored = [any(np.all(np.abs(points[:, axis]) < small) for points in symmetric) for axis in (0, 1)]
+        self.border = border_faces(np.concatenate([cells for cells, _ in self.blocks("hexahedron")]))
         self.faces = self.faces_seen()
 
     @classmethod
@@ -66,11 +67,10 @@ class ImportedBody:
     def faces_seen(self):
         """Faces that look at the reader. Of a half, whose missing part is nearer to the reader, those which its mirror
         image shows there."""
-        faces = border_faces(np.concatenate([cells for cells, _ in self.blocks("hexahedron")]))
-        corners = self.points[faces]
+        corners = self.points[self.border]
         normals = np.cross(corners[:, 2] - corners[:, 0], corners[:, 3] - corners[:, 1])
         towards = normals[:, 1] * (1 if self.mirrored[1] else -1)
-        return faces[towards > ROUNDING * np.hypot(*normals[:, [0, 2]].T)]
+        return self.border[towards > ROUNDING * np.hypot(*normals[:, [0, 2]].T)]
 
     def rim(self):
         """Edges at which what is seen ends, other than at its own mirror image."""
