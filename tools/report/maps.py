@@ -28,11 +28,12 @@ def distinct(points):
 
 
 class Maps:
-    """The frames of the slider; none for a run that wrote no contact fields."""
+    """The frames of the slider; none for a run that wrote no contact fields. `kind` is the beginning of the names of the
+    files: a surface with files of its own has maps of its own."""
 
-    def __init__(self, data):
-        self.data = data
-        self.all_steps = data.run.contact_steps()
+    def __init__(self, data, kind="contact"):
+        self.data, self.kind = data, kind
+        self.all_steps = data.run.contact_steps(kind)
         self.mesh = self.file(self.all_steps[0]) if self.all_steps else None
         self.names = FIELDS
         if self.mesh:
@@ -46,8 +47,11 @@ class Maps:
     def file(self, step):
         def contact():
             with contextlib.redirect_stderr(io.StringIO()):  # meshio prints before it gives up
-                return self.data.run.contact(step)
-        return self.data.read(f"contact-{step:04d}.vtu", contact)
+                return self.data.run.contact(step, self.kind)
+        return self.data.read(self.name(step), contact)
+
+    def name(self, step):
+        return f"{self.kind}-{step:04d}.vtu"
 
     def steps(self):
         if not self.mesh:
@@ -60,7 +64,7 @@ class Maps:
         return chosen
 
     def frame(self, step):
-        return self.data.read(f"contact-{step:04d}.vtu", lambda: self.fields(step, self.file(step)))
+        return self.data.read(self.name(step), lambda: self.fields(step, self.file(step)))
 
     def fields(self, step, file):
         fields = fields_of(file, self.nodes)

@@ -58,7 +58,7 @@ def profiles(data, numbers):
     if not steps:
         return {"lines": [], "names": []}
     maps = data.maps
-    fields = [data.read(f"contact-{step:04d}.vtu", lambda step=step: maps.file(step)[FIELD][maps.nodes].astype(float))
+    fields = [data.read(maps.name(step), lambda step=step: maps.file(step)[FIELD][maps.nodes].astype(float))
               for step in steps]
     centre, lines = middle(maps, fields[-1]), []
     for axis in (0, 1):
