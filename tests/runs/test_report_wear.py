@@ -5,20 +5,33 @@
 Usage: test_report_wear.py PROGRAM [unittest options]"""
 import re
 import sys
+import unittest
 
 import meshio
 import numpy as np
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from program import main  # noqa: E402
+from program import ROOT, main  # noqa: E402
 from report_page import Page, column, table  # noqa: E402
 from report_run import COARSE, SCRATCH, report, run  # noqa: E402
+
+sys.path[:0] = [str(ROOT / "tools/plots"), str(ROOT / "tools/report")]
+from worn import within  # noqa: E402
 
 WEARING = [*COARSE, "Mesh/Core cells=4", "Wear/Law=archard", "Wear/Coefficient=1e-6"]
 PRESSED = [*WEARING, "Mesh/Rings=6", "Friction/Coefficients=0.2, 0.2", "Friction/Slip potential=0.2, 0.2",
            "Load program/Legs=0 0 -0.1 : 3 ; 0 0 0 : 3", "Load program/Cycles=7"]
 FRETTED = [*WEARING, "Friction/Orthotropy angle=20", "Load program/Preload=0 0 -0.05 : 2", "Load program/Cycles=40",
            "Load program/Legs=0.02 0.01 -0.05 : 2; -0.02 0 -0.05 : 4; 0 0 -0.05 : 2", "Wear/Largest depth of a jump=1e-4"]
+
+
+class WithinTest(unittest.TestCase):
+    def test_lines_reach_beyond_what_is_worn(self):
+        place = np.arange(20.)
+        for worn, rows in (([5], [4, 5, 6]), ([0, 1], [0, 1, 2]), ([19], [18, 19]), ([3, 13], range(2, 15)), ([], [])):
+            depth = np.zeros((2, 20))
+            depth[1, worn] = 1
+            self.assertEqual(within(place, depth).tolist(), list(rows))
 
 
 class WearTest(Page):

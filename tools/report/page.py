@@ -206,7 +206,7 @@ def run_list(runs):
 FRETTING = """<section id="fretting" aria-labelledby="fretting-title">
   <h2 id="fretting-title">Fretting loop</h2>
   <p class="hint">Q and M: tangential force and moment of the top on the body, over its motion. The area of a loop is the
-    work that a cycle takes.</p>
+    work that this motion takes in a cycle.</p>
   <div class="grid" id="fretting-loops"></div>
 </section>"""
 WEAR = """<section id="wear" aria-labelledby="wear-title">

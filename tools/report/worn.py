@@ -39,10 +39,14 @@ def middle(maps, depth):
 
 
 def within(place, depths):
-    """Rows of what is worn, and a little beyond it."""
-    worn = place[np.max(depths, axis=0) > 0]
-    room = BEYOND * np.ptp(worn) if len(worn) else 0
-    return np.flatnonzero((worn.min() - room <= place) & (place <= worn.max() + room)) if len(worn) else []
+    """Rows of what is worn, and of a little beyond it: one on each side at least."""
+    worn = np.flatnonzero(np.max(depths, axis=0) > 0)
+    if not len(worn):
+        return worn
+    room = BEYOND * (place[worn[-1]] - place[worn[0]])
+    first = min(worn[0] - 1, np.searchsorted(place, place[worn[0]] - room))
+    last = max(worn[-1] + 1, np.searchsorted(place, place[worn[-1]] + room, side="right") - 1)
+    return np.arange(max(0, first), min(last, len(place) - 1) + 1)
 
 
 def name_of(data, step):
