@@ -7,6 +7,7 @@ Usage: test_report_bodies.py PROGRAM [unittest options]"""
 import itertools
 import json
 import pathlib
+import re
 import subprocess
 import sys
 import unittest
@@ -115,6 +116,19 @@ class BodiesTest(Page):
                 self.assertIn("blue: contact surface", self.text("#model"))
                 self.assertNotIn("radius", self.text("#model"))
                 self.assert_phone_and_paper()
+
+    def test_without_contact_fields(self):
+        """The mesh file has the outline; where it is gone, the page says what it cannot draw."""
+        folder = run("bare", ROOT / "prm/import/cylinder.prm", "Load program/Cycles=1", "Output/Volume fields=0",
+                     "Output/Contact fields=0")
+        data = self.page_of(folder)
+        area = json.loads((folder / "summary.json").read_text())["scene"]["area_mm2"]
+        self.assertAlmostEqual(sum(outline.area(one) for one in data["outline"]) / area, 1, delta=1e-6)
+        parameters = folder / "parameters.prm"
+        parameters.write_text(re.sub(r"Mesh file *= .*", "Mesh file = gone.msh", parameters.read_text()))
+        self.assertEqual(self.page_of(folder)["outline"], [])
+        self.assertIn("The body is not drawn", self.text("#warnings"))
+        self.assertIn("no contact fields, so no mesh; nor outline", self.text("#model"))
 
     def test_an_angle_far_from_the_centre(self):
         mesh = pathlib.Path(SCRATCH.name) / "angle.msh"

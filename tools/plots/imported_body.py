@@ -92,6 +92,13 @@ class ImportedBody:
         places = self.seen(np.unique(self.faces)).reshape(-1, 2)
         return places.min(axis=0), places.max(axis=0)
 
+    def contact_from_above(self):
+        """Corners of the faces in contact and of their mirror images, (n, 4, 2)."""
+        corners = self.points[self.contact][..., :2]
+        for axis in np.flatnonzero(self.mirrored):
+            corners = np.concatenate([corners, corners * np.where(np.arange(2) == axis, -1, 1)])
+        return corners
+
     def held_middle(self):
         """Of the held surface, and the direction in which it looks."""
         places = self.seen(np.unique(self.held)).reshape(-1, 2)

@@ -6,6 +6,13 @@ import numpy as np
 STRAIGHT = 1e-4  # sine of the angle between edges that are one
 
 
+def distinct(points):
+    """One point of each node (cells may have points of their own), and the node of each point."""
+    places = np.round(points / (1e-6 * np.abs(points).max())).astype(np.int64)
+    _, one, node = np.unique(places, axis=0, return_index=True, return_inverse=True)
+    return one, node.reshape(-1)
+
+
 def area(polygon):
     """Positive where the polygon runs anticlockwise."""
     x, y = np.transpose(polygon)

@@ -8,6 +8,7 @@ import io
 import numpy as np
 from lines import QUANTITIES, Line, fields_of
 from load_program import choose_steps, spread_steps
+from outline import distinct
 
 MOST_FRAMES = 60
 MOST_SMALL_MAPS = 15
@@ -18,13 +19,6 @@ WORN = "wear_depth"  # of runs whose surface wears
 
 def packed(array):
     return base64.b64encode(np.ascontiguousarray(array).tobytes()).decode()
-
-
-def distinct(points):
-    """One point of each node (cells may have points of their own), and the node of each point."""
-    places = np.round(points / (1e-6 * np.abs(points).max())).astype(np.int64)
-    _, one, node = np.unique(places, axis=0, return_index=True, return_inverse=True)
-    return one, node.reshape(-1)
 
 
 class Maps:

@@ -6,7 +6,6 @@ import math
 import numpy as np
 import svg
 from drawing import HEIGHT, WIDTH, Frame, area_of, counterface, hatched, load_words
-from imported_body import ImportedBody
 from imported_picture import imported_view
 from outline import clipped
 
@@ -78,7 +77,7 @@ def mesh_lines(data, frame):
     """Lines of the cells, and what is said of them."""
     mesh = data.maps.mesh
     if not mesh:
-        return "", "mesh not drawn: no contact fields were written"
+        return "", "no contact fields, so no mesh"
     note = f"{len(mesh.cells)} cells of degree {mesh.degree}"
     if len(mesh.cells) > MOST_DRAWN_CELLS:
         return "", note + ", too many to be drawn"
@@ -101,7 +100,7 @@ def probes(data, frame):
 def size_of(data):
     """Of the contact surface, in words."""
     if not data.outline:
-        return "outline not known"
+        return "nor outline"
     if data.shape == "cylinder":
         return f"radius {data.radius:g} mm"
     points = np.concatenate(data.outline)
@@ -211,11 +210,10 @@ def side_view(data):
 def views_from_the_side(data):
     if data.shape != "file":
         return [(f"{'Box' if data.box else 'Cylinder'}, from the side", side_view(data))]
-    body = ImportedBody.of(data.parameters["Geometry"])
-    if body is None:
+    if data.body is None:
         data.notes.append("The body is not drawn: its mesh file is not where the run has found it.")
         return []
-    return [("The body from the side", imported_view(data, body))]
+    return [("The body from the side", imported_view(data, data.body))]
 
 
 def figures(data):

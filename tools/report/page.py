@@ -234,10 +234,10 @@ def make(runs):
     """The page of the first run, with the others over it in the charts."""
     data = runs[0]
     name = data.path.resolve().name
-    payload = payload_of(runs)  # first: it notes what the page leaves out
+    payload, drawn = payload_of(runs), model(data)  # first: they note what the page leaves out
     parts = {"title": escape(name), "status": status(data), "tiles": tiles(data), "runs": run_list(runs),
              "facts": data.read("summary.json", lambda: facts(data)),
-             "warnings": warnings(data), "model": model(data), "parameters": parameters(data), "ledger": ledger(data),
+             "warnings": warnings(data), "model": drawn, "parameters": parameters(data), "ledger": ledger(data),
              **optional_sections(runs), "phases": phases(data), "data": safe_json(payload), "style": (HERE / "report.css").read_text(),
              "script": "\n".join((HERE / script).read_text() for script in SCRIPTS)}
     template = (HERE / "template.html").read_text()

@@ -7,6 +7,7 @@ import re
 import numpy as np
 import outline
 from cycle_table import jumped_energy
+from imported_body import ImportedBody
 from load_program import LoadProgram
 from maps import Maps
 from run_folder import RunFolder
@@ -80,12 +81,22 @@ class RunData:
         return self.read("parameters.prm", lambda: float(self.parameters[section].get(entry, default)))
 
     @functools.cached_property
+    def body(self):
+        """The body of a mesh file; None of another one, or where the file is gone."""
+        return ImportedBody.of(self.parameters["Geometry"]) if self.shape == "file" else None
+
+    @functools.cached_property
     def outline(self):
-        """The border of the contact surface, as polygons. Without contact fields it is known of built-in shapes alone."""
+        """The border of the contact surface, as polygons. Without contact fields it is that of the parameters, or of the
+        mesh file; nothing if that is gone."""
         if self.maps.mesh:
             return outline.outline(self.maps.places, self.maps.quads)
         if self.shape == "file":
-            return []
+            if self.body is None:
+                return []
+            corners = self.body.contact_from_above().reshape(-1, 2)
+            one, node = outline.distinct(corners)
+            return outline.outline(corners[one], node.reshape(-1, 4))
         if self.box:
             return [np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * self.box[:2] / 2]
         angles = np.linspace(0, 2 * np.pi, 96, endpoint=False)
