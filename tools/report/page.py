@@ -238,7 +238,8 @@ def make(runs):
     parts = {"title": escape(name), "status": status(data), "tiles": tiles(data), "runs": run_list(runs),
              "facts": data.read("summary.json", lambda: facts(data)),
              "warnings": warnings(data), "model": drawn, "parameters": parameters(data), "ledger": ledger(data),
-             **optional_sections(runs), "phases": phases(data), "data": safe_json(payload), "style": (HERE / "report.css").read_text(),
+             **optional_sections(runs), "phases": phases(data), "data": safe_json(payload),
+             "style": (HERE / "report.css").read_text(),
              "script": "\n".join((HERE / script).read_text() for script in SCRIPTS)}
     template = (HERE / "template.html").read_text()
     return re.sub(r"\{\{(\w+)\}\}", lambda match: parts[match[1]], template)
