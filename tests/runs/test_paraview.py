@@ -50,9 +50,12 @@ RUNS = {
     "blind": [*CYCLE, "Output/Contact fields=0"],
     "pushed": [*CYCLE, "Mesh/Degree=1", "Load program/Legs=0 0 -0.1 : 1 ; 0.02 0.01 -0.1 : 1"],
     "revolved": [*CYCLE, "Friction/Coefficients=0.2, 0.2", "Friction/Slip potential=0.2, 0.2"],
+    "worn": [*CYCLE, "Mesh/Degree=1", "Wear/Law=archard", "Wear/Coefficient=1e-6"],
+    "dovetail": ["Load program/Cycles=1", "Output/Volume fields=6", "Output/Contact fields=6"],
     "cubic": [*CYCLE, "Mesh/Core cells=2", "Mesh/Degree=3", "Mesh/Model=half", "Load program/Legs=0 0 -0.1 : 1"],
 }
-STEPS = {"quarter": "all", "full": "2", "bare": "1", "pushed": "2", "cubic": "1",
+FILES = {"dovetail": "prm/import/dovetail.prm"}
+STEPS = {"worn": "2,3", "dovetail": "6", "quarter": "all", "full": "2", "bare": "1", "pushed": "2", "cubic": "1",
          "revolved": "2"}
 
 
@@ -80,7 +83,7 @@ def pictures(*words, **options):
 def run_folder(name):
     folder = pathlib.Path(SCRATCH.name) / name
     settings = [f"--set={setting}" for setting in RUNS[name]]
-    subprocess.run([PROGRAM, ROOT / "prm/paper/case_b.prm", "--quiet", "--output", folder, *settings], check=True,
+    subprocess.run([PROGRAM, ROOT / FILES.get(name, "prm/paper/case_b.prm"), "--quiet", "--output", folder, *settings], check=True,
                    timeout=300)
     return folder
 
@@ -202,6 +205,28 @@ class PictureTest(unittest.TestCase):
         self.assertEqual(*scales["slip"])
         for name in ("body", "pressure"):
             self.assertTrue(0.4 < scales[name][0] / scales[name][1] < 1, name)
+
+    def test_wear(self):
+        """A view of its own, with depths that stay when the body is lifted; none without wear (test_names_and_sizes)."""
+        self.assertIn("wear-0002.png", {file.name for file in rendered("worn")[0].iterdir()})
+        upper, largest = re.search(r"^wear: colours 0 to (\S+) mm, values to (\S+) mm$", rendered("worn")[1], re.M).groups()
+        peak = max(float(row["max_wear_depth"]) for row in history("worn"))
+        self.assertAlmostEqual(float(largest) / peak, 1, delta=1e-5)
+        self.assertEqual(upper, largest)
+        for step in (2, 3):
+            self.assertGreater(n_colours(surface("worn", f"wear-{step:04d}")), 100)
+            self.assertGreater(n_colours(picture("worn", f"overview-{step:04d}")), 1000)
+
+    def test_an_imported_body(self):
+        """The flank, 5.657 mm x 6 mm, is a rectangle around the middle of its pictures, and fills 1/2.5 of twice its reach."""
+        pixels = picture("dovetail", "slip-0006")
+        half = [RADIUS * size / np.hypot(8**0.5, 3) for size in (3, 8**0.5)]  # rows, columns
+        for factor, is_inside in ((0.99, True), (1.01, False)):
+            for i, j in ((1, 0), (-1, 0), (0, -1)):  # arrows reach beyond the other side
+                row, column = (int(round(middle + factor * k * size)) for middle, k, size in
+                               zip((CENTRE_Y, CENTRE_X), (i, j), half))
+                self.assertEqual(bool(np.any(pixels[row, column] != BACKGROUND)), is_inside, (factor, i, j))
+        self.assertGreater(n_colours(picture("dovetail", "body-0006")), 200)
 
     def test_no_volume(self):
         self.assertIn("no volume.pvd (Output/Volume fields = 0)", rendered("bare")[1])

@@ -185,6 +185,11 @@ class PageTest(Page):
         self.open(self.folder)
         self.assert_phone_and_paper()
 
+    def drawn(self, css):
+        """Corners of an area of the drawings."""
+        path = self.script("return document.querySelector(arguments[0]).getAttribute('d')", css)
+        return np.array(re.findall(r"[\d.]+", path), dtype=float).reshape(-1, 2)
+
     # --- runs that are not whole, or not like the others ---
 
     def test_failed_run(self):
@@ -237,10 +242,7 @@ class PageTest(Page):
         for words in ("20 mm x 10 mm", "Box, from the side", "l_x = 20 mm; rigid, with a gap, \u03bc varies", "at the centre",
                       "F_z = \u221220000 N", "u_x = 0.02 mm"):
             self.assertIn(words, drawn)
-        part = self.script("return document.querySelector('#model .modelled').getAttribute('points')")
-        corners = np.array(re.findall(r"[\d.]+", part), dtype=float).reshape(-1, 2)
-        surface = self.script("return document.querySelector('#model .disc').getAttribute('points')")
-        whole = np.array(re.findall(r"[\d.]+", surface), dtype=float).reshape(-1, 2)
+        corners, whole = self.drawn("#model .modelled"), self.drawn("#model .disc")
         # Symmetric about y = 0 alone: all of x, and the half that is up in the picture.
         self.assertEqual(list(corners.min(axis=0)), list(whole.min(axis=0)))
         self.assertAlmostEqual(np.ptp(corners[:, 1]) / np.ptp(whole[:, 1]), 0.5, 2)

@@ -35,7 +35,8 @@ const cut = [...picture.querySelectorAll("text")].filter(text => {
 host.remove();
 return cut;
 """
-LOOP = "F_x over u_x, without the elastic part"
+LOOP = "Q_x over u_x, without the elastic part"
+WHOLE_LOOP = "Fretting loop: Q_x over u_x"
 
 
 def area(points):
@@ -84,33 +85,54 @@ class ChartsTest(Page):
         self.assertEqual(len(saved), 165)
         for cycle in range(4):
             part = saved[4 + 40 * cycle:45 + 40 * cycle]
-            motion, force = column(part, "u_x (mm)"), column(part, "F_x \u2212 line (N)")
-            work = -np.sum((force[1:] + force[:-1]) / 2 * np.diff(motion))  # of the top, against the plane
+            motion, force = column(part, "u_x (mm)"), column(part, "Q_x \u2212 line (N)")
+            work = np.sum((force[1:] + force[:-1]) / 2 * np.diff(motion))  # of the top, against the plane
             self.assertAlmostEqual(work / float(self.cycles[cycle]["work"]), 1, delta=1e-3)
         Select(self.find("#window")).select_by_visible_text("cycle 4 (steps 126\u2013165)")
-        drawn = {title: area(np.concatenate(self.curves(title))) / np.prod(BOX) for title in (LOOP, "F_x over u_x of")}
+        drawn = {title: area(np.concatenate(self.curves(title))) / np.prod(BOX) for title in (LOOP, WHOLE_LOOP)}
         self.assertGreater(drawn[LOOP], 0.1)
-        self.assertLess(drawn["F_x over u_x of"], 0.01)  # why the other chart is there
+        self.assertLess(drawn[WHOLE_LOOP], 0.01)  # why the other chart is there
 
     def test_line_that_is_taken_away(self):
         self.open(self.folder)
-        motion, force = column(self.rows[125:], "ux"), column(self.rows[125:], "force_x")
+        motion, force = column(self.rows[125:], "ux"), -column(self.rows[125:], "force_x")
         stiffness = np.sum((motion - motion.mean()) * (force - force.mean())) / np.sum((motion - motion.mean())**2)
         caption = self.chart(LOOP).find_element("css selector", ".caption").text
         self.assertRegex(caption, r"\(cycle 4\)")
-        number = caption.split("F_x = ")[1].split(" N/mm")[0].replace("\u2212", "-")
+        number = caption.split("Q_x = ")[1].split(" N/mm")[0].replace("\u2212", "-")
         self.assertAlmostEqual(float(number) / stiffness, 1, delta=1e-4)
-        titles = self.script("return [...document.querySelectorAll('#body-loops figcaption')]"
-                             ".map(caption => caption.firstChild.data)")
+        titles = [self.script("return [...document.querySelectorAll(`${arguments[0]} figcaption`)]"
+                              ".map(caption => caption.firstChild.data)", grid)
+                  for grid in ("#fretting-loops", "#body-loops")]
         # In the cycles u_z rests, so that there is no loop to see.
-        self.assertEqual(titles, ["F_x over u_x of the top", LOOP, "F_z over u_z of the top"])
+        self.assertEqual(titles, [[WHOLE_LOOP, LOOP], ["F_z over u_z of the top"]])
+
+    def test_fretting_loop_is_the_first_picture(self):
+        self.open(self.folder)
+        first = self.script("return document.querySelector('main svg:not(.key svg)').closest('figure')")
+        self.assertEqual(first.get_attribute("outerHTML"), self.chart(WHOLE_LOOP).get_attribute("outerHTML"))
+        caption = first.find_element("css selector", ".caption").text
+        area = re.fullmatch(r"Area of the loop: (\S+) N mm \(steps 125\u2013165; dissipated (\S+) N mm\)\.", caption)
+        for number, name in zip(area.groups(), ("work", "dissipation")):
+            self.assertAlmostEqual(float(number) / float(self.cycles[-1][name]), 1, delta=1e-3)
 
     def test_loops_of_every_driven_component(self):
         folder = run("three_ways", *COARSE, "Load program/Preload=", "Load program/Cycles=2",
                      "Load program/Legs=0.01 0.005 -0.05 : 4; -0.01 0 -0.03 : 4; 0 0 -0.05 : 4")
         self.open(folder)
-        for axis in "xyz":
-            self.assertTrue(self.chart(f"F_{axis} over u_{axis}, without the elastic part").is_displayed())
+        for name, of in (("Q_x", "u_x"), ("Q_y", "u_y"), ("F_z", "u_z")):
+            self.assertTrue(self.chart(f"{name} over {of}, without the elastic part").is_displayed())
+
+    def test_moment_over_rotation(self):
+        """Two turns to and fro, of which the second is a closed loop: its area is the work of the top."""
+        folder = run("turned", *COARSE, "Friction/Coefficients=0.1, 0.1", "Load program/Preload=uz -0.05 : 2",
+                     "Load program/Legs=rz 0.1 : 8; rz -0.1 : 16; rz 0 : 8", "Load program/Cycles=2")
+        self.open(folder)
+        title, cycle = "Fretting loop: M_z over r_z", table(folder, "cycles.csv")[-1]
+        caption = self.chart(title).find_element("css selector", ".caption").text
+        self.assertAlmostEqual(float(caption.split()[4]) / float(cycle["work"]), 1, delta=2e-3)
+        saved = self.saved_table(self.menu(title))
+        np.testing.assert_allclose(column(saved, "M_z (N mm)"), -column(table(folder), "moment_z"), rtol=1e-6, atol=1e-3)
 
     def test_cycles_have_colours_from_first_to_last(self):
         self.open(self.folder)

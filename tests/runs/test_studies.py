@@ -18,6 +18,7 @@ from program import PROGRAM, ROOT, SMALL, RunTest, main  # noqa: E402
 
 sys.path[:0] = [str(ROOT / "tools/plots"), str(ROOT / "tools/studies")]
 import contact_surface  # noqa: E402
+import wear_steps  # noqa: E402
 from run_folder import ContactFile  # noqa: E402
 
 SINGLE = 1e-6  # the files hold single precision
@@ -131,6 +132,15 @@ class StudyCommandTest(RunTest):
         last = list(csv.DictReader(again.stdout.splitlines()))[-1]
         for name in ("iterations", "residual", "verdict"):
             self.assertEqual(last[name], row[name])
+
+    def test_wear_that_is_too_deep_is_what_is_missing(self):
+        """Of steps within the bound Archard's law holds to rounding; of those four times as deep volume is missing."""
+        self.assertEqual(self.study("wear_steps", "--quick").returncode, 0)
+        deep, shallow = self.rows_of("wear_steps")
+        self.assertGreater(float(deep["ratio"]), 2)
+        self.assertLess(float(shallow["ratio"] or 0.9), 1)
+        self.assertGreater(wear_steps.missing(deep), 1)
+        self.assertLess(abs(wear_steps.missing(shallow)), 0.01)
 
     def test_wrong_words_are_refused(self):
         for words, message in ((["map"], "there is no study 'map'"), (["maps", "--quick", "--docs"], "--quick measures nothing")):

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""A run folder in ParaView's window: deformed body, slip, pressure and friction criterion, on one scale for all steps.
+"""A run folder in ParaView's window: deformed body, slip, pressure, friction criterion, and wear if there is any.
 
 ORTHOCONE_RUN=RUN_FOLDER paraview --script=contact.py
 or, in the Python Shell of an open one: Run Script... contact.py, then open_run("RUN_FOLDER")
@@ -8,7 +8,7 @@ or, in the Python Shell of an open one: Run Script... contact.py, then open_run(
 One file: ParaView's window does not tell a script where it lies, so that it could not find others. pictures.py, for
 pvbatch, imports it."""
 import csv
-import math
+import functools
 import os
 import pathlib
 import sys
@@ -25,7 +25,7 @@ NOTHING = 1e-9  # mm, MPa: less is the round-off of an unloaded body
 DARK, WHITE, PLANE = [0.13, 0.13, 0.16], [1, 1, 1], [0.87, 0.88, 0.9]
 OPEN, SLIPPING = [0.6, 0.6, 0.62], [0.93, 0.42, 0.05]
 STICKING = [-1, 0.03, 0.19, 0.42, -0.5, 0.26, 0.57, 0.78, 0, 0.85, 0.92, 0.97]  # criterion, red, green, blue; ...
-COLUMNS = ("ux", "uy", "uz", "max_slip", "max_pressure", "stick_area", "elastic_energy")  # used of the history
+COLUMNS = ("ux", "uy", "uz", "max_slip", "max_pressure", "stick_area", "elastic_energy", "max_wear_depth")  # of the history
 CORNERS = np.array([[-1, 1, 1, -1] * 2, [-1, -1, 1, 1] * 2, [-1] * 4 + [1] * 4])  # of VTK's cells, x, y, z
 UNLIT = {"Ambient": 1, "Diffuse": 0, "InterpolateScalarsBeforeMapping": 1}  # exactly the colours of the legend
 LEGEND = {"ComponentTitle": "", "HorizontalTitle": 1, "TitleJustification": "Left", "TitleColor": DARK,
@@ -36,16 +36,12 @@ OFFSET = "Translation" if simple.GetParaViewVersion() >= (5, 13) else "Position"
 
 
 class RunError(Exception):
-    """What the user has to know, and the exit code."""
-
-    def __init__(self, message, code=4):
-        super().__init__(message)
-        self.code = code
+    """What the user has to know, and the exit code if it is not 4."""
 
 
 class Grid:
-    """Fields of a .vtu file at its points."""
-    def __init__(self, path):
+    """Fields of a .vtu file at its points, and how far these reach around `centre`, by default their own."""
+    def __init__(self, path, centre=None):
         is_list = str(path).endswith(".pvtu")  # of the pieces of several processes
         reader, errors = (vtkXMLPUnstructuredGridReader if is_list else vtkXMLUnstructuredGridReader)(), []
         reader.AddObserver("ErrorEvent", lambda *_: errors.append(True))
@@ -57,7 +53,8 @@ class Grid:
         if errors or self.data.GetNumberOfPoints() == 0:
             raise RunError(f"{path}: cannot be read")
         self.points = vtk_to_numpy(self.data.GetPoints().GetData()).astype(float)
-        self.radius = np.hypot(self.points[:, 0], self.points[:, 1]).max()
+        self.centre = (self.points.min(axis=0) + self.points.max(axis=0))[:2] / 2 if centre is None else centre
+        self.radius = np.hypot(*(self.points[:, :2] - self.centre).T).max()
         # Across the contact surface, or across the section of an axisymmetric body; None in a solid.
         self.flat_axis = next((axis for axis in (2, 1) if not self.points[:, axis].any()), None)
         starts = vtk_to_numpy(self.data.GetCells().GetOffsetsArray())
@@ -75,9 +72,8 @@ class Grid:
     def bound(self, name, part):
         """The value below which the field stays in a part of the area or volume. Points count with the sizes of their
         cells: graded meshes have most of them where the fields are singular."""
-        n_corners = 8 if self.flat_axis is None else 4
-        corners = self.points[self.cells[:, :n_corners]]
-        edges = CORNERS[:, :n_corners] @ corners
+        corners = self.points[self.cells[:, :8 if self.flat_axis is None else 4]]
+        edges = CORNERS[:, :corners.shape[1]] @ corners
         if self.flat_axis is not None:
             edges[:, 2] = np.eye(3)[self.flat_axis]
         if self.flat_axis == 1:  # a section: each cell is a ring
@@ -85,9 +81,10 @@ class Grid:
         weights = np.zeros(len(self.points))
         np.add.at(weights, self.cells, np.abs(np.linalg.det(edges))[:, None])
         values = self[name]
+        weights[values < NOTHING] = 0  # a small contact in a large surface
         order = np.argsort(values)
         sums = np.cumsum(weights[order])
-        return values[order][np.searchsorted(sums, part * sums[-1])]
+        return values[order][min(np.searchsorted(sums, part * sums[-1]), len(order) - 1)]
 
 
 class Run:
@@ -95,16 +92,15 @@ class Run:
 
     def __init__(self, folder):
         self.folder = pathlib.Path(folder).expanduser().resolve()
-        if not self.folder.is_dir():
-            raise RunError(f"{folder}: no such folder")
         self.contact, self.volume = self.files("contact"), self.files("volume")
         if not self.contact:
-            raise RunError(f"{folder}: no contact.pvd: not a run folder, or the run had Output/Contact fields = 0")
+            raise RunError(f"{folder}: " + ("no contact.pvd: not a run folder, or the run had Output/Contact fields = 0"
+                                            if self.folder.is_dir() else "no such folder"))
         try:
             with open(self.folder / "history.csv", encoding="ascii") as file:
                 rows = {int(row["step"]): row for row in csv.DictReader(file)}
             self.n_steps = max(rows)
-            self.rows = {step: {name: float(rows[step][name]) for name in COLUMNS}
+            self.rows = {step: {name: float({"max_wear_depth": 0, **rows[step]}[name]) for name in COLUMNS}  # older runs lack it
                          for step in (*self.contact, *self.volume)}
         except (OSError, KeyError, ValueError, TypeError) as error:
             raise RunError(f"{folder}: history.csv cannot be read, or a step is not in it ({error})") from error
@@ -149,7 +145,8 @@ def new_view(reader, titles, focus, height, direction=(0, 0, 1), up=(0, 1, 0)):
     view = simple.CreateView("RenderView")
     simple.SetProperties(view, UseColorPaletteForBackground=0, Background=WHITE, OrientationAxesLabelColor=DARK,
                          CameraParallelProjection=1, CameraParallelScale=height / 2, CameraFocalPoint=focus,
-                         CameraViewUp=up, CameraPosition=[x + 10 * height * d for x, d in zip(focus, direction)])
+                         InteractionMode="2D" if up == (0, 1, 0) else "3D", CameraViewUp=up,
+                         CameraPosition=[x + 10 * height * d for x, d in zip(focus, direction)])
     table = repr(titles).replace("{", r"\x7b").replace("}", r"\x7d")  # ParaView has a use of its own for braces
     title = simple.PythonAnnotation(Input=reader, Expression=f"dict({table}).get(t_value, '')")
     simple.Show(title, view, WindowLocation="Upper Left Corner", Justification="Left", FontSize=17, Color=DARK)
@@ -181,29 +178,31 @@ def surface_of(source, grid):
     return simple.ExtractSurface(Input=source, NonlinearSubdivisionLevel=level)
 
 
-def draw_slip(run, view, surface, radius):
-    largest = Grid(run.contact[run.peak(run.contact, "max_slip")])["slip_magnitude"].max()
-    upper = scale("slip", "mm", largest, largest)
-    show_field(surface, view, "slip_magnitude", "mm", "Viridis (matplotlib)", upper, **UNLIT)
+def draw_values(name, unit, preset, column, within, run, view, surface, _grid):
+    """On the scale of the step in which the column of the history is largest; returns its upper end."""
+    grid = Grid(run.contact[run.peak(run.contact, column)])
+    upper = scale(name.split("_")[0], unit, grid.bound(name, within), grid[name].max())
+    show_field(surface, view, name, unit, preset, upper, **UNLIT)
+    return upper
+
+
+def draw_slip(run, view, surface, grid):
+    upper = draw_values("slip_magnitude", "mm", "Viridis (matplotlib)", "max_slip", 1, run, view, surface, grid)
+    (x, y), radius = grid.centre, grid.radius
     lines = simple.Contour(Input=surface, ContourBy=["POINTS", "slip_magnitude"],
                            Isosurfaces=[upper * k / 10 for k in range(1, 10)])
     show_plain(lines, view, WHITE, [0, 0, 0.01 * radius], LineWidth=2)
     # Arrows stand on a grid of their own, symmetric whatever the mesh; at its places off the disc the slip is zero.
     s = 0.93 * radius
-    places = simple.Plane(Origin=[-s, -s, 0], Point1=[s, -s, 0], Point2=[-s, s, 0], XResolution=14, YResolution=14)
+    corners = {name: [x + i * s, y + j * s, 0] for name, i, j in (("Origin", -1, -1), ("Point1", 1, -1), ("Point2", -1, 1))}
+    places = simple.Plane(XResolution=14, YResolution=14, **corners)
     slip = simple.ResampleWithDataset(SourceDataArrays=surface, DestinationMesh=places)
     arrows = simple.Glyph(Input=slip, GlyphType="Arrow", GlyphMode="All Points", OrientationArray=["POINTS", "slip"],
                           ScaleArray=["POINTS", "slip"], ScaleFactor=0.16 * radius / upper)
     show_plain(arrows, view, DARK, [0, 0, 0.2 * radius])
 
 
-def draw_pressure(run, view, surface, _radius):
-    grid = Grid(run.contact[run.peak(run.contact, "max_pressure")])
-    upper = scale("pressure", "MPa", grid.bound("pressure", PRESSURE_WITHIN), grid["pressure"].max())
-    show_field(surface, view, "pressure", "MPa", "Plasma (matplotlib)", upper, **UNLIT)
-
-
-def draw_friction(_run, view, surface, radius):
+def draw_friction(_run, view, surface, grid):
     """Zones that slip or are open have colours of their own, the ends of the legend."""
     colours, legend = show_field(surface, view, "friction_criterion", "", "Viridis (matplotlib)", 1, **UNLIT)
     colours.RGBPoints = [-1.08, *OPEN, -1.002, *OPEN, *STICKING, 0.002, *SLIPPING, 0.08, *SLIPPING]
@@ -212,75 +211,81 @@ def draw_friction(_run, view, surface, radius):
     simple.SetProperties(legend, UseCustomLabels=1, CustomLabels=[-1, -0.8, -0.6, -0.4, -0.2, 0], AddRangeLabels=0)
     for height, (name, colour) in enumerate((("slips", SLIPPING), ("opens", OPEN)), start=1):
         zone = simple.Clip(Input=surface, ClipType="Scalar", Scalars=["POINTS", name], Value=0.5, Invert=0)
-        show_plain(zone, view, colour, [0, 0, 0.01 * height * radius])
+        show_plain(zone, view, colour, [0, 0, 0.01 * height * grid.radius])
     outline = simple.Contour(Input=surface, ContourBy=["POINTS", "sticks"], Isosurfaces=[0.5])
-    show_plain(outline, view, DARK, [0, 0, 0.03 * radius], LineWidth=2.5)
+    show_plain(outline, view, DARK, [0, 0, 0.03 * grid.radius], LineWidth=2.5)
 
 
 CONTACT_VIEWS = [("slip", draw_slip, "Slip, largest", "max_slip", "mm"),
-                 ("pressure", draw_pressure, "Pressure, largest", "max_pressure", "MPa"),
-                 ("friction", draw_friction, "Friction criterion, stick area", "stick_area", "mm²")]
+                 ("pressure", functools.partial(draw_values, "pressure", "MPa", "Plasma (matplotlib)", "max_pressure",
+                                                PRESSURE_WITHIN), "Pressure, largest", "max_pressure", "MPa"),
+                 ("friction", draw_friction, "Friction criterion, stick area", "stick_area", "mm²"),
+                 ("wear", functools.partial(draw_values, "wear_depth", "mm", "Viridis (matplotlib)", "max_wear_depth", 1),
+                  "Worn depth, largest", "max_wear_depth", "mm")]
 
 
 def magnification(moved, height):
     """1, 2, 5, 10, ... so that the largest displacement is drawn about as a fifth of the height."""
-    if moved < NOTHING or moved > 0.25 * height:
-        return 1
-    power = 10 ** math.floor(math.log10(0.25 * height / moved))
-    return max(digit * power for digit in (1, 2, 5) if digit * power * moved <= 0.25 * height)
+    steps = [digit * 10**power for power in range(9) for digit in (1, 2, 5)]
+    return max([step for step in steps if step * moved <= 0.25 * height and moved > NOTHING], default=1)
 
 
-def body_view(run, reader):
+def whole(body, grid):
+    """With its mirror images: what is beyond a symmetry plane is not modelled."""
+    for axis, name in enumerate("XY"):
+        if axis != grid.flat_axis and grid.points[:, axis].min() > -NOTHING:
+            body = simple.Reflect(Input=body, Plane=name, Center=0, FlipAllInputArrays=1)
+    return body
+
+
+def body_view(run, reader, centre):
     """Displacements enlarged, of the whole body whatever part of it is modelled; of an axisymmetric one the section
     through its axis."""
     if not run.volume:
         print(text := "Deformed body: no volume.pvd (Output/Volume fields = 0)")
         return new_view(reader, run.titles(text), [0, 0, 0], 1)
-    grid = Grid(run.volume[run.peak(run.volume, "elastic_energy")])
+    grid = Grid(run.volume[run.peak(run.volume, "elastic_energy")], centre)
     upper = scale("body", "MPa", grid.bound("von_mises_stress", STRESS_WITHIN), grid["von_mises_stress"].max())
-    radius, height = grid.radius, grid.points[:, 2].max()
+    radius, low, high = grid.radius, min(grid.points[:, 2].min(), 0), grid.points[:, 2].max()
+    height, (x, y) = high - low, centre
     factor = magnification(np.linalg.norm(grid["displacement"], axis=1).max(), height)
-    titles = run.titles(f"Von Mises stress, displacement x {factor:g}", files=run.volume)
-    view = new_view(reader, titles, [0.3 * radius, 0.15 * radius, 0.45 * height], 1.15 * height + 1.3 * radius,
+    view = new_view(reader, run.titles(f"Von Mises stress, displacement x {factor:g}", files=run.volume),
+                    [x + 0.3 * radius, y + 0.15 * radius, low + 0.45 * height], 1.15 * height + 1.3 * radius,
                     [0.45, -0.8, 0.35], [0, 0, 1])
-    surface = simple.PVDReader(FileName=str(run.folder / "volume.pvd"))
-    body = simple.WarpByVector(Input=surface_of(surface, grid), Vectors=["POINTS", "displacement"], ScaleFactor=factor)
-    for axis, name in enumerate("XY"):
-        if axis != grid.flat_axis and grid.points[:, axis].min() > -NOTHING:  # what is beyond the symmetry plane is not modelled
-            body = simple.Reflect(Input=body, Plane=name, Center=0, FlipAllInputArrays=1)
-    show_field(body, view, "von_mises_stress", "MPa", "Plasma (matplotlib)", upper, **{**UNLIT, "Ambient": 0.55, "Diffuse": 0.5})
-    plane = simple.Disk(InnerRadius=0, OuterRadius=1.15 * radius, CircumferentialResolution=128)
-    show_plain(plane, view, PLANE, [0, 0, -0.005 * height])
-    half = np.abs(grid.points[:, :2]).max(axis=0)
-    is_box = radius > 1.001 * half.max()  # its corners lie farther out than what is on the axes
-    undeformed = (simple.Box(XLength=2 * half[0], YLength=2 * half[1], ZLength=height) if is_box
-                  else simple.Cylinder(Resolution=128, Radius=radius, Height=height))
-    show_plain(simple.FeatureEdges(Input=undeformed), view, DARK, [0, 0, 0.5 * height], LineWidth=1.5,
-               Orientation=[0 if is_box else 90, 0, 0])
+    volume = simple.PVDReader(FileName=str(run.folder / "volume.pvd"))
+    body = simple.WarpByVector(Input=surface_of(volume, grid), Vectors=["POINTS", "displacement"], ScaleFactor=factor)
+    show_field(whole(body, grid), view, "von_mises_stress", "MPa", "Plasma (matplotlib)", upper,
+               **{**UNLIT, "Ambient": 0.55, "Diffuse": 0.5})
+    # A body that reaches below the plane has only its contact surface on it.
+    plane = reader if low < 0 else simple.Disk(OuterRadius=1.15 * radius, InnerRadius=0, CircumferentialResolution=128)
+    show_plain(plane, view, PLANE, [0 if low < 0 else x, 0 if low < 0 else y, -0.005 * height])
+    merged = simple.CleantoGrid(Input=whole(volume, grid))  # no seam between mirror images
+    show_plain(simple.FeatureEdges(Input=simple.ExtractSurface(Input=merged)), view, DARK, [0, 0, 0], LineWidth=1.5)
     return view
 
 
 def open_run(folder):
-    """Makes the four views. Returns the run, the views by name and their layout."""
+    """Makes the views. Returns the run, the views by name and their layout."""
     run = Run(folder)
     reader = simple.PVDReader(FileName=str(run.folder / "contact.pvd"))
     grid = Grid(next(iter(run.contact.values())))
-    zones = reader
+    zones, radius, (x, y) = reader, grid.radius, grid.centre
     for status, name in enumerate(("opens", "sticks", "slips")):
         zones = simple.Calculator(Input=zones, ResultArrayName=name, Function=f"status == {status}")
-    surface = surface_of(zones, grid)
-    views = {"body": body_view(run, reader)}
-    for name, draw, *title in CONTACT_VIEWS:
-        views[name] = new_view(reader, run.titles(*title), [grid.radius / 4, 0, 0], 2.5 * grid.radius)
-        views[name].InteractionMode = "2D"
-        draw(run, views[name], surface, grid.radius)
-    for other in (views["pressure"], views["friction"]):
+    surface, views = surface_of(zones, grid), {"body": body_view(run, reader, grid.centre)}
+    is_worn = any(row["max_wear_depth"] for row in run.rows.values())
+    for name, draw, *title in CONTACT_VIEWS[:4 if is_worn else 3]:
+        views[name] = new_view(reader, run.titles(*title), [x + radius / 4, y, 0], 2.5 * radius)
+        draw(run, views[name], surface, grid)
+    for other in list(views.values())[2:]:
         simple.AddCameraLink(views["slip"], other, "slip and " + other.SMProxy.GetGlobalIDAsString())
     layout = simple.CreateLayout(run.folder.name)
     left = layout.SplitHorizontal(0, 0.5)
-    top_left, top_right = layout.SplitVertical(left, 0.5), layout.SplitVertical(left + 1, 0.5)
+    top_left, top_right = layout.SplitVertical(left, 0.5), layout.SplitVertical(left + 1, 1 / 3 if is_worn else 0.5)
     for view, place in zip(views.values(), (top_left, top_right, top_left + 1, top_right + 1)):
         layout.AssignView(place, view)
+    if is_worn:  # below the last one, which stays in the upper half of its place
+        layout.AssignView(layout.SplitVertical(top_right + 1, 0.5) + 1, views["wear"])
     simple.GetAnimationScene().UpdateAnimationUsingDataTimeSteps()
     simple.GetAnimationScene().AnimationTime = run.peak(run.contact, "elastic_energy")
     return run, views, layout
@@ -292,8 +297,9 @@ def guarded(script, action, *arguments):
         action(*arguments)
         return 0
     except (RunError, OSError) as error:
-        print(f"{script}:", error if isinstance(error, RunError) else f"{error.filename}: {error.strerror}", file=sys.stderr)
-        return getattr(error, "code", 4)
+        words = (error.args if isinstance(error, RunError) else (f"{error.filename}: {error.strerror}",)) + (4,)
+        print(f"{script}: {words[0]}", file=sys.stderr)
+        return words[1]
 
 
 if __name__ == "__main__" and "ORTHOCONE_RUN" in os.environ:

@@ -4,7 +4,7 @@
 """Pictures of a run folder, unattended: the views of contact.py.
 
 xvfb-run -a -s -noreset pvbatch pictures.py RUN_FOLDER --png DIR [--steps 5,8,12 | --steps all]
-writes {overview,body,slip,pressure,friction}-NNNN.png, by default for the step of largest elastic energy. Most
+writes {overview,body,slip,pressure,friction}-NNNN.png, and wear-NNNN.png of a run that wears, by default for the step of largest elastic energy. Most
 ParaViews, Debian's among them, draw through an X server even in pvbatch; xvfb-run brings one that needs no screen
 (without -noreset it sometimes refuses). Not needed at a screen, or if built for EGL or OSMesa.
 

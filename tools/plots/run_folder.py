@@ -137,9 +137,9 @@ class RunFolder:
                 current[match[1]] = match[2].strip()
         return sections
 
-    def contact_steps(self):
-        """Numbers of the steps that have a contact file."""
-        return sorted(int(file.stem.split("-")[1]) for file in self.path.glob("contact-*.vtu"))
+    def contact_steps(self, kind="contact"):
+        """Numbers of the steps that have a contact file. `kind` is the beginning of the names of these files."""
+        return sorted(int(file.stem.rsplit("-", 1)[1]) for file in self.path.glob(f"{kind}-[0-9]*.vtu"))
 
-    def contact(self, step):
-        return ContactFile(self.path / f"contact-{step:04d}.vtu")
+    def contact(self, step, kind="contact"):
+        return ContactFile(self.path / f"{kind}-{step:04d}.vtu")

@@ -11,6 +11,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import docs_page
+import verification_import
 import verification_wear
 from half_space import Sphere, fitted_sphere, punch_pressure, punch_slope, radius_of_punch
 from panels import DOTS, GREEN, GREY, LINE, RED, label, on_surface, three_panels
@@ -197,6 +198,13 @@ def sphere_rows(runs):
     return "\n".join(lines) + "\n"
 
 
+def of_panels(runs, panels):
+    figure, axes = three_panels()
+    for draw, ax in zip(panels, axes):
+        draw(runs, ax)
+    return figure
+
+
 def main():
     parser = argparse.ArgumentParser(prog="tools/verification", description=__doc__)
     parser.add_argument("--output", type=pathlib.Path, default=ROOT / "output/verification",
@@ -206,10 +214,8 @@ def main():
     options = parser.parse_args()
     runs = VerificationRuns(ROOT / "build/orthocone", options.output / "runs")
     try:
-        for name, panels in PICTURES.items():
-            figure, axes = three_panels()
-            for draw, ax in zip(panels, axes):
-                draw(runs, ax)
+        for name, draw in {**PICTURES, "import": verification_import.picture}.items():
+            figure = draw(runs) if callable(draw) else of_panels(runs, draw)
             figure.savefig(options.output / f"{name}.png", dpi=150)
             if options.docs:
                 docs_page.save_small(figure, ROOT / f"docs/images/{name}.png")

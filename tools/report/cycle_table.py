@@ -6,7 +6,8 @@ from load_program import evenly
 
 MOST_ROWS = 2000
 SUMS = ("accumulated_slip", "dissipation", "work")  # of all cycles that a row stands for
-STATES = ("max_slip", "max_accumulated_slip", "total_dissipation", "peak_force_z", "force_z", "change", "iterations")
+STATES = ("max_slip", "max_accumulated_slip", "total_dissipation", "peak_force_z", "force_z", "change", "iterations",
+          "worn_volume", "max_wear_depth", "wear_error")
 
 
 def jumped_rows(data):

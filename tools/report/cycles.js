@@ -20,7 +20,7 @@ function jumpedBands() {
     ? [[cycle - cycles.n_cycles[row] + 0.5, cycle + 0.5]] : []);
 }
 
-function overCycles(title, unit, columns, more = {}) {
+function overCycles(title, unit, columns, {parent = byId("cycle-charts"), ...more} = {}) {
   const series = curves(data.runs, run => run.cycles, columns, {column: "cycle", steps: "last_step"});
   const jumpedOf = new Map(data.runs.map(({cycles}) => [cycles.cycle, cycles]));
   for (const one of series) one.hollow = jumpedOf.get(one.x).jumped;
@@ -30,7 +30,7 @@ function overCycles(title, unit, columns, more = {}) {
     return n_cycles[i] > 1 ? `cycles ${first}–${one.x[i]}, jumped` : `cycle ${first}, jumped`;
   };
   const zeros = more.log && series.some(one => one.y.includes(0));
-  addCurves(byId("cycle-charts"), title, series, CYCLE_AXIS, unit,
+  addCurves(parent, title, series, CYCLE_AXIS, unit,
             {fixed: true, covers: true, head, bands: jumpedBands(),
              caption: zeros ? "A zero is drawn at the lower end." : "", ...more});
 }

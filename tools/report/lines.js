@@ -10,6 +10,10 @@ class LineCharts {
     this.lines = maps.frames.map(frame => frame.lines.map(line => new Float32Array(bytes(line).buffer)));
     this.ranges = {};
     this.charts = [];
+    [...byId("line").options].forEach((option, axis) => {
+      const across = data.centre[1 - axis];
+      if (across !== 0) option.textContent = `along ${"xy"[axis]} (${"yx"[axis]} = ${numberText(across, 4)} mm)`;
+    });
     byId("line").addEventListener("change", () => this.show(this.frame, this.step));
   }
 

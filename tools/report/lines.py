@@ -10,10 +10,11 @@ MOST_POINTS = 240
 QUANTITIES = ("pressure", "traction_x", "traction_y", "slip_x", "slip_y")
 
 
-def crossings(places, quads, axis):
-    """Where the line along `axis` through the centre meets the edges of the quadrilaterals: its coordinate, both ends
-    of the edge, and the share of the second one. Between them fields are linear, as the map draws them."""
-    along, across = places[:, axis].astype(float), places[:, 1 - axis].astype(float)
+def crossings(places, quads, axis, across_at):
+    """Where a line along `axis` meets the edges of the quadrilaterals, the other coordinate being `across_at`: its
+    coordinate, both ends of the edge, and the share of the second one. Between them fields are linear, as the map draws
+    them."""
+    along, across = places[:, axis].astype(float), places[:, 1 - axis].astype(float) - across_at
     edges = np.unique(np.sort(np.concatenate([quads[:, [k, (k + 1) % 4]] for k in range(4)]), axis=1), axis=0)
     near = 1e-6 * np.max(np.abs(places))
     side = np.where(np.abs(across) <= near, 0, np.sign(across))
@@ -31,13 +32,16 @@ def crossings(places, quads, axis):
 
 
 class Line:
-    def __init__(self, places, quads, axis):
-        self.place, self.first, self.second, self.share = crossings(places, quads, axis)
+    def __init__(self, places, quads, axis, across_at=0.):
+        self.place, self.first, self.second, self.share = crossings(places, quads, axis, across_at)
+
+    def of(self, values):
+        """Along the line what the nodes have."""
+        return (1 - self.share) * values[self.first] + self.share * values[self.second]
 
     def values(self, fields):
         """Quantities along the line of {name: values of the nodes}, as one array."""
-        stack = np.stack([(1 - self.share) * fields[name][self.first] + self.share * fields[name][self.second]
-                          for name in QUANTITIES])
+        stack = np.stack([self.of(fields[name]) for name in QUANTITIES])
         return base64.b64encode(stack.astype("<f4").tobytes()).decode()
 
     @property

@@ -8,39 +8,69 @@ function onePath(run, r, steps, name, x, y) {
   return {name, ...look, dash: "none", steps, x, y};
 }
 
-/** Always in N/mm: what was taken away from several loops has to be comparable. */
-function lineWords(axis, {stiffness, offset, of}) {
-  const rest = `${offset < 0 ? "−" : "+"} ${numberText(Math.abs(offset), 5)} N`;
-  return `F_${axis} = ${numberText(stiffness, 6)} N/mm · u_${axis} ${rest} (${of})`;
+// Motion and force of a component, and how the page calls them. Along and about the plane the force is that of the top on
+// the body, as fretting loops are drawn, else that of the plane: see tools/report/loops.py.
+const LOOPS = {
+  x: {motion: "ux", force: "force_x", sign: -1, of: "u_x", name: "Q_x"},
+  y: {motion: "uy", force: "force_y", sign: -1, of: "u_y", name: "Q_y"},
+  rz: {motion: "rz", force: "moment_z", sign: -1, of: "r_z", name: "M_z"},
+  z: {motion: "uz", force: "force_z", sign: 1, of: "u_z", name: "F_z"},
+  rx: {motion: "rx", force: "moment_x", sign: 1, of: "r_x", name: "M_x"},
+  ry: {motion: "ry", force: "moment_y", sign: 1, of: "r_y", name: "M_y"},
+};
+const FRETTING = ["x", "y", "rz"];
+const motionUnit = component => component.startsWith("r") ? "degrees" : "mm";
+const forceUnit = component => component.startsWith("r") ? "N mm" : "N";
+
+/** Always in the same units: what was taken away from several loops has to be comparable. */
+function lineWords(component, {stiffness, offset, of}) {
+  const {of: motion, name} = LOOPS[component], unit = forceUnit(component);
+  const slope = `${numberText(stiffness, 6)} ${unit}/${motionUnit(component).replace("degrees", "degree")}`;
+  const rest = `${offset < 0 ? "−" : "+"} ${numberText(Math.abs(offset), 5)} ${unit}`;
+  return `${name} = ${slope} · ${motion} ${rest} (${of})`;
 }
 
-function departureCaption(axis, runs) {
-  const lines = runs.map(({name, departures}) =>
-    `${several ? `${name}: ` : ""}${lineWords(axis, departures[axis])}`);
-  return `Subtracted: ${lines.join("; ")}, the elastic part by least squares.`;
+/** Words of every run that moves in this way. */
+function ofRuns(component, words) {
+  const said = data.runs.map(run => [run.name, run.departures[component] && words(run.departures[component])]);
+  return said.filter(([, text]) => text).map(([name, text]) => `${several ? `${name}: ` : ""}${text}`).join("; ");
+}
+
+function areaWords({area, loop, loop_dissipation: dissipation}) {
+  return loop && `${numberText(area, 4)} N mm (${loop}; dissipated ${numberText(dissipation, 4)} N mm)`;
+}
+
+function addLoop(grid, component) {
+  const {motion, force, sign, of, name} = LOOPS[component], isFretting = FRETTING.includes(component);
+  const runs = data.runs.filter(({history}) => history[motion] && history[force]);
+  const series = runs.map(run => onePath(run, data.runs.indexOf(run), run.history.step, name, run.history[motion],
+                                         run.history[force].map(value => value === null ? null : sign * value)));
+  const area = isFretting ? ofRuns(component, areaWords) : "";
+  addPaths(grid, isFretting ? `Fretting loop: ${name} over ${of}` : `${name} over ${of} of the top`,
+           {name: of, unit: motionUnit(component)}, {name, unit: forceUnit(component)}, series,
+           {caption: area && `Area of the loop: ${area}.`});
 }
 
 /** The loop is so thin that it only shows once the straight line is taken away. */
-function addDeparture(axis) {
-  const runs = data.runs.filter(run => run.departures[axis]);
+function addDeparture(grid, component) {
+  const runs = data.runs.filter(run => run.departures[component]);
   if (!runs.length) return;
-  const name = `F_${axis} − line`;
-  const series = runs.map(run => onePath(run, data.runs.indexOf(run), run.history.step, name, run.history[`u${axis}`],
-                                         run.departures[axis].values));
-  addPaths(byId("body-loops"), `F_${axis} over u_${axis}, without the elastic part`, {name: `u_${axis}`, unit: "mm"},
-           {name, unit: "N", least: Math.max(...runs.map(run => run.departures[axis].least))}, series,
-           {caption: departureCaption(axis, runs)});
+  const {motion, of, name} = LOOPS[component], rest = `${name} − line`;
+  const series = runs.map(run => onePath(run, data.runs.indexOf(run), run.history.step, rest, run.history[motion],
+                                         run.departures[component].values));
+  const lines = ofRuns(component, departure => lineWords(component, departure));
+  addPaths(grid, `${name} over ${of}, without the elastic part`, {name: of, unit: motionUnit(component)},
+           {name: rest, unit: forceUnit(component),
+            least: Math.max(...runs.map(run => run.departures[component].least))}, series,
+           {caption: `Subtracted: ${lines}, the elastic part by least squares.`});
 }
 
 function drawBodyLoops() {
-  for (const axis of ["x", "y", "z"]) {
-    if (largestOf(`u${axis}`) === 0) continue;
-    const name = `F_${axis}`;
-    const series = data.runs.map((run, r) => onePath(run, r, run.history.step, name, run.history[`u${axis}`],
-                                                     run.history[`force_${axis}`])).filter(one => one.x);
-    addPaths(byId("body-loops"), `F_${axis} over u_${axis} of the top`, {name: `u_${axis}`, unit: "mm"},
-             {name, unit: "N"}, series);
-    addDeparture(axis);
+  for (const component of Object.keys(LOOPS)) {
+    if (largestOf(LOOPS[component].motion) === 0) continue;
+    const grid = byId(FRETTING.includes(component) ? "fretting-loops" : "body-loops");
+    addLoop(grid, component);
+    addDeparture(grid, component);
   }
   for (const axis of ["x", "y", "z"]) {
     if (largestOf(`r${axis}`) === 0) continue;

@@ -31,12 +31,12 @@ function bytes(base64) {
 
 /** Nodes and quadrilaterals as the page brings them. */
 class ContactMesh {
-  constructor(maps, radius) {
+  constructor(maps, radius, centre) {
     this.x = new Float32Array(bytes(maps.x).buffer);
     this.y = new Float32Array(bytes(maps.y).buffer);
     const Index = maps.index_bytes === 2 ? Uint16Array : Uint32Array;
     this.quads = new Index(bytes(maps.quads).buffer);
-    this.radius = radius;
+    [this.radius, this.centre] = [radius, centre];
   }
 
   nearest(x, y) {
@@ -69,16 +69,21 @@ class MapFrame {
  *  quadrilateral is four triangles around its centre, so that a symmetric state gives a symmetric picture. */
 class Raster {
   constructor(mesh, size, margin) {
-    this.size = size;
+    [this.size, this.centre] = [size, mesh.centre];
     this.scale = (size / 2 - margin) / mesh.radius;
     this.nodes = new Int32Array(4 * size * size).fill(-1);
     this.weights = new Float32Array(4 * size * size);
     for (let q = 0; q < mesh.quads.length; q += 4) this.fillQuad(mesh, mesh.quads.subarray(q, q + 4));
   }
 
+  /** Where a point of the surface (mm) is in the picture. */
+  place([x, y]) {
+    const [left, low] = this.centre;
+    return [this.size / 2 + this.scale * (x - left), this.size / 2 - this.scale * (y - low)];
+  }
+
   fillQuad(mesh, quad) {
-    const corners = Array.from(quad, node => [this.size / 2 + this.scale * mesh.x[node],
-                                              this.size / 2 - this.scale * mesh.y[node]]);
+    const corners = Array.from(quad, node => this.place([mesh.x[node], mesh.y[node]]));
     const centre = [0, 1].map(d => corners.reduce((sum, corner) => sum + corner[d] / 4, 0));
     for (let k = 0; k < 4; ++k) this.fillTriangle(quad, k, corners[k], corners[(k + 1) % 4], centre);
   }

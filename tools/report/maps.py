@@ -8,6 +8,7 @@ import io
 import numpy as np
 from lines import QUANTITIES, Line, fields_of
 from load_program import choose_steps, spread_steps
+from outline import distinct
 
 MOST_FRAMES = 60
 MOST_SMALL_MAPS = 15
@@ -21,30 +22,30 @@ def packed(array):
 
 
 class Maps:
-    """The frames of the slider; none for a run that wrote no contact fields."""
+    """The frames of the slider; none for a run that wrote no contact fields. `kind` is the beginning of the names of the
+    files: a surface with files of its own has maps of its own."""
 
-    def __init__(self, data):
-        self.data = data
-        self.all_steps = data.run.contact_steps()
+    def __init__(self, data, kind="contact"):
+        self.data, self.kind = data, kind
+        self.all_steps = data.run.contact_steps(kind)
         self.mesh = self.file(self.all_steps[0]) if self.all_steps else None
         self.names = FIELDS
         if self.mesh:
             last = self.file(self.all_steps[-1])
             if last is not None and WORN in last.data and last[WORN].max() > 0:
                 self.names = (*FIELDS, WORN)
-            self.nodes, self.node_of_point = self.distinct(self.mesh.points[:, :2])
+            self.nodes, self.node_of_point = distinct(self.mesh.points[:, :2])
+            self.places = self.mesh.points[self.nodes, :2]
+            self.quads = self.node_of_point[self.mesh.quadrilaterals()]
 
     def file(self, step):
         def contact():
             with contextlib.redirect_stderr(io.StringIO()):  # meshio prints before it gives up
-                return self.data.run.contact(step)
-        return self.data.read(f"contact-{step:04d}.vtu", contact)
+                return self.data.run.contact(step, self.kind)
+        return self.data.read(self.name(step), contact)
 
-    def distinct(self, points):
-        """One point of each node (cells may have points of their own), and the node of each point."""
-        places = np.round(points / (1e-6 * self.data.radius)).astype(np.int64)
-        _, one, node = np.unique(places, axis=0, return_index=True, return_inverse=True)
-        return one, node.reshape(-1)
+    def name(self, step):
+        return f"{self.kind}-{step:04d}.vtu"
 
     def steps(self):
         if not self.mesh:
@@ -57,7 +58,7 @@ class Maps:
         return chosen
 
     def frame(self, step):
-        return self.data.read(f"contact-{step:04d}.vtu", lambda: self.fields(step, self.file(step)))
+        return self.data.read(self.name(step), lambda: self.fields(step, self.file(step)))
 
     def fields(self, step, file):
         fields = fields_of(file, self.nodes)
@@ -74,11 +75,10 @@ class Maps:
         if not steps:
             return None
         index = np.uint16 if len(self.nodes) < 2**16 else np.uint32
-        places = self.mesh.points[self.nodes, :2]
-        quads = self.node_of_point[self.mesh.quadrilaterals()]
-        self.lines = [Line(places, quads, axis) for axis in (0, 1)]
+        places, centre = self.places, self.data.centre
+        self.lines = [Line(places, self.quads, axis, centre[1 - axis]) for axis in (0, 1)]
         return {"x": packed(places[:, 0].astype(np.float32)), "y": packed(places[:, 1].astype(np.float32)),
-                "quads": packed(quads.astype(index)), "index_bytes": index().nbytes,
+                "quads": packed(self.quads.astype(index)), "index_bytes": index().nbytes,
                 "small": spread_steps(steps, MOST_SMALL_MAPS, self.data.blocks),
                 "line_places": [line.payload for line in self.lines], "line_quantities": QUANTITIES,
                 "frames": [self.frame(step) for step in steps]}

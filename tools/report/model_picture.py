@@ -5,9 +5,10 @@ import math
 
 import numpy as np
 import svg
-from load_program import UNITS
+from drawing import HEIGHT, WIDTH, Frame, area_of, counterface, hatched, load_words
+from imported_picture import imported_view
+from outline import clipped
 
-WIDTH, HEIGHT = 360, 330
 MOST_DRAWN_CELLS = 5000
 MOST_LETTERS = 24
 
@@ -25,26 +26,14 @@ def ellipse(a, b, n=96):
     return [(a * math.cos(2 * math.pi * k / n), b * math.sin(2 * math.pi * k / n)) for k in range(n)]
 
 
-class Frame:
-    """Millimetres to the picture: y points up, the origin is the centre."""
-
-    def __init__(self, scale, centre=(WIDTH / 2, HEIGHT / 2)):
-        self.scale, self.centre = scale, centre
-
-    def __call__(self, x, y):
-        return self.centre[0] + self.scale * x, self.centre[1] - self.scale * y
-
-    def all(self, points):
-        return [self(x, y) for x, y in points]
-
-
 def axis_lines(frame, reach, angle):
     """The axes of orthotropy, 1 and 2, if they are turned, else x and y."""
     names = ("x", "y") if angle % 360 == 0 else ("1", "2")
     out = ""
+    x, y = frame.origin
     for direction, name in zip(turned([(1, 0), (0, 1)], angle), names):
-        end = frame(reach * direction[0], reach * direction[1])
-        start = frame(-reach * direction[0], -reach * direction[1])
+        end = frame(x + reach * direction[0], y + reach * direction[1])
+        start = frame(x - reach * direction[0], y - reach * direction[1])
         out += svg.arrow(start, end, "axis")
         out += svg.text((end[0] + 9 * direction[0], end[1] - 9 * direction[1] + 4), name, "label")
     return out
@@ -77,46 +66,54 @@ def modelled_part(data, frame):
         return ""
     # Older summaries do not name the plane: a half has that along which the top does not move.
     planes = model.get("symmetry_planes", ["x = 0" if "uy" in data.program.extremes() else "y = 0"])
-    about_x, about_y = (kind == "quarter" or plane in planes for plane in ("x = 0", "y = 0"))
-    if data.box:
-        x, y = data.box[0] / 2, data.box[1] / 2
-        left, low = 0 if about_x else -x, 0 if about_y else -y
-        part = [(left, low), (x, low), (x, y), (left, y)]
-    else:
-        angles = np.radians(np.linspace(0 if about_y else -90, 90 if about_x else 180, 60))
-        part = [(0, 0), *zip(data.radius * np.cos(angles), data.radius * np.sin(angles))]
-    return svg.polyline(frame.all(part), "modelled", closed=True)
+    part = data.outline
+    for axis, plane in enumerate(("x = 0", "y = 0")):
+        if kind == "quarter" or plane in planes:
+            part = [clipped(polygon, axis) for polygon in part]
+    return area_of(frame, part, "modelled")
 
 
-def outline(data):
-    if not data.box:
-        return ellipse(data.radius, data.radius)
-    x, y = data.box[0] / 2, data.box[1] / 2
-    return [(-x, -y), (x, -y), (x, y), (-x, y)]
+def mesh_lines(data, frame):
+    """Lines of the cells, and what is said of them."""
+    mesh = data.maps.mesh
+    if not mesh:
+        return "", "no contact fields, so no mesh"
+    note = f"{len(mesh.cells)} cells of degree {mesh.degree}"
+    if len(mesh.cells) > MOST_DRAWN_CELLS:
+        return "", note + ", too many to be drawn"
+    path = "".join("M" + "L".join(f"{svg.number(a)} {svg.number(b)}" for a, b in frame.all(edge))
+                   for edge in mesh_edges(mesh, data.maps.node_of_point))
+    return svg.element("path", d=path, css="mesh"), note
 
 
-def surface(data):
-    frame = Frame(128 / data.radius)
-    out = svg.polyline(frame.all(outline(data)), "disc", closed=True) + modelled_part(data, frame)
-    note = "mesh not drawn: no contact fields were written"
-    if data.maps.mesh:
-        note = f"{len(data.maps.mesh.cells)} cells of degree {data.maps.mesh.degree}"
-        if len(data.maps.mesh.cells) <= MOST_DRAWN_CELLS:
-            edges = mesh_edges(data.maps.mesh, data.maps.node_of_point)
-            path = "".join("M" + "L".join(f"{svg.number(a)} {svg.number(b)}" for a, b in frame.all(edge))
-                           for edge in edges)
-            out += svg.element("path", d=path, css="mesh")
-        else:
-            note += ", too many to be drawn"
-    out += axis_lines(frame, 1.14 * data.radius, data.angle)
+def probes(data, frame):
+    out = ""
     for name, place in data.probe_places.items():
         x, y = frame(*place)
         out += svg.element("circle", cx=x, cy=y, r=4, css="probe")
         # On the side of the centre there is room for it.
         side, anchor = (-7, "end") if x > WIDTH / 2 else (7, "start")
         out += svg.text((x + side, y - 6), shortened(name), "label halo", anchor)
-    size = f"{data.box[0]:g} mm x {data.box[1]:g} mm" if data.box else f"radius {data.radius:g} mm"
-    out += svg.text((WIDTH / 2, HEIGHT - 4), f"{note}; {size}", "small")
+    return out
+
+
+def size_of(data):
+    """Of the contact surface, in words."""
+    if not data.outline:
+        return "nor outline"
+    if data.shape == "cylinder":
+        return f"radius {data.radius:g} mm"
+    points = np.concatenate(data.outline)
+    x, y = points.max(axis=0) - points.min(axis=0)
+    return f"{x:.4g} mm x {y:.4g} mm"
+
+
+def surface(data):
+    frame = Frame(128 / data.radius, origin=data.centre)
+    mesh, note = mesh_lines(data, frame)
+    out = area_of(frame, data.outline, "disc") + modelled_part(data, frame) + mesh
+    out += axis_lines(frame, 1.14 * data.radius, data.angle) + probes(data, frame)
+    out += svg.text((WIDTH / 2, HEIGHT - 4), f"{note}; {size_of(data)}", "small")
     return svg.picture(WIDTH, HEIGHT, out, "Contact surface from above, with mesh, axes and probes")
 
 
@@ -167,18 +164,10 @@ def layer_heights(n, grading):
     return np.concatenate([[0], np.cumsum(thickness) / thickness.sum()])
 
 
-def hatched(start, end, css, down=True):
-    """A line with strokes on the side of the rigid body."""
-    step, depth = 9, 8 if down else -8
-    strokes = "".join(svg.line((x, start[1]), (x - 7, start[1] + depth), "hatch")
-                      for x in np.arange(start[0] + 7, end[0] + 1, step))
-    return svg.line(start, end, css) + strokes
-
-
 def load_arrows(data, left, right, y):
     """The largest motion or load of the top in each component, as the legs state it."""
     largest = data.program.extremes()
-    words = {name: f"{name[0]}_{name[1]} = {svg.signed(value)} {UNITS[name]}" for name, value in largest.items()}
+    words = load_words(largest)
     middle, out = (left + right) / 2, ""
     normal = [name for name in ("uz", "Fz") if name in words]
     if normal:
@@ -196,7 +185,7 @@ def load_arrows(data, left, right, y):
 
 
 def side_view(data):
-    width = data.box[0] if data.box else 2 * data.radius
+    width = data.box[0] if data.box else 2 * data.number("Geometry", "Radius")
     scale = min(205 / width, 190 / data.height)
     half, high, middle = scale * width / 2, scale * data.height, WIDTH / 2 - 12
     base = HEIGHT / 2 + high / 2 + 15
@@ -212,16 +201,23 @@ def side_view(data):
     out += load_arrows(data, left, right, top - 8)
     out += svg.text((middle, base - high / 2 + 4), f"{layers} layers", "label halo")
     out += svg.text((right + 8, top + high / 2 + 4), f"H = {data.height:.5g} mm", "label", "start")
-    friction = "\u03bc varies" if data.friction_varies else f"\u03bc = ({data.mu[0]:g}, {data.mu[1]:g})"
-    out += svg.text((middle, base + 24), f"{'l_x' if data.box else '2R'} = {width:g} mm; "
-                    f"{'rigid, with a gap' if data.has_gap else 'rigid plane'}, {friction}", "label")
+    out += svg.text((middle, base + 24), f"{'l_x' if data.box else '2R'} = {width:g} mm; {counterface(data)}", "label")
     top_face = "guided: free sideways" if guided else "clamped: a rigid plate"
     out += svg.text((middle, HEIGHT - 4), f"top face {top_face}; arrows: the largest", "small")
     return svg.picture(WIDTH, HEIGHT, out, "The body from the side, with layers, plane and motion of the top")
+
+
+def views_from_the_side(data):
+    if data.shape != "file":
+        return [(f"{'Box' if data.box else 'Cylinder'}, from the side", side_view(data))]
+    if data.body is None:
+        data.notes.append("The body is not drawn: its mesh file is not where the run has found it.")
+        return []
+    return [("The body from the side", imported_view(data, data.body))]
 
 
 def figures(data):
     """(caption, SVG) of each drawing."""
     of_friction = [("Ellipses of friction and slip", ellipses(data))] if any(data.mu) else []
     return [("Contact surface, from above", surface(data)), *of_friction,
-            (f"{'Box' if data.box else 'Cylinder'}, from the side", side_view(data))]
+            *views_from_the_side(data)]

@@ -5,8 +5,10 @@ import json
 import pathlib
 import re
 
+import loops
 import model_picture
 import numpy as np
+import worn
 from markup import element, escape, table
 from payload import payload_of, run_names
 from units import unit_of
@@ -14,7 +16,7 @@ from units import unit_of
 HERE = pathlib.Path(__file__).resolve().parent
 SCRIPTS = ("numbers.js", "elements.js", "scales.js", "charts.js", "reading.js", "save.js", "maps.js", "lines.js",
            "player.js", "map_picture.js",
-           "specs.js", "loops.js", "cycles.js", "report.js")
+           "specs.js", "loops.js", "cycles.js", "wear.js", "report.js")
 MOST_LEDGER_ROWS = 12
 
 
@@ -201,15 +203,43 @@ def run_list(runs):
     return element("ul", items, "runs", ' id="runs"') + element("p", hint, "hint")
 
 
+FRETTING = """<section id="fretting" aria-labelledby="fretting-title">
+  <h2 id="fretting-title">Fretting loop</h2>
+  <p class="hint">Q and M: tangential force and moment of the top on the body, over its motion. The area of a loop is the
+    work that this motion takes in a cycle.</p>
+  <div class="grid" id="fretting-loops"></div>
+</section>"""
+WEAR = """<section id="wear" aria-labelledby="wear-title">
+  <h2 id="wear-title">Wear</h2>
+  <p class="hint">The lines go through the middle of the worn volume. From one profile to the next about the same volume is
+    worn.</p>
+  <p class="hint" id="no-profiles" hidden>No profile: nothing is worn in the contact fields of this run, or there are none
+    (Output / Contact fields = 0).</p>
+  <div class="grid" id="wear-profiles"></div>
+  <div class="grid" id="wear-charts"></div>
+</section>"""
+
+
+def optional_sections(runs):
+    """Sections that only some runs have, and their links."""
+    found = {"fretting": (FRETTING, "Fretting", any(map(loops.is_fretting, runs)) and any(run.n_solved for run in runs)),
+             "wear": (WEAR, "Wear", worn.is_worn(runs[0]) and runs[0].n_solved)}
+    sections = {name: section if is_there else "" for name, (section, _, is_there) in found.items()}
+    links = {f"{name}_link": f'<a href="#{name}">{words}</a>' if is_there else ""
+             for name, (_, words, is_there) in found.items()}
+    return {**sections, **links}
+
+
 def make(runs):
     """The page of the first run, with the others over it in the charts."""
     data = runs[0]
     name = data.path.resolve().name
-    payload = payload_of(runs)  # first: it notes what the page leaves out
+    payload, drawn = payload_of(runs), model(data)  # first: they note what the page leaves out
     parts = {"title": escape(name), "status": status(data), "tiles": tiles(data), "runs": run_list(runs),
              "facts": data.read("summary.json", lambda: facts(data)),
-             "warnings": warnings(data), "model": model(data), "parameters": parameters(data), "ledger": ledger(data),
-             "phases": phases(data), "data": safe_json(payload), "style": (HERE / "report.css").read_text(),
+             "warnings": warnings(data), "model": drawn, "parameters": parameters(data), "ledger": ledger(data),
+             **optional_sections(runs), "phases": phases(data), "data": safe_json(payload),
+             "style": (HERE / "report.css").read_text(),
              "script": "\n".join((HERE / script).read_text() for script in SCRIPTS)}
     template = (HERE / "template.html").read_text()
     return re.sub(r"\{\{(\w+)\}\}", lambda match: parts[match[1]], template)

@@ -4,6 +4,7 @@
 import cycle_table
 import loops
 import numpy as np
+import worn
 from load_program import choose_steps
 
 MOST_CELLS = 60_000  # numbers of one kind of table in the page
@@ -89,5 +90,7 @@ def payload_of(runs):
             "checks": table(data.checks, CHECKS, steps) if data.checks else None,
             "timing": table(data.timing, ("seconds",), steps),
             "probes": probes(data), "maps": data.maps.payload(frames), "periodic": thresholds,
-            "radius": data.radius, "mu": data.mu, "angle": data.angle,
+            "wear": worn.profiles(data, numbers) if worn.is_worn(data) and data.n_solved else None,
+            "radius": data.radius, "centre": numbers(data.centre),
+            "outline": [[numbers(point) for point in polygon] for polygon in data.outline], "mu": data.mu, "angle": data.angle,
             "tolerance": data.number("Contact solver", "Tolerance", 0)}

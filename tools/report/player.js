@@ -6,11 +6,11 @@
 const MAP_SIZE = 660, MAP_MARGIN = 34, THUMB_SIZE = 150, MOST_LETTERS = 28;
 
 class Player {
-  constructor({maps, runs: [{history, blocks}], probes, radius}) {
+  constructor({maps, runs: [{history, blocks}], probes, radius, centre, outline}) {
     this.history = history;
     this.blocks = blocks;
     this.lines = new LineCharts(maps);
-    this.mesh = new ContactMesh(maps, radius);
+    this.mesh = new ContactMesh(maps, radius, centre);
     this.frames = maps.frames.map(packed => new MapFrame(packed));
     this.raster = new Raster(this.mesh, MAP_SIZE, MAP_MARGIN);
     this.small = new Raster(this.mesh, THUMB_SIZE, 1);
@@ -18,7 +18,7 @@ class Player {
     this.timer = null;
     for (const [field, {name}] of Object.entries(FIELDS).filter(([key]) => key in this.frames[0]))
       htmlElement(byId("field"), "option", {value: field}, name);
-    this.drawOverlay(radius, probes);
+    this.drawOverlay(outline, probes);
     this.addThumbs(maps.small);
     addMapSaving(this);
     this.listen();
@@ -38,22 +38,23 @@ class Player {
 
   // --- fixed things ---
 
-  drawOverlay(radius, probes) {
-    const overlay = byId("map-overlay"), centre = MAP_SIZE / 2, reach = centre - MAP_MARGIN;
-    svgElement(overlay, "circle", {class: "disc", cx: centre, cy: centre, r: reach});
-    svgElement(overlay, "text", {x: MAP_SIZE - 16, y: centre + 6, "text-anchor": "middle"}, "x");
-    svgElement(overlay, "text", {x: centre, y: 24, "text-anchor": "middle"}, "y");
-    for (const {name, place} of probes) if (place) this.drawProbe(overlay, name, place.map(u => u / radius * reach));
-    const bar = 2 * 10 ** Math.floor(Math.log10(radius / 2)), length = bar / radius * reach;
+  drawOverlay(outline, probes) {
+    const overlay = byId("map-overlay"), middle = MAP_SIZE / 2;
+    const d = outline.map(polygon => `M${polygon.map(point => this.raster.place(point).join(" ")).join("L")}Z`).join("");
+    svgElement(overlay, "path", {class: "disc", d});
+    svgElement(overlay, "text", {x: MAP_SIZE - 16, y: middle + 6, "text-anchor": "middle"}, "x");
+    svgElement(overlay, "text", {x: middle, y: 24, "text-anchor": "middle"}, "y");
+    for (const {name, place} of probes) if (place) this.drawProbe(overlay, name, this.raster.place(place));
+    const bar = 2 * 10 ** Math.floor(Math.log10(this.mesh.radius / 2)), length = bar * this.raster.scale;
     svgElement(overlay, "line", {class: "plate", x1: 14, x2: 14 + length, y1: MAP_SIZE - 12, y2: MAP_SIZE - 12});
     svgElement(overlay, "text", {x: 14, y: MAP_SIZE - 20}, `${numberText(bar)} mm`);
   }
 
   /** The name stands on the side of the centre, where there is room for it. */
-  drawProbe(overlay, name, [right, up]) {
-    const x = MAP_SIZE / 2 + right, y = MAP_SIZE / 2 - up, side = right > 0 ? -1 : 1;
+  drawProbe(overlay, name, [x, y]) {
+    const isRight = x > MAP_SIZE / 2, side = isRight ? -1 : 1;
     svgElement(overlay, "circle", {class: "probe", cx: x, cy: y, r: 6});
-    svgElement(overlay, "text", {class: "halo", x: x + 9 * side, y: y - 9, "text-anchor": right > 0 ? "end" : "start"},
+    svgElement(overlay, "text", {class: "halo", x: x + 9 * side, y: y - 9, "text-anchor": isRight ? "end" : "start"},
                shortened(name, MOST_LETTERS));
   }
 
@@ -183,10 +184,10 @@ class Player {
 
   probe(event) {
     const box = byId("map").getBoundingClientRect(), scale = MAP_SIZE / box.width;
-    const x = ((event.clientX - box.left) * scale - MAP_SIZE / 2) / this.raster.scale;
-    const y = (MAP_SIZE / 2 - (event.clientY - box.top) * scale) / this.raster.scale;
-    if (Math.hypot(x, y) > 1.02 * this.mesh.radius) return;
-    const node = this.mesh.nearest(x, y), frame = this.frames[this.index];
+    const right = ((event.clientX - box.left) * scale - MAP_SIZE / 2) / this.raster.scale;
+    const up = (MAP_SIZE / 2 - (event.clientY - box.top) * scale) / this.raster.scale;
+    if (Math.hypot(right, up) > 1.02 * this.mesh.radius) return;
+    const node = this.mesh.nearest(this.mesh.centre[0] + right, this.mesh.centre[1] + up), frame = this.frames[this.index];
     const value = this.field === "status" ? STATES[frame.status[node]].name
       : `≈ ${numberText(frame.value(this.field, node), 3)} ${FIELDS[this.field].unit}`;
     const place = [this.mesh.x[node], this.mesh.y[node]].map(x => numberText(x, 4)).join(", ");

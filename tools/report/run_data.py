@@ -5,7 +5,9 @@ import functools
 import re
 
 import numpy as np
+import outline
 from cycle_table import jumped_energy
+from imported_body import ImportedBody
 from load_program import LoadProgram
 from maps import Maps
 from run_folder import RunFolder
@@ -44,8 +46,8 @@ class RunData:
                       else self.number("Friction", "Orthotropy angle", 0))
         obstacle = self.parameters.get("Obstacle", {})
         self.has_gap = obstacle.get("Gap", "0") != "0" or bool(obstacle.get("Gap file"))
+        self.shape = self.parameters["Geometry"].get("Shape", "cylinder")
         self.box = self.read("parameters.prm", self.sizes)
-        self.radius = np.hypot(*self.box[:2]) / 2 if self.box else self.number("Geometry", "Radius")
         self.height = self.box[2] if self.box else self.number("Geometry", "Height")
         self.probe_places = self.places_of_probes()
         self.energy = self.read("history.csv", self.energy_ledger)
@@ -78,16 +80,49 @@ class RunData:
     def number(self, section, entry, default=None):
         return self.read("parameters.prm", lambda: float(self.parameters[section].get(entry, default)))
 
+    @functools.cached_property
+    def body(self):
+        """The body of a mesh file; None of another one, or where the file is gone."""
+        return ImportedBody.of(self.parameters["Geometry"]) if self.shape == "file" else None
+
+    @functools.cached_property
+    def outline(self):
+        """The border of the contact surface, as polygons. Without contact fields it is that of the parameters, or of the
+        mesh file; nothing if that is gone."""
+        if self.maps.mesh:
+            return outline.outline(self.maps.places, self.maps.quads)
+        if self.shape == "file":
+            if self.body is None:
+                return []
+            corners = self.body.contact_from_above().reshape(-1, 2)
+            one, node = outline.distinct(corners)
+            return outline.outline(corners[one], node.reshape(-1, 4))
+        if self.box:
+            return [np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * self.box[:2] / 2]
+        angles = np.linspace(0, 2 * np.pi, 96, endpoint=False)
+        return [self.number("Geometry", "Radius") * np.stack([np.cos(angles), np.sin(angles)], axis=1)]
+
+    @functools.cached_property
+    def centre(self):
+        """Of the contact surface, from which pictures of it are drawn, mm."""
+        centre = outline.extent(self.outline)[0] if self.outline else np.zeros(2)
+        return np.where(np.abs(centre) < 1e-6 * self.radius, 0, centre)  # rounding of the files
+
+    @functools.cached_property
+    def radius(self):
+        """The largest distance of the contact surface from its centre, mm."""
+        return float(f"{outline.extent(self.outline)[1]:.6g}") if self.outline else 1.
+
     @property
     def area(self):
-        return self.box[0] * self.box[1] if self.box else np.pi * self.radius**2
+        known = self.summary.get("scene", {}).get("area_mm2")
+        return known or sum(map(outline.area, self.outline)) or 1.
 
     def sizes(self):
-        """l_x, l_y, l_z of a box, in mm; None for a cylinder."""
-        geometry = self.parameters["Geometry"]
-        if geometry.get("Shape", "cylinder") != "box":
+        """l_x, l_y, l_z of a box, in mm; None for another shape."""
+        if self.shape != "box":
             return None
-        return tuple(float(size) for size in geometry["Sizes"].split(","))
+        return tuple(float(size) for size in self.parameters["Geometry"]["Sizes"].split(","))
 
     def friction_texts(self):
         words = ("associated", "collinear")

@@ -1,0 +1,192 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""Contact surfaces of any form on the page of tools/report.py: their border, their place in the pictures, and the body from
+the side. Read in a real browser (Chromium without a window).
+
+Usage: test_report_bodies.py PROGRAM [unittest options]"""
+import itertools
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import unittest
+
+import meshio
+import numpy as np
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+from program import PROGRAM, ROOT, main  # noqa: E402
+from report_page import Page  # noqa: E402
+from report_run import SCRATCH, report  # noqa: E402
+
+sys.path[:0] = [str(ROOT / "tools/plots"), str(ROOT / "tools/report")]
+import outline  # noqa: E402
+import verification_import  # noqa: E402
+from imported_body import ImportedBody  # noqa: E402
+from run_data import RunData  # noqa: E402
+
+ANGLE = ((5, 0), (6, 0), (5, 1))  # lower left corners (x, y) of three cells
+HEXAHEDRON = ((0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1))
+
+
+def write_angle(path):
+    """Three cubes of 1 mm on z = 0, as Gmsh writes them."""
+    numbers, elements = {}, []
+
+    def node(place):
+        return numbers.setdefault(tuple(place), len(numbers) + 1)
+
+    for x, y in ANGLE:
+        corners = [node(np.add((x, y, 0), corner)) for corner in HEXAHEDRON]
+        elements += [(5, 3, corners), (3, 1, corners[:4]), (3, 2, corners[4:])]
+    lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", "3", '2 1 "base"', '2 2 "top"', '3 3 "all"',
+             "$EndPhysicalNames", "$Nodes", str(len(numbers))]
+    lines += [f"{k} {x} {y} {z}" for (x, y, z), k in numbers.items()] + ["$EndNodes", "$Elements", str(len(elements))]
+    lines += [f"{k} {kind} 2 {tag} {tag} {' '.join(map(str, corners))}"
+              for k, (kind, tag, corners) in enumerate(elements, start=1)]
+    path.write_text("\n".join([*lines, "$EndElements", ""]))
+
+
+def run(name, file, *settings):
+    folder = pathlib.Path(SCRATCH.name) / name
+    subprocess.run([PROGRAM, file, "--quiet", "--output", folder, *(f"--set={setting}" for setting in settings)],
+                   check=True, timeout=300)
+    return folder
+
+
+class OutlineTest(unittest.TestCase):
+    def ring(self, n, turned):
+        """Cells between circles of radius 1 and 2; every other one runs clockwise."""
+        angles = 2 * np.pi * np.arange(n) / n
+        circle = np.stack([np.cos(angles), np.sin(angles)], axis=1)
+        k, following = np.arange(n), (np.arange(n) + 1) % n
+        quads = np.stack([k, k + n, following + n, following], axis=1)
+        quads[::2] = quads[::2, ::-1] if turned else quads[::2]
+        return np.concatenate([circle, 2 * circle]), quads
+
+    def test_a_ring_has_two_borders(self):
+        for turned in (False, True):
+            polygons = outline.outline(*self.ring(40, turned))
+            self.assertEqual([len(polygon) for polygon in polygons], [40, 40])
+            areas = sorted(outline.area(polygon) for polygon in polygons)
+            of_unit = 20 * np.sin(2 * np.pi / 40)
+            np.testing.assert_allclose(areas, [-of_unit, 4 * of_unit])
+
+    def test_straight_edges_have_ends_alone(self):
+        x, y = np.meshgrid(np.arange(5.), np.arange(4.), indexing="ij")
+        number = np.arange(20).reshape(5, 4)
+        quads = np.stack([number[:-1, :-1], number[1:, :-1], number[1:, 1:], number[:-1, 1:]], axis=-1).reshape(-1, 4)
+        places = np.stack([x.ravel(), y.ravel()], axis=1) + [3, 7]
+        (polygon,) = outline.outline(places, quads)
+        self.assertEqual(sorted(polygon.tolist()), [[3, 7], [3, 10], [7, 7], [7, 10]])
+        centre, radius = outline.extent([polygon])
+        self.assertEqual((centre.tolist(), radius), ([5, 8.5], 2.5))
+
+    def test_cells_that_touch_at_a_corner(self):
+        places = np.array(list(itertools.product((0., 1., 2.), repeat=2)))
+        polygons = outline.outline(places, np.array([[0, 3, 4, 1], [4, 7, 8, 5]]))
+        self.assertAlmostEqual(sum(map(outline.area, polygons)), 2)
+
+    def test_clipped(self):
+        circle = outline.outline(*self.ring(40, False))[0] + [0.5, 0]
+        half = outline.clipped(circle, 1)
+        self.assertAlmostEqual(abs(outline.area(half) / outline.area(circle)), 0.5)
+        self.assertGreaterEqual(half[:, 1].min(), 0)
+        self.assertEqual(len(outline.clipped(circle - [9, 0], 0)), 0)
+
+
+class BodiesTest(Page):
+    def page_of(self, folder):
+        result = report(folder)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.read(folder / "report.html")
+        self.assert_sections()
+        return json.loads(self.text("#data"))
+
+    def test_shipped_bodies(self):
+        """The border encloses the area that the program has summed over its faces, where these are plane."""
+        for name, cells in (("dovetail", 48), ("cylinder", 88)):
+            with self.subTest(name):
+                folder = run(name, ROOT / f"prm/import/{name}.prm", "Load program/Cycles=1", "Output/Volume fields=0")
+                data = self.page_of(folder)
+                area = json.loads((folder / "summary.json").read_text())["scene"]["area_mm2"]
+                self.assertAlmostEqual(sum(outline.area(one) for one in data["outline"]) / area, 1, delta=1e-6)
+                self.assertIn(f"{cells} cells of degree 2", self.text("#model"))
+                self.assertIn("blue: contact surface", self.text("#model"))
+                self.assertNotIn("radius", self.text("#model"))
+                self.assert_phone_and_paper()
+
+    def test_without_contact_fields(self):
+        """The mesh file has the outline; where it is gone, the page says what it cannot draw."""
+        folder = run("bare", ROOT / "prm/import/cylinder.prm", "Load program/Cycles=1", "Output/Volume fields=0",
+                     "Output/Contact fields=0")
+        data = self.page_of(folder)
+        area = json.loads((folder / "summary.json").read_text())["scene"]["area_mm2"]
+        self.assertAlmostEqual(sum(outline.area(one) for one in data["outline"]) / area, 1, delta=1e-6)
+        parameters = folder / "parameters.prm"
+        parameters.write_text(re.sub(r"Mesh file *= .*", "Mesh file = gone.msh", parameters.read_text()))
+        self.assertEqual(self.page_of(folder)["outline"], [])
+        self.assertIn("The body is not drawn", self.text("#warnings"))
+        self.assertIn("no contact fields, so no mesh; nor outline", self.text("#model"))
+
+    def test_an_angle_far_from_the_centre(self):
+        mesh = pathlib.Path(SCRATCH.name) / "angle.msh"
+        write_angle(mesh)
+        parameters = mesh.with_suffix(".prm")
+        parameters.write_text("subsection Geometry\nset Shape = file\nset Mesh file = angle.msh\nset Contact surface = base\n"
+                              "set Held surface = 2\nset Symmetry surfaces =\nend\n"
+                              "subsection Friction\nset Coefficients = 0.3, 0.3\nend\n"
+                              "subsection Load program\nset Legs = 0 0 -0.001 : 1 ; 0.001 0 -0.001 : 2\nend\n")
+        folder = run("angle", parameters, "Output/Probes=P: 6.5 0.5", "Mesh/Refinements=1")
+        data = self.page_of(folder)
+        self.assertEqual(data["centre"], [6, 1])
+        self.assertEqual(sorted(data["outline"][0]), [[5, 0], [5, 2], [6, 1], [6, 2], [7, 0], [7, 1]])
+        places = np.array([(5.2, 1.8), (6.8, 0.2), (6.8, 1.8), (5.5, 0.5)])
+        alpha = self.map_colours(places - [6, 1], data["radius"])[:, 3]
+        self.assertEqual(alpha.tolist(), [255, 255, 0, 255])  # nothing stands where the angle is open
+        np.testing.assert_allclose(RunData(folder).area, 3)
+        saved = self.saved_table(self.menu("Pressure along x"))  # on y = 1, through the centre
+        places = meshio.read(folder / "contact-0003.vtu").points
+        on = np.unique(places[np.abs(places[:, 1] - 1) < 1e-6, 0])
+        self.assertGreaterEqual(len(on), 5)
+        np.testing.assert_allclose([float(row["x (mm)"]) for row in saved], on, rtol=1e-5)
+
+    def test_border_encloses_the_body(self):
+        """Faces look outwards, and with their mirror images leave no hole: Gauss' theorem gives the volume."""
+        for name, volume, surfaces in (("cylinder", 4 * 780.361, ("base", "top", "x0, y0")),
+                                       ("dovetail", 64 * 6, ("flank", "neck", "middle"))):
+            geometry = dict(zip(("Contact surface", "Held surface", "Symmetry surfaces"), surfaces))
+            body = ImportedBody.of({"Mesh file": ROOT / f"prm/import/{name}.msh", **geometry})
+            faces = body.border[~verification_import.is_cut(body, body.border)]
+            parts = verification_import.all_parts(body, faces).reshape(-1, len(faces), 4, 3)
+            signs = [x * y for x, y in itertools.product(*((1, -1)[:1 + mirrored] for mirrored in body.mirrored))]
+            found = sum(sign * np.sum(np.linalg.det(part[:, corners]) / 6) for part, sign in zip(parts, signs)  # mirrors
+                        for corners in ([0, 1, 2], [0, 2, 3]))  # turn faces round
+            self.assertAlmostEqual(found / volume, 1, delta=1e-5)
+
+    def test_body_from_the_side(self):
+        """Of the quarter of a cylinder both sides are drawn, of the dovetail the whole profile and no seam."""
+        for name, size, mirrored in (("cylinder", (20, 10), [True, True]),
+                                     ("dovetail", (10 * 2**0.5, 8 * 2**0.5), [False, True])):
+            geometry = {"Mesh file": ROOT / f"prm/import/{name}.msh", "Contact surface": "base", "Held surface": "top",
+                        "Symmetry surfaces": "x0, y0"}
+            if name == "dovetail":
+                geometry.update({"Contact surface": "flank", "Held surface": "neck", "Symmetry surfaces": "middle"})
+            body = ImportedBody.of(geometry)
+            low, high = body.box()
+            np.testing.assert_allclose(high - low, size, rtol=1e-6)
+            self.assertEqual(body.mirrored, mirrored)
+            covered = sum(abs(outline.area(corners)) for side in body.seen(body.faces) for corners in side)
+            # The dovetail's profile is a polygon of 64 mm^2; of the cylinder the rectangle is seen.
+            self.assertAlmostEqual(covered / (200 if name == "cylinder" else 64), 1, delta=1e-6)
+        self.assertIsNone(ImportedBody.of({**geometry, "Mesh file": "nowhere.msh"}))
+        self.assertIsNone(ImportedBody.of({**geometry, "Held surface": "nothing"}))
+
+
+def tearDownModule():
+    SCRATCH.cleanup()
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,47 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""What the drawings of the model have in common."""
+import numpy as np
+import svg
+from load_program import UNITS
+
+WIDTH, HEIGHT = 360, 330
+
+
+class Frame:
+    """Millimetres to the picture: y points up, and `origin` is where the middle of the picture is."""
+
+    def __init__(self, scale, middle=(WIDTH / 2, HEIGHT / 2), origin=(0, 0)):
+        self.scale, self.middle, self.origin = scale, middle, origin
+
+    def __call__(self, x, y):
+        return (self.middle[0] + self.scale * (x - self.origin[0]), self.middle[1] - self.scale * (y - self.origin[1]))
+
+    def all(self, points):
+        return [self(x, y) for x, y in points]
+
+
+def area_of(frame, polygons, css):
+    """Between polygons, one of which may be a hole in another."""
+    path = "".join("M" + "L".join(f"{svg.number(a)} {svg.number(b)}" for a, b in frame.all(polygon)) + "Z"
+                   for polygon in polygons if len(polygon))
+    return svg.element("path", d=path, css=css, fill_rule="evenodd")
+
+
+def hatched(start, end, css, down=True):
+    """A line with strokes on the side of the rigid body."""
+    step, depth = 9, 8 if down else -8
+    strokes = "".join(svg.line((x, start[1]), (x - 7, start[1] + depth), "hatch")
+                      for x in np.arange(start[0] + 7, end[0] + 1, step))
+    return svg.line(start, end, css) + strokes
+
+
+def load_words(largest):
+    return {name: f"{name[0]}_{name[1]} = {svg.signed(value)} {UNITS[name]}" for name, value in largest.items()}
+
+
+def counterface(data):
+    """What the body rests on, in words."""
+    kind = "elastic half-space" if data.parameters.get("Obstacle", {}).get("Kind") == "half-space" else "rigid"
+    friction = "\u03bc varies" if data.friction_varies else f"\u03bc = ({data.mu[0]:g}, {data.mu[1]:g})"
+    return f"{kind + ', with a gap' if data.has_gap else kind + ' plane' if kind == 'rigid' else kind}, {friction}"

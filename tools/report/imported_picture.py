@@ -1,0 +1,65 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""Drawing of an imported body from the side: its cells, the contact surface, what it rests on, and how it is driven."""
+import numpy as np
+import svg
+from drawing import HEIGHT, WIDTH, Frame, counterface, hatched, load_words
+from imported_body import border_of
+
+MOST_FACES = 3000
+LENGTH = 38  # of an arrow
+
+
+def path_of(frame, lines, css, closed=False):
+    path = "".join("M" + "L".join(f"{svg.number(a)} {svg.number(b)}" for a, b in frame.all(line))
+                   + ("Z" if closed else "") for line in lines)
+    return svg.element("path", d=path, css=css)
+
+
+def lines_of(body, points):
+    return [line for side in body.seen(points) for line in side]
+
+
+def cells(body, frame):
+    """Areas, lines of the mesh where they can be told apart, and the rim."""
+    if len(body.faces) > MOST_FACES:
+        return path_of(frame, lines_of(body, body.rim()), "rim")
+    faces = lines_of(body, body.faces)
+    return (path_of(frame, faces, "side", closed=True) + path_of(frame, faces, "mesh", closed=True)
+            + path_of(frame, lines_of(body, body.rim()), "rim"))
+
+
+def drive(data, body, frame):
+    """Arrows at the held surface, along the largest motion and the largest force, and what the legs state."""
+    largest, out = data.program.extremes(), ""
+    middle, outward = body.held_middle()
+    x, y = frame(*middle)
+    for kind in "uF":
+        direction = np.array([largest.get(f"{kind}{axis}", 0) for axis in "xz"])
+        if not direction.any():
+            continue
+        right, up = direction / np.hypot(*direction)
+        ends = [(x + 5 * s * right, y - 5 * s * up) for s in (1, 1 + LENGTH / 5)]
+        if direction @ outward < 0:  # pressed from outside
+            ends = [(x - s * right, y + s * up) for s in (LENGTH + 5, 5)]
+        out += svg.arrow(*ends, "load", head=11)
+    for k, words in enumerate(load_words(largest).values()):
+        out += svg.text((4, 14 + 14 * k), words, "label", "start")
+    return out
+
+
+def imported_view(data, body):
+    low, high = body.box()
+    scale = min(235 / (high[0] - low[0]), 195 / (high[1] - low[1]))
+    frame = Frame(scale, (WIDTH / 2, HEIGHT / 2 + 2), (low + high) / 2)
+    touching = body.seen(np.unique(body.contact))[..., 0]
+    beyond = 30 / scale if low[1] > -1e-6 * (high[1] - low[1]) else 0  # elsewhere the body may be where the plane is not
+    out = hatched(frame(touching.min() - beyond, 0), frame(touching.max() + beyond, 0), "plate")
+    out += cells(body, frame)
+    out += path_of(frame, lines_of(body, body.contact), "touching", closed=True)
+    out += path_of(frame, lines_of(body, border_of(body.held)), "plate", closed=True)
+    out += drive(data, body, frame)
+    size = f"{high[0] - low[0]:.4g} mm x {high[1] - low[1]:.4g} mm"
+    out += svg.text((WIDTH / 2, HEIGHT - 20), f"{size}; {counterface(data)}", "label")
+    out += svg.text((WIDTH / 2, HEIGHT - 4), "blue: contact surface; dark: held surface; arrows: the largest", "small")
+    return svg.picture(WIDTH, HEIGHT, out, "The body from the side, with mesh, contact surface, plane and motion of the top")
