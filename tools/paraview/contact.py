@@ -92,7 +92,7 @@ class Run:
 
     def __init__(self, folder):
         self.folder = pathlib.Path(folder).expanduser().resolve()
-        self.contact, self.volume = self.files("contact"), self.files("volume")
+        self.contact, self.volume, self.lower = self.files("contact"), self.files("volume"), self.files("lower")
         if not self.contact:
             raise RunError(f"{folder}: " + ("no contact.pvd: not a run folder, or the run had Output/Contact fields = 0"
                                             if self.folder.is_dir() else "no such folder"))
@@ -245,20 +245,30 @@ def body_view(run, reader, centre):
         print(text := "Deformed body: no volume.pvd (Output/Volume fields = 0)")
         return new_view(reader, run.titles(text), [0, 0, 0], 1)
     grid = Grid(run.volume[run.peak(run.volume, "elastic_energy")], centre)
+    of_lower = Grid(run.lower[run.peak(run.volume, "elastic_energy")], centre) if run.lower else grid
     upper = scale("body", "MPa", grid.bound("von_mises_stress", STRESS_WITHIN), grid["von_mises_stress"].max())
-    radius, low, high = grid.radius, min(grid.points[:, 2].min(), 0), grid.points[:, 2].max()
+    radius, high = max(grid.radius, of_lower.radius), grid.points[:, 2].max()
+    low = min(grid.points[:, 2].min(), of_lower.points[:, 2].min(), 0)
     height, (x, y) = high - low, centre
     factor = magnification(np.linalg.norm(grid["displacement"], axis=1).max(), height)
     view = new_view(reader, run.titles(f"Von Mises stress, displacement x {factor:g}", files=run.volume),
                     [x + 0.3 * radius, y + 0.15 * radius, low + 0.45 * height], 1.15 * height + 1.3 * radius,
                     [0.45, -0.8, 0.35], [0, 0, 1])
-    volume = simple.PVDReader(FileName=str(run.folder / "volume.pvd"))
-    body = simple.WarpByVector(Input=surface_of(volume, grid), Vectors=["POINTS", "displacement"], ScaleFactor=factor)
-    show_field(whole(body, grid), view, "von_mises_stress", "MPa", "Plasma (matplotlib)", upper,
-               **{**UNLIT, "Ambient": 0.55, "Diffuse": 0.5})
+    show_body(run, view, "volume", grid, factor, upper)
+    if run.lower:
+        return show_body(run, view, "lower", of_lower, factor, upper)
     # A body that reaches below the plane has only its contact surface on it.
     plane = reader if low < 0 else simple.Disk(OuterRadius=1.15 * radius, InnerRadius=0, CircumferentialResolution=128)
     show_plain(plane, view, PLANE, [0 if low < 0 else x, 0 if low < 0 else y, -0.005 * height])
+    return view
+
+
+def show_body(run, view, kind, grid, factor, upper):
+    """One of the two bodies, coloured by its stress, with its edges where they were; returns the view."""
+    volume = simple.PVDReader(FileName=str(run.folder / f"{kind}.pvd"))
+    body = simple.WarpByVector(Input=surface_of(volume, grid), Vectors=["POINTS", "displacement"], ScaleFactor=factor)
+    show_field(whole(body, grid), view, "von_mises_stress", "MPa", "Plasma (matplotlib)", upper,
+               **{**UNLIT, "Ambient": 0.55, "Diffuse": 0.5})
     merged = simple.CleantoGrid(Input=whole(volume, grid))  # no seam between mirror images
     show_plain(simple.FeatureEdges(Input=simple.ExtractSurface(Input=merged)), view, DARK, [0, 0, 0], LineWidth=1.5)
     return view

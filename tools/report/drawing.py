@@ -40,8 +40,20 @@ def load_words(largest):
     return {name: f"{name[0]}_{name[1]} = {svg.signed(value)} {UNITS[name]}" for name, value in largest.items()}
 
 
+def lower_size(data):
+    """Width and height (mm) of a lower body that is a cylinder or a box; 0, 0 without one."""
+    if data.parameters.get("Obstacle", {}).get("Kind") != "body":
+        return 0, 0
+    entries = data.parameters["Lower geometry"]
+    if entries["Shape"] == "box":
+        sizes = [float(size) for size in entries["Sizes"].split(",")]
+        return sizes[0], sizes[2]
+    return (2 * float(entries["Radius"]), float(entries["Height"])) if entries["Shape"] == "cylinder" else (0, 0)
+
+
 def counterface(data):
     """What the body rests on, in words."""
-    kind = "elastic half-space" if data.parameters.get("Obstacle", {}).get("Kind") == "half-space" else "rigid"
+    kind = {"half-space": "elastic half-space", "body": "elastic body"}.get(
+        data.parameters.get("Obstacle", {}).get("Kind"), "rigid")
     friction = "\u03bc varies" if data.friction_varies else f"\u03bc = ({data.mu[0]:g}, {data.mu[1]:g})"
     return f"{kind + ', with a gap' if data.has_gap else kind + ' plane' if kind == 'rigid' else kind}, {friction}"

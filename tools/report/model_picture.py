@@ -5,7 +5,7 @@ import math
 
 import numpy as np
 import svg
-from drawing import HEIGHT, WIDTH, Frame, area_of, counterface, hatched, load_words
+from drawing import HEIGHT, WIDTH, Frame, area_of, counterface, hatched, load_words, lower_size
 from imported_picture import imported_view
 from outline import clipped
 
@@ -186,9 +186,11 @@ def load_arrows(data, left, right, y):
 
 def side_view(data):
     width = data.box[0] if data.box else 2 * data.number("Geometry", "Radius")
-    scale = min(205 / width, 190 / data.height)
+    lower_width, lower_height = lower_size(data)
+    scale = min(205 / max(width, lower_width), 190 / (data.height + lower_height))
     half, high, middle = scale * width / 2, scale * data.height, WIDTH / 2 - 12
-    base = HEIGHT / 2 + high / 2 + 15
+    low = scale * lower_height
+    base = HEIGHT / 2 + (high - low) / 2 + 15
     left, right, top = middle - half, middle + half, base - high
     mesh = data.parameters.get("Mesh", {})
     out = svg.element("rect", x=left, y=top, width=2 * half, height=high, css="disc")
@@ -197,11 +199,16 @@ def side_view(data):
         out += svg.line((left, base - high * z), (right, base - high * z), "mesh")
     guided = data.parameters.get("Geometry", {}).get("Top face") == "guided"
     out += hatched((left - 3, top), (right + 3, top), "plate", down=False)
-    out += hatched((left - 40, base), (right + 40, base), "plate")
+    below = (middle - scale * lower_width / 2, middle + scale * lower_width / 2) if low else (left - 40, right + 40)
+    if low:
+        out += svg.element("rect", x=below[0], y=base, width=below[1] - below[0], height=low, css="disc")
+        out += svg.text((middle, base + low / 2 + 4), "lower body", "label halo")
+        out += svg.text((right + 8, base + low / 2 + 4), f"H = {lower_height:.5g} mm", "label", "start")
+    out += hatched((below[0], base + low), (below[1], base + low), "plate")
     out += load_arrows(data, left, right, top - 8)
     out += svg.text((middle, base - high / 2 + 4), f"{layers} layers", "label halo")
     out += svg.text((right + 8, top + high / 2 + 4), f"H = {data.height:.5g} mm", "label", "start")
-    out += svg.text((middle, base + 24), f"{'l_x' if data.box else '2R'} = {width:g} mm; {counterface(data)}", "label")
+    out += svg.text((middle, base + low + 24), f"{'l_x' if data.box else '2R'} = {width:g} mm; {counterface(data)}", "label")
     top_face = "guided: free sideways" if guided else "clamped: a rigid plate"
     out += svg.text((middle, HEIGHT - 4), f"top face {top_face}; arrows: the largest", "small")
     return svg.picture(WIDTH, HEIGHT, out, "The body from the side, with layers, plane and motion of the top")

@@ -14,6 +14,7 @@ UNITS = {
     "Checks": {name: "\u00d7 tolerance" for name in ("Penetration", "Complementarity", "Friction cone", "Slip rule")},
     "Output": {"Checkpoint": "s", "Probes": "(mm)"},
 }
+UNITS.update({"Lower geometry": UNITS["Geometry"], "Lower material": UNITS["Material"]})
 
 
 def unit_of(section, entry, value):
