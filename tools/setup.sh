@@ -13,12 +13,12 @@ set -eu
 # mold is the linker that the flags of Debian 13's deal.II ask for; libdeal.ii-dev only recommends it.
 packages="g++ cmake ninja-build git mold
   libdeal.ii-dev libsuitesparse-dev libmetis-dev libeigen3-dev libopenblas-pthread-dev liblapacke-dev zlib1g-dev
-  libboost-program-options-dev nlohmann-json3-dev libgtest-dev"
+  libboost-program-options-dev nlohmann-json3-dev libgtest-dev pybind11-dev python3-dev python3-numpy"
 figures_packages="python3 python3-numpy python3-matplotlib python3-meshio"
 benchmark_packages="$figures_packages libbenchmark-dev"
 # ParaView's Python brings the vtk modules, and takes the place of the package python3-vtk9 where that is installed.
 tests_packages="$benchmark_packages paraview python3-paraview xvfb xauth chromium chromium-driver python3-selenium
-  clang-format clang-tidy"
+  python3-hypothesis clang-format clang-tidy"
 fuzz_packages="clang libclang-rt-dev"
 
 say() { echo "setup: $*" >&2; }
@@ -45,7 +45,7 @@ install_packages() {
 
 preset=$1
 shift
-targets=orthocone
+targets="orthocone orthocone_python"
 kernels=OFF
 for group in "$preset" "$@"; do
   case $group in

@@ -49,7 +49,7 @@ std::unique_ptr<const Compliance> sum_of(const ElasticBody &body, const Obstacle
 {
   if (!obstacle.material())
     return nullptr;
-  const Eigen::MatrixXd *const of_body = body.compliance().dense();
+  const DenseView *const of_body = body.compliance().dense();
   if (of_body == nullptr)
     throw std::logic_error("an obstacle that gives way needs a body with a dense compliance");
   Eigen::MatrixXd sum = obstacle.compliance(body.surface(), symmetry, axes);
