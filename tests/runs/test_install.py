@@ -3,6 +3,7 @@
 """The installed libraries: the examples are built against them, and what they compute is right.
 
 Usage: test_install.py PROGRAM [unittest options]"""
+import os
 import pathlib
 import platform
 import subprocess
@@ -53,9 +54,7 @@ class InstallTest(unittest.TestCase):
         self.assertEqual(result.returncode, 0, result.stderr)
         needed = run("ldd", build / "ten_nodes").stdout
         self.assertNotRegex(needed, "deal|libmpi")
-        table = np.array([[float(word) for word in line.split()] for line in result.stdout.splitlines()])
-        self.assertEqual(table.shape, (10, 4))
-        self.assert_obeys_law(table[:, :3], table[:, 3])
+        self.assert_obeys_law(result.stdout)
 
     def test_other_registers_are_refused(self):
         """Eigen's vectors would be freed in another way than they were made, without a word."""
@@ -65,8 +64,21 @@ class InstallTest(unittest.TestCase):
                    f"-I{self.prefix}/include", "-I/usr/include/eigen3", ROOT / "examples/library/ten_nodes.cc")
         self.assertIn("compile for the processor that orthocone was compiled for", made.stderr)
 
-    def assert_obeys_law(self, force, status):
-        """The law of the example in its own terms, with W and q made once more; forces are printed with six digits."""
+    def test_python(self):
+        install("python", self.prefix)
+        modules = list(self.prefix.glob("lib/python*/dist-packages"))
+        if not modules:
+            self.skipTest("the Python module is not built")
+        result = subprocess.run([sys.executable, "-B", ROOT / "examples/python/ten_nodes.py"], capture_output=True, text=True,
+                                env={**os.environ, "PYTHONPATH": str(modules[0])}, check=False)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assert_obeys_law(result.stdout)
+
+    def assert_obeys_law(self, text):
+        """The law of the examples in its own terms, with W and q made once more; C++ prints six digits of the forces."""
+        table = np.array([[float(word) for word in line.split()] for line in text.splitlines()])
+        self.assertEqual(table.shape, (10, 4))
+        force, status = table[:, :3], table[:, 3]
         near = np.exp(-0.5 * np.abs(np.subtract.outer(np.arange(10), np.arange(10))))
         q = np.array([-0.01, 0, 0]) + np.outer(np.arange(10), [0, 0.0005, 0.0003])
         d = q + 1e-5 * (near @ force) * [1, 1.2, 1.2]
