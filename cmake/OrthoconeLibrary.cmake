@@ -58,7 +58,7 @@ function(orthocone_library name)
   set(view ${CMAKE_BINARY_DIR}/views/${name})
   file(MAKE_DIRECTORY ${view}/orthocone)
   file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR}/include/orthocone/${name} ${view}/orthocone/${name} SYMBOLIC)
-  target_include_directories(${target} PUBLIC ${view})
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${view}> $<INSTALL_INTERFACE:include>)
   foreach(dependency IN LISTS arg_DEPENDS)
     target_link_libraries(${target} orthocone_${dependency})
   endforeach()
@@ -68,6 +68,13 @@ function(orthocone_library name)
     orthocone_own_flags(${target})
     orthocone_common(${target})
   endif()
+endfunction()
+
+# Links a library by its file, and by its name where the library is installed: a package names no file of this machine.
+function(orthocone_link_file target file)
+  get_filename_component(name ${file} NAME_WE)
+  string(REGEX REPLACE "^lib" "" name ${name})
+  target_link_libraries(${target} $<BUILD_INTERFACE:${file}> $<INSTALL_INTERFACE:${name}>)
 endfunction()
 
 # Provides the header orthocone_revision.h to the sources of a library.

@@ -2,23 +2,25 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 #
-#   tools/setup.sh PRESET [figures] [benchmark] [study] [tests]
+#   tools/setup.sh PRESET [figures] [benchmark] [study] [problems] [tests]
 #
 # Installs what is missing, configures and builds with a CMake preset (release, debug, fuzz); `figures` adds the packages
 # of the tools that draw, `benchmark` those and the kernels that tools/benchmark times, `study` those of figures and the
-# small experiments of tools/study, `tests` all of that and the tests. Called by ./run, ./test and the tools.
+# small experiments of tools/study, `problems` orthocone-solve, `tests` all of that and the tests. Called by ./run, ./test and
+# the tools.
 # Nothing is done twice: installed packages, a configured build folder and compiled files are left alone.
 set -eu
 
 # mold is the linker that the flags of Debian 13's deal.II ask for; libdeal.ii-dev only recommends it.
 packages="g++ cmake ninja-build git mold
   libdeal.ii-dev libsuitesparse-dev libmetis-dev libeigen3-dev libopenblas-pthread-dev liblapacke-dev zlib1g-dev
-  libboost-program-options-dev nlohmann-json3-dev libgtest-dev"
+  libboost-program-options-dev nlohmann-json3-dev libgtest-dev pybind11-dev python3-dev python3-numpy"
 figures_packages="python3 python3-numpy python3-matplotlib python3-meshio"
 benchmark_packages="$figures_packages libbenchmark-dev"
+problems_packages="libfclib-dev"
 # ParaView's Python brings the vtk modules, and takes the place of the package python3-vtk9 where that is installed.
-tests_packages="$benchmark_packages paraview python3-paraview xvfb xauth chromium chromium-driver python3-selenium
-  clang-format clang-tidy"
+tests_packages="$benchmark_packages $problems_packages paraview python3-paraview xvfb xauth chromium chromium-driver
+  python3-selenium python3-hypothesis clang-format clang-tidy"
 fuzz_packages="clang libclang-rt-dev"
 
 say() { echo "setup: $*" >&2; }
@@ -45,13 +47,14 @@ install_packages() {
 
 preset=$1
 shift
-targets=orthocone
+targets="orthocone orthocone_python"
 kernels=OFF
 for group in "$preset" "$@"; do
   case $group in
     figures) packages="$packages $figures_packages" ;;
     benchmark) packages="$packages $benchmark_packages" targets="$targets kernels" kernels=ON ;;
     study) packages="$packages $figures_packages" targets="$targets studies" ;;
+    problems) packages="$packages $problems_packages" targets="$targets orthocone_solve" ;;
     tests) packages="$packages $tests_packages" targets=all kernels=ON ;;
     fuzz) packages="$packages $fuzz_packages" targets=all ;;
   esac

@@ -60,7 +60,7 @@ std::unique_ptr<const Compliance> sum_of(const ElasticBody &body, Eigen::MatrixX
 {
   if (of_obstacle.size() == 0)
     return nullptr;
-  const Eigen::MatrixXd *const of_body = body.compliance().dense();
+  const DenseView *const of_body = body.compliance().dense();
   if (of_body == nullptr)
     throw std::logic_error("an obstacle that gives way needs a body with a dense compliance");
   of_obstacle += *of_body;

@@ -67,7 +67,14 @@ double largest_eigenvalue(const Eigen::Index n_nodes, const double settled,
 }
 
 DenseCompliance::DenseCompliance(Eigen::MatrixXd matrix)
-    : matrix_(std::move(matrix))
+    : own_(std::move(matrix)),
+      matrix_(own_.data(), own_.rows(), own_.cols())
+{
+  eigen_assert(matrix_.rows() == matrix_.cols() && matrix_.rows() % 3 == 0);
+}
+
+DenseCompliance::DenseCompliance(const DenseView &view)
+    : matrix_(view)
 {
   eigen_assert(matrix_.rows() == matrix_.cols() && matrix_.rows() % 3 == 0);
 }

@@ -48,8 +48,7 @@ Row row_of(const NodeCondition &condition, const Matrix3d &own, const double sca
 class System
 {
 public:
-  System(const ContactConditions &conditions, const Eigen::MatrixXd &compliance,
-         const InnerCompliance &inner);
+  System(const ContactConditions &conditions, const DenseView &compliance, const InnerCompliance &inner);
 
   Index n_unknowns() const { return n_ + n_face_; }
 
@@ -78,8 +77,7 @@ private:
   Eigen::FullPivLU<MatrixXf> schur_;
 };
 
-System::System(const ContactConditions &conditions, const Eigen::MatrixXd &compliance,
-               const InnerCompliance &inner)
+System::System(const ContactConditions &conditions, const DenseView &compliance, const InnerCompliance &inner)
     : conditions_(conditions),
       inner_(inner),
       n_face_(conditions.face.cols())
@@ -221,7 +219,7 @@ ContactChange System::change(const VectorXf &unknowns, const double size) const
 }
 } // namespace
 
-DenseConditionSolver::DenseConditionSolver(const Eigen::MatrixXd &compliance, const double softness)
+DenseConditionSolver::DenseConditionSolver(const DenseView &compliance, const double softness)
     : compliance_(compliance),
       inner_(compliance, softness)
 {

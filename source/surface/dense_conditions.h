@@ -14,12 +14,12 @@ class DenseConditionSolver : public ConditionSolver
 {
 public:
   /// `compliance` must outlive the solver; `softness`: its largest eigenvalue.
-  DenseConditionSolver(const Eigen::MatrixXd &compliance, double softness);
+  DenseConditionSolver(const DenseView &compliance, double softness);
 
   ContactChange solve(const ContactConditions &conditions, double accuracy) const override;
 
 private:
-  const Eigen::MatrixXd &compliance_;
+  const DenseView &compliance_;
   InnerCompliance inner_;
 };
 } // namespace orthocone

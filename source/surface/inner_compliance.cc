@@ -43,7 +43,7 @@ Eigen::Matrix<float, Eigen::Dynamic, 3> holding_forces(const MatrixXf &complianc
 }
 } // namespace
 
-InnerCompliance::InnerCompliance(const Eigen::MatrixXd &compliance, const double scale)
+InnerCompliance::InnerCompliance(const DenseView &compliance, const double scale)
     : scale_(scale),
       matrix_((compliance / scale).cast<float>()),
       stiffness_(local_stiffness())

@@ -2,7 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
-#include <Eigen/Dense>
+#include <orthocone/surface/compliance.h>
+
 #include <Eigen/Sparse>
 
 namespace orthocone
@@ -13,7 +14,7 @@ class InnerCompliance
 {
 public:
   /// `compliance`: W, 3 n x 3 n; `scale` > 0.
-  InnerCompliance(const Eigen::MatrixXd &compliance, double scale);
+  InnerCompliance(const DenseView &compliance, double scale);
 
   double scale() const { return scale_; }
 

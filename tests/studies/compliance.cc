@@ -13,7 +13,7 @@ namespace
 void write_matrix(const Scene &model, const std::string &path)
 {
   std::ofstream file(path, std::ios::binary);
-  const Eigen::MatrixXd &w = *model.system().compliance().dense();
+  const DenseView &w = *model.system().compliance().dense();
   file.write(reinterpret_cast<const char *>(w.data()),
              static_cast<std::streamsize>(w.size() * sizeof(double)));
   if (!file.flush())

@@ -32,7 +32,7 @@ void spectrum(const Words &words)
   const SceneWords scene(words);
   const Scene model(scene.parameters, choose_model(scene.parameters));
   const ContactSystem &problem = model.system();
-  const MatrixXd &w = *problem.compliance().dense();
+  const DenseView &w = *problem.compliance().dense();
   const Eigen::Index n = problem.n_nodes();
   const VectorXd of_w = symmetric_eigenvalues(w);
   // Box 3 while all stick: r <- r - rho C (q + W r) with the weights C of the literal p. C W is similar to a

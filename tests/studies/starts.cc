@@ -91,7 +91,7 @@ NodeVector random_load(const Compliance &compliance, std::mt19937 &generator)
 {
   std::uniform_real_distribution<double> uniform(0, 1);
   constexpr double apart = 0.3;
-  const Eigen::MatrixXd &w = *compliance.dense();
+  const DenseView &w = *compliance.dense();
   NodeVector load(w.rows());
   for (Index i = 0; i < w.rows(); ++i)
   {

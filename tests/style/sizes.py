@@ -45,13 +45,13 @@ def inner_bodies(path):
 
 class SizeTest(unittest.TestCase):
     def test_files(self):
-        for path in files("source", "include", "tests"):
+        for path in files("source", "include", "tests", "examples"):
             with self.subTest(path.relative_to(ROOT)):
                 self.assertLessEqual(len(path.read_text(encoding="utf-8").splitlines()), MOST_LINES)
 
     def test_functions(self):
         found = 0
-        for path in files("source", "tests"):
+        for path in files("source", "tests", "examples"):
             for line, length in bodies(path):
                 found += 1
                 with self.subTest(f"{path.relative_to(ROOT)}:{line}"):

@@ -63,7 +63,7 @@ def picture(runs):
     figure = plt.figure(figsize=(11, 6.2), layout="constrained")
     for column, (name, step, field, title, colours, view) in enumerate(BODIES, start=1):
         run = runs.run(f"import-{name}", f"../import/{name}", "Output/Probes=", "Load program/Cycles=1")
-        body = ImportedBody.of(run.parameters()["Geometry"])
+        body = ImportedBody.of(run.parameters["Geometry"])
         mesh = figure.add_subplot(2, 3, column, projection="3d")
         draw_mesh(mesh, body, view)
         mesh.set_title(f"{name}.msh: {len(np.concatenate([cells for cells, _ in body.blocks('hexahedron')]))} cells")

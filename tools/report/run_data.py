@@ -30,12 +30,12 @@ class RunData:
         self.read("history.csv", self.check_history)
         self.steps = np.asarray(self.history.get("step", ()), dtype=int)
         self.n_solved = len(self.steps)
-        self.parameters = self.read("parameters.prm", self.run.parameters)
+        self.parameters = self.read("parameters.prm", lambda: self.run.parameters)
         self.program = self.read("parameters.prm", lambda: LoadProgram(self.parameters["Load program"]))
-        self.summary = self.read("summary.json", self.run.summary, optional=True) or {}
-        self.timing = self.read("timing.csv", self.run.timing, optional=True) or {}
-        self.checks = self.read("checks.csv", self.run.checks)
-        self.cycles = self.read("cycles.csv", self.run.cycles)
+        self.summary = self.read("summary.json", lambda: self.run.summary, optional=True) or {}
+        self.timing = self.read("timing.csv", lambda: self.run.timing, optional=True) or {}
+        self.checks = self.read("checks.csv", lambda: self.run.checks)
+        self.cycles = self.read("cycles.csv", lambda: self.run.cycles)
         self.blocks = self.program.blocks(self.steps)
         # Of friction that varies the page shows that of the centre, which the summary has.
         self.friction_varies = any(re.search("[xy]", text) for text in self.friction_texts())
@@ -65,9 +65,8 @@ class RunData:
             raise
         except OSError:
             raise
-        except (Exception, SystemExit) as error:  # meshio exits on some files and raises what it likes on others
-            cause = ("meshio does not read it" if isinstance(error, SystemExit) else "a line is incomplete"
-                     if isinstance(error, TypeError) and name.endswith(".csv") else error)
+        except Exception as error:
+            cause = "a line is incomplete" if isinstance(error, TypeError) and name.endswith(".csv") else error
             raise BadFile(f"{self.path / name}: cannot be understood ({cause})") from error
 
     def check_history(self):

@@ -34,7 +34,7 @@ def measures(result, point):
     if result.code != 0:
         raise StudyError(f"exit code {result.code}: {point.command}\n{result.errors}")
     run = RunFolder(result.folder)
-    summary, history = run.summary(), run.history
+    summary, history = run.summary, run.history
     peak = list(history["uz"]).index(min(history["uz"]))
     return {"contact_nodes": summary["model"]["contact_nodes"], "unknowns": summary["model"]["free_dofs"],
             "v_cycles": summary["contact_solver"].get("v_cycles", 0), "cpu_seconds": f"{result.cpu_seconds:.3f}",

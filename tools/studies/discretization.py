@@ -98,7 +98,7 @@ def figures_of_run(result, point):
     if result.code != 0:
         raise StudyError(f"exit code {result.code}: {point.command}\n{result.errors}")
     run = RunFolder(result.folder)
-    summary = run.summary()
+    summary = run.summary
     model, values = summary["model"], quantities_of(run)
     row = {"degree": model["degree"], "contact_nodes": model["contact_nodes"], "unknowns": model["free_dofs"],
            "seconds": f"{result.seconds:.3f}", "cpu_seconds": f"{result.cpu_seconds:.3f}",

@@ -46,9 +46,9 @@ def extracted(result, _):
         return columns_of(result.code)
     run = run_folder.RunFolder(result.folder)
     peak = run.history["uz"].argmin()
-    model = run.summary()["model"]
+    model = run.summary["model"]
     return columns_of(0, peak_force_N=run.history["force_z"][peak], largest_slip_mm=run.history["max_slip"][peak],
-                      iterations=int(run.history["iterations"].sum()), equilibrium=run.checks()["equilibrium"].max(),
+                      iterations=int(run.history["iterations"].sum()), equilibrium=run.checks["equilibrium"].max(),
                       contact_nodes=model["contact_nodes"], unknowns=model["free_dofs"])
 
 

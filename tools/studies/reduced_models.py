@@ -32,7 +32,7 @@ def figures_of_run(result, point):
     if result.code != 0:
         raise StudyError(f"exit code {result.code}: {point.command}\n{result.errors}")
     run = RunFolder(result.folder)
-    model, history = run.summary()["model"], run.history
+    model, history = run.summary["model"], run.history
     answers = {f"{name}_{int(step)}": f"{value:.15g}" for name in ANSWERS
                for step, value in zip(history["step"], history[name])}
     return {"contact_nodes": model["contact_nodes"], "unknowns": model["free_dofs"], "seconds": f"{result.seconds:.3f}",

@@ -19,7 +19,7 @@ def measures(result, point):
     if result.code != 0:
         raise StudyError(f"exit code {result.code}: {point.command}\n{result.errors}")
     run = RunFolder(result.folder)
-    cycles = run.cycles()
+    cycles = run.cycles
     return {"steps": len(run.history["step"]), "worn_volume": cycles["worn_volume"][-1],
             "wear_error": cycles["wear_error"][-1], "depth": cycles["max_wear_depth"][-1],
             "cpu_seconds": f"{result.cpu_seconds:.3f}"}

@@ -26,7 +26,7 @@ def legs(factor):
 
 def ratio_of(run):
     """Of the warning; nothing where there is none."""
-    found = re.search(r"wears a node ([\d.]+) times as deep", "\n".join(run.summary()["warnings"]))
+    found = re.search(r"wears a node ([\d.]+) times as deep", "\n".join(run.summary["warnings"]))
     return float(found[1]) if found else ""
 
 

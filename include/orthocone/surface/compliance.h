@@ -12,6 +12,9 @@
 
 namespace orthocone
 {
+/// A dense W, whoever owns its memory.
+using DenseView = Eigen::Map<const Eigen::MatrixXd>;
+
 /// Compliance W of an elastic body condensed to its contact nodes: forces r of the obstacle on the body (N)
 /// -> displacements W r of the contact nodes (mm). Symmetric and positive definite. A direction in which a
 /// node cannot move (a symmetry plane) has a compliance of its own, coupled with nothing, so that it never
@@ -50,7 +53,7 @@ public:
   virtual Eigen::Matrix3d diagonal_block(Eigen::Index node) const = 0;
 
   /// W itself where the backend has it, else nullptr.
-  virtual const Eigen::MatrixXd *dense() const { return nullptr; }
+  virtual const DenseView *dense() const { return nullptr; }
 
   /// A solver of linearized contact laws where the backend has one, else nullptr. `softness`: softness(). It
   /// must not outlive the compliance.
@@ -73,14 +76,21 @@ public:
   /// `matrix`: 3 n x 3 n, symmetric.
   explicit DenseCompliance(Eigen::MatrixXd matrix);
 
+  /// The same without a copy: what `view` shows must outlive the compliance and stay as it is.
+  explicit DenseCompliance(const DenseView &view);
+
+  DenseCompliance(DenseCompliance &&) = default; // moved matrices keep their place
+  DenseCompliance(const DenseCompliance &) = delete;
+
   Eigen::Index n_nodes() const override { return matrix_.rows() / 3; }
   void vmult(NodeVector &displacement, const NodeVector &force) const override;
   Eigen::Matrix3d diagonal_block(Eigen::Index node) const override;
-  const Eigen::MatrixXd *dense() const override { return &matrix_; }
+  const DenseView *dense() const override { return &matrix_; }
   std::unique_ptr<ConditionSolver> condition_solver(double softness) const override;
 
 private:
-  Eigen::MatrixXd matrix_;
+  Eigen::MatrixXd own_{};
+  DenseView matrix_;
   mutable NodeVector last_force_{};
   mutable NodeVector last_displacement_{};
 };

@@ -8,6 +8,12 @@
 
 namespace orthocone
 {
+#ifdef ORTHOCONE_EIGEN_ALIGNMENT
+// Of an installed library: Eigen frees memory in another way where it is compiled for wider registers.
+static_assert(EIGEN_DEFAULT_ALIGN_BYTES == ORTHOCONE_EIGEN_ALIGNMENT,
+              "compile for the processor that orthocone was compiled for, without -march=native");
+#endif
+
 /// Vectors over the contact nodes hold three numbers a node, in local axes: normal, x, y.
 using NodeVector = Eigen::VectorXd;
 

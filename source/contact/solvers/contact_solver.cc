@@ -59,9 +59,9 @@ SolverReport unbalanced_report(const ContactStep &step, const Eigen::VectorXd &u
   return report;
 }
 
-const Eigen::MatrixXd &dense_compliance(const ContactSystem &system, const char *const method)
+const DenseView &dense_compliance(const ContactSystem &system, const char *const method)
 {
-  const Eigen::MatrixXd *const matrix = system.compliance().dense();
+  const DenseView *const matrix = system.compliance().dense();
   if (matrix == nullptr)
     throw std::invalid_argument(std::string("Contact solver/Method = ") + method +
                                 " needs the dense compliance, which this backend does not have");

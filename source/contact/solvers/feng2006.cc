@@ -39,7 +39,7 @@ Feng2006::Feng2006(const ContactSystem &system, const ContactSolverOptions &opti
 
 void Feng2006::sweep(const ContactStep &step, Eigen::VectorXd &unknowns) const
 {
-  const Eigen::MatrixXd &w = *system_.compliance().dense();
+  const DenseView &w = *system_.compliance().dense();
   BalancingFace face(step, unknowns);
   auto force = unknowns.head(3 * step.n_nodes());
   for (Index node = 0; node < step.n_nodes(); ++node)

@@ -36,7 +36,7 @@ void GaussSeidel::sweep(const ContactStep &step, Eigen::VectorXd &unknowns, cons
     sweep_with_face(step, unknowns, relaxation);
     return;
   }
-  const Eigen::MatrixXd &w = *system_.compliance().dense();
+  const DenseView &w = *system_.compliance().dense();
   for (Index node = 0; node < step.n_nodes(); ++node)
   {
     const OneNodeProblem &one = nodes_[node];
@@ -52,7 +52,7 @@ void GaussSeidel::sweep(const ContactStep &step, Eigen::VectorXd &unknowns, cons
 void GaussSeidel::sweep_with_face(const ContactStep &step, Eigen::VectorXd &unknowns,
                                   const double relaxation) const
 {
-  const Eigen::MatrixXd &w = *system_.compliance().dense();
+  const DenseView &w = *system_.compliance().dense();
   BalancingFace face(step, unknowns);
   auto force = unknowns.head(3 * step.n_nodes());
   for (Index node = 0; node < step.n_nodes(); ++node)

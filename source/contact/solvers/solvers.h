@@ -72,7 +72,7 @@ inline double rho_of_box3(const ContactSystem &system, const Eigen::Index node, 
 }
 
 /// The dense compliance, or std::invalid_argument naming the method that wants it.
-const Eigen::MatrixXd &dense_compliance(const ContactSystem &system, const char *method);
+const DenseView &dense_compliance(const ContactSystem &system, const char *method);
 
 /// The backend's solver of linearized laws, or std::invalid_argument naming the method that wants it.
 std::unique_ptr<ConditionSolver> condition_solver(const ContactSystem &system, const char *method);

@@ -59,7 +59,7 @@ TEST(HalfSpaceScene, HasASumOfCompliances)
   EXPECT_EQ(scene.symmetry().name(), "quarter");
   const Eigen::MatrixXd own =
       half_space_compliance({420000, 0.2}, scene.surface(), scene.symmetry(), scene.axes());
-  const Eigen::MatrixXd &body = *scene.body().compliance().dense();
+  const DenseView &body = *scene.body().compliance().dense();
   EXPECT_EQ((*scene.compliance().dense() - (own + body)).lpNorm<Eigen::Infinity>(), 0);
   const NodeVector force = NodeVector::LinSpaced(own.rows(), 1, 2);
   EXPECT_LE((scene.given_way(force) - own * force).norm(), 1e-12 * (own * force).norm());

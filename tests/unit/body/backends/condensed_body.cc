@@ -106,7 +106,7 @@ TEST(Condensation, KeepsTheBodyInEquilibrium)
 TEST(Condensation, GivesASymmetricPositiveCompliance)
 {
   const LoadableBody body(default_geometry, small_mesh(2), default_material, quarter);
-  const Eigen::MatrixXd &w = *body.condensed.compliance().dense();
+  const DenseView &w = *body.condensed.compliance().dense();
   EXPECT_LE((w - w.transpose()).norm(), 1e-14 * w.norm());
   EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(w).eigenvalues().minCoeff(), 0);
 }

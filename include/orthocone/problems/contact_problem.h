@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/contact/law/friction_law.h>
+
+#include <Eigen/Dense>
+
+#include <string>
+#include <vector>
+
+namespace orthocone
+{
+/// The contact problem of a load step by itself, as a value: what a ContactStep and its ContactSystem are
+/// made of. n nodes, in their local axes (normal, x, y).
+struct ContactProblem
+{
+  Eigen::MatrixXd w;                     ///< 3 n x 3 n, symmetric, mm/N
+  Eigen::VectorXd q;                     ///< 3 n, mm
+  std::vector<OrthotropicFriction> laws; ///< n
+  Eigen::MatrixXd face;                  ///< 3 n x m: FreeFace's motions; no columns: there is none
+  Eigen::VectorXd balance{};             ///< m: face^T r is this
+  std::string title{};
+};
+
+/// Forces and displacements of a problem.
+struct ProblemSolution
+{
+  Eigen::VectorXd force;        ///< 3 n, N
+  Eigen::VectorXd displacement; ///< 3 n, mm
+  Eigen::VectorXd motions{};    ///< m, of the face
+};
+} // namespace orthocone

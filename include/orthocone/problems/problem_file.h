@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// Contact problems as files of FCLIB, the Frictional Contact Library (local problems, HDF5). FCLIB knows
+// isotropic, associated friction; docs/theory.md, "Problem files", has the map from other laws to it.
+#pragma once
+
+#include <orthocone/problems/contact_problem.h>
+
+#include <optional>
+
+namespace orthocone
+{
+/// A local three-dimensional problem. Equality constraints that resist (R in FCLIB) are eliminated, those
+/// that do not are a free face. Throws FileError for what is no such file, is inconsistent, or has a W that
+/// is not symmetric without the law that makes it so.
+ContactProblem read_problem(const std::string &file);
+
+/// The solution in a file of write_problem(), in the problem's own scale; nothing if it has none.
+std::optional<ProblemSolution> read_solution(const std::string &file);
+
+/// Writes by FCLIB's library a file that is complete or not there. Throws FileError, and
+/// std::invalid_argument for a face beside a slip rule that is not associated: FCLIB's form has one matrix
+/// for both its sides.
+void write_problem(const ContactProblem &problem, const ProblemSolution &solution, const std::string &file);
+
+/// FCLIB's own measure of error (its MERIT_1) of a solution, in FCLIB's form of the problem.
+double fclib_error(const ContactProblem &problem, const ProblemSolution &solution);
+} // namespace orthocone

@@ -1,0 +1,27 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""Frictional contact with an elliptic Coulomb cone and a slip rule of its own.
+
+    solve(W, q, mu, p)      contact forces of nodes behind a compliance
+    project(force, mu), slip_direction(force, p), ...   the law of a node
+    Run("output/case_b")    what a run of the program has written
+
+Lengths in mm, forces in N, as in the program; laws and solvers work in any other units that fit together, too.
+A node has local axes: the normal, then x and y, the axes of both ellipses. Forces act from the plane on the body."""
+from .run_folder import ContactFile, Run
+
+_OF_CONTACT = ("NotConverged", "Report", "Solution", "Status", "dual_norm", "friction_norm", "methods",
+               "modified_displacement", "project", "slip_direction", "sliding_traction", "solve")
+__all__ = ["ContactFile", "Run", *_OF_CONTACT]
+
+
+def __getattr__(name):
+    """The compiled part is read when it is asked for: run folders can be read where it is not there."""
+    if name in _OF_CONTACT:
+        from . import contact
+        return getattr(contact, name)
+    raise AttributeError(f"module 'orthocone' has no attribute '{name}'")
+
+
+def __dir__():
+    return sorted(__all__)

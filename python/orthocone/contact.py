@@ -1,0 +1,174 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""Laws and solvers of contact on NumPy arrays. Source of the law: Feng, Hjiaj, de Saxce, Mroz, Int. J. Non-Linear Mech. 41
+(2006) 936-948; docs/theory.md.
+
+Everywhere: mu are the semi-axes of the friction ellipse, a number, (2,) or (n, 2) for n nodes; 0 in both directions is no
+friction. p are those of the slip ellipse, in the same shapes; only their ratio matters. None is p = mu, the associated
+slip rule. Arrays that are no numbers, or have another shape, raise ValueError."""
+import dataclasses
+import enum
+
+import numpy as np
+
+from . import _contact
+
+
+class Status(enum.IntEnum):
+    """What a node does; the numbers are those of the field `status` of a run."""
+    OPEN = 0
+    STICK = 1
+    SLIP = 2
+
+
+@dataclasses.dataclass(frozen=True)
+class Report:
+    """What is to be said of a solution, found from its forces alone.
+
+    residual: of the natural map, relative to the forces. law_errors: the law in its own terms, relative: penetration,
+    complementarity, friction_cone, slip_rule. verdict: converged, slow, rounding, cycling or diverged. trace: (k, 4), a row
+    for each residual that the solver looked at: iterations, residual, norm of the forces (N), seconds."""
+    converged: bool
+    iterations: int
+    residual: float
+    worst_node: int
+    verdict: str
+    law_errors: dict
+    trace: np.ndarray
+
+
+@dataclasses.dataclass(frozen=True)
+class Solution:
+    """force: (n, 3), N. displacement: (n, 3), d = q + W r in mm. status: (n,), numbers of Status. report: Report."""
+    force: np.ndarray
+    displacement: np.ndarray
+    status: np.ndarray
+    report: Report
+
+
+class NotConverged(RuntimeError):
+    """A solver did not reach the tolerance. `solution` is what it had at last."""
+
+    def __init__(self, message, solution):
+        super().__init__(message)
+        self.solution = solution
+
+
+def methods():
+    """{word: what it does} of the contact solvers, the one to work with first."""
+    return _contact.methods()
+
+
+def solve(W, q, mu, p=None, *, method="newton", tolerance=1e-10, maximum_iterations=5000, start=None):
+    """Forces r (N) and displacements d = q + W r (mm) of n nodes that obey the law of contact and friction.
+
+    W: (3 n, 3 n), mm/N, symmetric and positive definite; used where it is, if it is contiguous and float64. q: (n, 3) or
+    (3 n,), mm: gap and slip that the nodes would have without forces. start: (n, 3), N, forces to start from.
+    tolerance: of Report.residual. method: a word of methods().
+
+    Returns a Solution. Raises NotConverged, and ValueError for what is not as said here."""
+    W = _matrix(W)
+    n = W.shape[0] // 3
+    q = _rows(q, 3, "q", n)
+    start = np.zeros((n, 3)) if start is None else _rows(start, 3, "start", n)
+    if method not in methods():
+        raise ValueError(f"method = {method!r}: allowed is {', '.join(methods())}")
+    if not 0 < tolerance < 1:
+        raise ValueError(f"tolerance = {tolerance}: allowed is 0 < tolerance < 1")
+    if not 1 <= maximum_iterations < 2**32:
+        raise ValueError(f"maximum_iterations = {maximum_iterations}: allowed is a whole number > 0")
+    force, displacement, status, report = _contact.solve(W, q, _laws(mu, p, n), start, method, tolerance,
+                                                         int(maximum_iterations))
+    solution = Solution(force, displacement, status[:, 0].astype(int), Report(**report))
+    if not solution.report.converged:
+        raise NotConverged(f"{method}: {solution.report.verdict}, residual {solution.report.residual:.2g} after "
+                           f"{solution.report.iterations} iterations, tolerance {tolerance:g}", solution)
+    return solution
+
+
+def project(force, mu):
+    """Nearest points (n, 3) of the friction cone ||r_t||_m <= r_n. force: (n, 3) or (3,), N."""
+    return _of_nodes(_contact.project, force, 3, "force", mu, None)
+
+
+def modified_displacement(displacement, mu, p=None):
+    """G(d) = (d_n + ||Q^2 d_t||*_m, Q^2 d_t) with Q^2 = (p/mu)^2, (n, 3), mm. The law is r = project(r - rho G(d)) for any
+    rho > 0, up to the length of p. displacement: (n, 3) or (3,), mm: gap, and slip since the last step."""
+    return _of_nodes(_contact.modified_displacement, displacement, 3, "displacement", mu, p)
+
+
+def friction_norm(force, mu):
+    """||r_t||_m = sqrt((r_x/mu_x)^2 + (r_y/mu_y)^2), (n,): the normal force (N) at which the tangential one slips.
+    force: (n, 2) or (2,), N."""
+    return _of_nodes(_contact.friction_norm, force, 2, "force", mu, None)[..., 0]
+
+
+def dual_norm(slip, mu):
+    """||v_t||*_m = sqrt((mu_x v_x)^2 + (mu_y v_y)^2), (n,), mm. slip: (n, 2) or (2,), mm."""
+    return _of_nodes(_contact.dual_norm, slip, 2, "slip", mu, None)[..., 0]
+
+
+def slip_direction(force, p):
+    """Direction in which a node under a tangential force slips, -(r_x/p_x^2, r_y/p_y^2), not normalized. force: (n, 2) or
+    (2,), N."""
+    return _of_nodes(_contact.slip_direction, force, 2, "force", 1., p)
+
+
+def sliding_traction(slip, mu, p=None):
+    """Tangential force on the body per unit normal force in steady slip along `slip`, (n, 2). slip: (n, 2) or (2,), not
+    zero."""
+    return _of_nodes(_contact.sliding_traction, slip, 2, "slip", mu, p)
+
+
+def _of_nodes(function, values, n_columns, name, mu, p):
+    values = np.asarray(values, dtype=float)
+    rows = _rows(values, n_columns, name)
+    result = function(rows, _laws(mu, p, len(rows)))
+    return result[0] if values.ndim == 1 else result
+
+
+def _matrix(W):
+    W = np.asarray(W, dtype=float)
+    if W.ndim != 2 or W.shape[0] != W.shape[1] or W.shape[0] % 3 or not W.size:
+        raise ValueError(f"W has the shape {W.shape}: allowed is (3 n, 3 n), n > 0")
+    if not (W.flags.c_contiguous or W.flags.f_contiguous):
+        W = np.ascontiguousarray(W)
+    asymmetry = _contact.asymmetry(W)
+    if np.isnan(asymmetry):
+        raise ValueError("W has entries that are no numbers, or a diagonal that is not positive")
+    if asymmetry > 1e-8:
+        raise ValueError(f"W is not symmetric: entries differ by {asymmetry:.2g} of those on the diagonal")
+    return W
+
+
+def _rows(values, n_columns, name, n=None):
+    values = np.asarray(values, dtype=float)
+    wanted = "n" if n is None else n
+    if values.ndim == 1 and values.size % n_columns == 0:
+        values = values.reshape(-1, n_columns)
+    if values.ndim != 2 or values.shape[1] != n_columns or n not in (None, len(values)):
+        raise ValueError(f"{name} has the shape {values.shape}: allowed is ({wanted}, {n_columns})")
+    if not np.isfinite(values).all():
+        raise ValueError(f"{name} has entries that are no numbers")
+    return np.ascontiguousarray(values)
+
+
+def _pairs(values, name, n):
+    values = np.asarray(values, dtype=float)
+    if values.ndim and values.shape not in ((2,), (n, 2)):
+        raise ValueError(f"{name} has the shape {values.shape}: allowed is a number, (2,) or ({n}, 2)")
+    return np.broadcast_to(values, (n, 2))
+
+
+def _laws(mu, p, n):
+    """Rows (mu_x, mu_y, p_x, p_y)."""
+    mu = _pairs(mu, "mu", n)
+    is_without = (mu == 0).all(axis=1)
+    if not (np.isfinite(mu) & ((mu > 0) | is_without[:, None])).all():
+        raise ValueError("mu: allowed are numbers > 0, or 0 in both directions")
+    if p is None:
+        p = np.where(is_without[:, None], 1, mu)
+    p = _pairs(p, "p", n)
+    if not (np.isfinite(p) & (p > 0)).all():
+        raise ValueError("p: allowed are numbers > 0")
+    return np.ascontiguousarray(np.concatenate([mu, p], axis=1))

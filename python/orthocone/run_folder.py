@@ -1,0 +1,160 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""Reads the run folder of orthocone: what figures and reports know of a run, they know from here.
+
+Columns and fields have the names and units that README.md gives: mm, N, MPa, N mm."""
+import csv
+import functools
+import json
+import pathlib
+import re
+
+import numpy as np
+
+from .vtu import Vtu
+
+OPEN, STICK, SLIP = 0, 1, 2  # the field `status`
+
+
+def read_csv(path):
+    """Columns of a CSV file: numbers as arrays, words (method, status) as lists."""
+    with open(path, newline="") as file:
+        rows = list(csv.DictReader(file))
+        names = list(rows[0]) if rows else []
+    columns = {name: [row[name] for row in rows] for name in names}
+    for name, values in columns.items():
+        try:
+            columns[name] = np.array(values, dtype=float)
+        except ValueError:
+            pass
+    return columns
+
+
+class ContactFile:
+    """Fields of a contact-NNNN.vtu file at its points, which are the contact nodes of the whole body; in older run
+    folders each element has points of its own. points: (n, 3), mm. data: {field: (n,) or (n, 3)}; file["slip"] is one of
+    them. cells: (m, (degree + 1)^2) points of each element, in VTK's order of Lagrange cells. path: of the file, for
+    pyvista.read() and other readers. Raises ValueError for what is not such a file."""
+
+    def __init__(self, path):
+        self.path = pathlib.Path(path)
+        mesh = Vtu(path)
+        blocks = [points for _, points in mesh.blocks]
+        self.points = mesh.points
+        self.data = mesh.fields
+        if "degree" in mesh.field_data:
+            self.degree = int(mesh.field_data["degree"][0])
+            # A triangle (at the axis of an axisymmetric model) is a quadrilateral whose last point is its first.
+            self._quadrilaterals = np.concatenate([block[:, [0, 1, 2, 3 % block.shape[1]]] for block in blocks])
+            self.cells = self._elements()  # corners first, then VTK's order of Lagrange cells
+        else:
+            self.cells = blocks[0]  # in that order already
+            self.degree = int(round(np.sqrt(self.cells.shape[1]))) - 1
+            self._quadrilaterals = self._cut()
+
+    def __getitem__(self, name):
+        return self.data[name]
+
+    def lattice(self):
+        """Place of the point (i, j) of a cell among its points."""
+        return _lattice(self.degree)
+
+    def quadrilaterals(self):
+        """The cells cut into quadrilaterals between all their points."""
+        return self._quadrilaterals
+
+    def triangles(self):
+        """The cells cut into triangles between all their points."""
+        quads = self.quadrilaterals()
+        return np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
+
+    def _cut(self):
+        """The quadrilaterals of Lagrange cells."""
+        n = self.degree + 1
+        grid = self.lattice()
+        quads = [(grid[i, j], grid[i + 1, j], grid[i + 1, j + 1], grid[i, j + 1])
+                 for i in range(n - 1) for j in range(n - 1)]
+        return np.concatenate([self.cells[:, quad] for quad in quads])
+
+    def _elements(self):
+        """The points of each element, whose quadrilaterals follow each other in the file, the first index fastest."""
+        n = self.degree
+        pieces = self._quadrilaterals.reshape(-1, n, n, 4).swapaxes(1, 2)
+        points = np.empty((len(pieces), n + 1, n + 1), dtype=int)
+        points[:, :n, :n] = pieces[:, :, :, 0]
+        points[:, n, :n] = pieces[:, -1, :, 1]
+        points[:, n, n] = pieces[:, -1, -1, 2]
+        points[:, :n, n] = pieces[:, :, -1, 3]
+        cells = np.empty((len(pieces), (n + 1)**2), dtype=int)
+        cells[:, self.lattice()] = points
+        return cells
+
+
+def _lattice(degree):
+    """Place in VTK's numbering of a Lagrange quadrilateral of the point (i, j) of its lattice."""
+    n, inner = degree, degree - 1
+    place = np.empty((n + 1, n + 1), dtype=int)
+    place[0, 0], place[n, 0], place[n, n], place[0, n] = range(4)
+    for k in range(inner):
+        place[k + 1, 0] = 4 + k
+        place[n, k + 1] = 4 + inner + k
+        place[k + 1, n] = 4 + 2 * inner + k
+        place[0, k + 1] = 4 + 3 * inner + k
+        for m in range(inner):
+            place[k + 1, m + 1] = 4 + 4 * inner + k + inner * m
+    return place
+
+
+class Run:
+    """The files of one run. Tables are {column: (steps,) array, or list of words}, as pandas.DataFrame takes them. Raises
+    FileNotFoundError for what the run has not written."""
+
+    def __init__(self, path):
+        self.path = pathlib.Path(path)
+        self.history = read_csv(self.path / "history.csv")
+
+    def probe_names(self):
+        return sorted(file.stem[len("probe-"):] for file in self.path.glob("probe-*.csv"))
+
+    def probe(self, name):
+        return read_csv(self.path / f"probe-{name}.csv")
+
+    @functools.cached_property
+    def timing(self):
+        return read_csv(self.path / "timing.csv")
+
+    @functools.cached_property
+    def checks(self):
+        """Independent checks of every step; {} for a run that wrote none."""
+        file = self.path / "checks.csv"
+        return read_csv(file) if file.exists() else {}
+
+    @functools.cached_property
+    def cycles(self):
+        """One row a cycle, or one for several that were jumped; {} before the first cycle has ended."""
+        file = self.path / "cycles.csv"
+        return read_csv(file) if file.exists() else {}
+
+    @functools.cached_property
+    def summary(self):
+        """What summary.json has."""
+        return json.loads((self.path / "summary.json").read_text())
+
+    @functools.cached_property
+    def parameters(self):
+        """{section: {entry: text}} of the complete parameter file."""
+        sections, current = {}, None
+        for line in (self.path / "parameters.prm").read_text().splitlines():
+            if match := re.match(r"\s*subsection (.+)", line):
+                current = sections.setdefault(match[1].strip(), {})
+            elif match := re.match(r"\s*set (.+?)\s*=\s*(.*)", line):
+                current[match[1]] = match[2].strip()
+        return sections
+
+    def contact_steps(self, kind="contact"):
+        """Numbers of the steps that have a contact file. `kind` is the beginning of the names of these files."""
+        return sorted(int(file.stem.rsplit("-", 1)[1]) for file in self.path.glob(f"{kind}-[0-9]*.vtu"))
+
+    def contact(self, step, kind="contact"):
+        """The fields of a step, ContactFile."""
+        return ContactFile(self.path / f"{kind}-{step:04d}.vtu")

@@ -1,0 +1,172 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "fclib_form.h"
+#include "hdf5_file.h"
+
+#include <orthocone/base/errors.h>
+#include <orthocone/problems/problem_file.h>
+
+extern "C"
+{
+#include <fclib.h>
+}
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+#include <stdexcept>
+
+namespace orthocone
+{
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace
+{
+/// Rows of a full matrix whose entries FCLIB can count.
+constexpr Index most_rows = 46000;
+
+/// A full matrix as FCLIB's library has it, by columns, since its measure of error knows no other.
+class FclibMatrix
+{
+public:
+  explicit FclibMatrix(MatrixXd matrix)
+      : values_(std::move(matrix))
+  {
+    const auto m = static_cast<int>(values_.rows()), n = static_cast<int>(values_.cols());
+    for (int column = 0; column <= n; ++column)
+      begins_.push_back(m * column);
+    for (int entry = 0; entry < m * n; ++entry)
+      rows_.push_back(entry % m);
+    view_ = {m * n, m, n, begins_.data(), rows_.data(), values_.data(), -1, nullptr};
+  }
+  FclibMatrix(const FclibMatrix &) = delete;
+  FclibMatrix &operator=(const FclibMatrix &) = delete;
+
+  fclib_matrix *view() { return &view_; }
+
+private:
+  MatrixXd values_;
+  std::vector<int> begins_, rows_;
+  fclib_matrix view_{};
+};
+
+/// A problem and its solution in FCLIB's form.
+class FclibProblem
+{
+public:
+  FclibProblem(const ContactProblem &problem, const ProblemSolution &solution)
+      : scale_(problem.laws),
+        w_(scale_.displacement.asDiagonal() * problem.w * scale_.force.asDiagonal()),
+        v_(scale_.displacement.asDiagonal() * problem.face),
+        r_(MatrixXd::Zero(problem.face.cols(), problem.face.cols())),
+        q_(scale_.displacement.cwiseProduct(problem.q)),
+        s_(-problem.balance),
+        title_(problem.title),
+        force_(solution.force.cwiseQuotient(scale_.force)),
+        displacement_(solution.displacement.cwiseProduct(scale_.displacement)),
+        motions_(solution.motions)
+  {
+    const bool has_face = problem.face.cols() > 0;
+    if (has_face && !scale_.is_symmetric())
+      throw std::invalid_argument("a face that forces drive beside a slip rule that is not associated has no "
+                                  "form in FCLIB");
+    info_ = {title_.data(), description_.data(), math_info_.data()};
+    local_ = {w_.view(),
+              has_face ? v_.view() : nullptr,
+              has_face ? r_.view() : nullptr,
+              scale_.mu.data(),
+              q_.data(),
+              has_face ? s_.data() : nullptr,
+              3,
+              &info_};
+    solution_ = {nullptr, displacement_.data(), force_.data(), has_face ? motions_.data() : nullptr};
+  }
+
+  fclib_local *local() { return &local_; }
+  fclib_solution *solution() { return &solution_; }
+
+private:
+  FclibScale scale_;
+  FclibMatrix w_, v_, r_;
+  VectorXd q_, s_;
+  std::string title_;
+  std::string description_ =
+      "Units N and mm. Local axes: normal, x, y. Group orthocone: mu and p of the nodes, two "
+      "numbers each. Where they are not one coefficient, the problem is in the scale in "
+      "which it is.";
+  std::string math_info_ = "W is symmetric and positive definite where slip is associated.";
+  VectorXd force_, displacement_, motions_;
+  fclib_info info_{};
+  fclib_local local_{};
+  fclib_solution solution_{};
+};
+
+void write_laws(const std::vector<OrthotropicFriction> &laws, const std::string &name)
+{
+  VectorXd mu(2 * laws.size()), p(2 * laws.size());
+  Index i = 0;
+  for (const OrthotropicFriction &law : laws)
+  {
+    mu.segment<2>(i) << law.mu_x, law.mu_y;
+    p.segment<2>(i) << law.p_x, law.p_y;
+    i += 2;
+  }
+  Hdf5File file(name, Hdf5File::Access::extend);
+  file.make_group("/orthocone");
+  file.write("/orthocone/mu", mu);
+  file.write("/orthocone/p", p);
+  file.close();
+}
+
+[[noreturn]] void fail(const std::string &file, const std::string &why)
+{
+  throw FileError("'" + file + "' cannot be written: " + why);
+}
+
+/// FCLIB ends the program where it cannot write: it is asked only where a file can be made and has room.
+void check_room(const std::string &part, const std::string &file, const double n_values)
+{
+  constexpr double bytes_of_value = sizeof(double) + sizeof(int), bytes_of_names = 1e5;
+  if (!std::ofstream(part))
+    fail(file, std::strerror(errno));
+  std::error_code error;
+  const auto space = std::filesystem::space(part, error);
+  std::error_code ignored;
+  std::filesystem::remove(part, ignored); // FCLIB wants to make it
+  if (error)
+    fail(file, error.message());
+  if (static_cast<double>(space.available) < n_values * bytes_of_value + bytes_of_names)
+    fail(file, "too little room on the disk");
+}
+} // namespace
+
+void write_problem(const ContactProblem &problem, const ProblemSolution &solution, const std::string &file)
+{
+  const std::string part = file + ".part";
+  const auto n = static_cast<double>(problem.q.size());
+  if (problem.q.size() > most_rows)
+    fail(file, "FCLIB counts no more than 2^31 entries of W");
+  check_room(part, file, n * (n + static_cast<double>(problem.face.cols()) + 4));
+  FclibProblem fclib(problem, solution);
+  if (fclib_write_local(fclib.local(), part.c_str()) != 1 ||
+      fclib_write_solution(fclib.solution(), part.c_str()) != 1)
+    fail(file, "FCLIB refuses");
+  write_laws(problem.laws, part);
+  std::error_code error;
+  std::filesystem::rename(part, file, error);
+  if (error)
+    fail(file, error.message());
+}
+
+double fclib_error(const ContactProblem &problem, const ProblemSolution &solution)
+{
+  if (problem.q.size() > most_rows)
+    return std::numeric_limits<double>::quiet_NaN();
+  FclibProblem fclib(problem, solution);
+  return fclib_merit_local(fclib.local(), MERIT_1, fclib.solution());
+}
+} // namespace orthocone

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <Eigen/Dense>
+
+#include <string>
+#include <vector>
+
+namespace orthocone
+{
+/// Arrays of numbers in an HDF5 file. What cannot be read or written throws FileError with the name of the
+/// file and of the array.
+class Hdf5File
+{
+public:
+  enum class Access
+  {
+    read,
+    extend,
+  };
+
+  Hdf5File(std::string name, Access access);
+  ~Hdf5File();
+  Hdf5File(const Hdf5File &) = delete;
+  Hdf5File &operator=(const Hdf5File &) = delete;
+
+  /// Whether there is such a group or array; all groups on the path may be missing.
+  bool has(const std::string &path) const;
+
+  std::vector<int> integers(const std::string &path) const;
+  Eigen::VectorXd numbers(const std::string &path) const;
+
+  /// The single integer of an array.
+  int integer(const std::string &path) const;
+
+  void make_group(const std::string &path);
+  void write(const std::string &path, const Eigen::VectorXd &values);
+
+  /// Until then what is written may not be on the disk.
+  void close();
+
+  [[noreturn]] void fail(const std::string &what) const;
+
+private:
+  std::string name_;
+  long long id_ = -1;
+};
+} // namespace orthocone

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "solve_command.h"
+
+#include <iostream>
+
+int main(const int n_arguments, const char *const *const arguments)
+{
+  return orthocone::solve_command({arguments + 1, arguments + n_arguments}, std::cout, std::cerr);
+}

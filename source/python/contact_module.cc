@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// The contact column for Python, on NumPy's memory. python/orthocone/contact.py checks and documents; here
+// shapes are right already. Laws are rows (mu_x, mu_y, p_x, p_y), one a node.
+#include <orthocone/contact/solvers/contact_method.h>
+#include <orthocone/contact/solvers/contact_solver.h>
+
+#include <pybind11/numpy.h>
+#include <pybind11/pybind11.h>
+
+namespace py = pybind11;
+
+namespace
+{
+using namespace orthocone;
+using Eigen::Index;
+using Array = py::array_t<double, py::array::c_style>;
+using Laws = std::vector<OrthotropicFriction>;
+
+DenseView matrix_view(const py::array_t<double> &w)
+{
+  return {w.data(), w.shape(0), w.shape(1)}; // symmetric: either order of its entries is the same
+}
+
+Eigen::Map<const Eigen::VectorXd> vector_view(const Array &array)
+{
+  return {array.data(), array.size()};
+}
+
+Laws to_laws(const Array &rows)
+{
+  Laws laws;
+  for (Index i = 0; i < rows.shape(0); ++i)
+    laws.push_back({rows.at(i, 0), rows.at(i, 1), rows.at(i, 2), rows.at(i, 3)});
+  return laws;
+}
+
+/// The vector itself as an array of so many columns: NumPy frees it.
+Array to_rows(Eigen::VectorXd vector, const Index n_columns)
+{
+  auto owner = std::make_unique<Eigen::VectorXd>(std::move(vector));
+  double *const data = owner->data();
+  const Index n_rows = owner->size() / n_columns;
+  const py::capsule free(owner.release(),
+                         [](void *const pointer) { delete static_cast<Eigen::VectorXd *>(pointer); });
+  return Array({n_rows, n_columns}, data, free);
+}
+
+/// What `function` makes of every row of `in` and its law, in rows of n_out numbers.
+template<int n_in, int n_out, typename Function>
+Array for_each_node(const Array &in, const Array &rows, const Function &function)
+{
+  const Laws laws = to_laws(rows);
+  Eigen::VectorXd out(n_out * in.shape(0));
+  for (Index i = 0; i < in.shape(0); ++i)
+    out.segment<n_out>(n_out * i) =
+        function(laws[i], Eigen::Map<const Eigen::Matrix<double, n_in, 1>>(in.data(i, 0)));
+  return to_rows(std::move(out), n_out);
+}
+
+using Vector1 = Eigen::Matrix<double, 1, 1>;
+
+void add_laws(py::module_ &m)
+{
+  m.def("project",
+        [](const Array &force, const Array &laws) {
+          return for_each_node<3, 3>(force, laws,
+                                     [](const auto &law, const auto &r) { return project(law, r); });
+        });
+  m.def("modified_displacement",
+        [](const Array &d, const Array &laws)
+        {
+          return for_each_node<3, 3>(
+              d, laws, [](const auto &law, const auto &v) { return modified_displacement(law, v); });
+        });
+  m.def("friction_norm",
+        [](const Array &force, const Array &laws)
+        {
+          return for_each_node<2, 1>(force, laws,
+                                     [](const auto &law, const auto &r)
+                                     { return Vector1(friction_norm(law, r[0], r[1])); });
+        });
+  m.def("dual_norm",
+        [](const Array &slip, const Array &laws)
+        {
+          return for_each_node<2, 1>(
+              slip, laws, [](const auto &law, const auto &v) { return Vector1(dual_norm(law, v[0], v[1])); });
+        });
+  m.def("slip_direction",
+        [](const Array &force, const Array &laws)
+        {
+          return for_each_node<2, 2>(
+              force, laws, [](const auto &law, const auto &r) { return slip_direction(law, r[0], r[1]); });
+        });
+  m.def("sliding_traction",
+        [](const Array &slip, const Array &laws)
+        {
+          return for_each_node<2, 2>(
+              slip, laws, [](const auto &law, const auto &v) { return sliding_traction(law, v[0], v[1]); });
+        });
+}
+
+/// Largest |w_ij - w_ji| / sqrt(w_ii w_jj); entries that are no numbers, or a diagonal that is not positive,
+/// make it NaN.
+double asymmetry(const py::array_t<double> &array)
+{
+  const DenseView w = matrix_view(array);
+  const Eigen::VectorXd scale = w.diagonal().cwiseSqrt().cwiseInverse();
+  double largest = 0;
+  for (Index j = 0; j < w.cols(); ++j)
+    for (Index i = 0; i <= j; ++i)
+    {
+      const double difference = std::abs(w(i, j) - w(j, i)) * scale[i] * scale[j];
+      if (!(difference <= largest))
+        largest = difference;
+      if (std::isnan(largest))
+        return largest;
+    }
+  return largest;
+}
+
+Array to_array(const Trace &trace)
+{
+  Eigen::VectorXd rows(4 * trace.points().size());
+  Index i = 0;
+  for (const TracePoint &point : trace.points())
+    rows.segment<4>(4 * i++) << point.iterations, point.residual, point.force, point.seconds;
+  return to_rows(std::move(rows), 4);
+}
+
+py::dict to_dict(const SolverReport &report)
+{
+  py::dict law;
+  law["penetration"] = report.law.penetration;
+  law["complementarity"] = report.law.complementarity;
+  law["friction_cone"] = report.law.friction_cone;
+  law["slip_rule"] = report.law.slip_rule;
+  py::dict result;
+  result["converged"] = report.converged;
+  result["iterations"] = report.iterations;
+  result["residual"] = report.residual;
+  result["worst_node"] = report.worst_node;
+  result["verdict"] = to_word(report.verdict);
+  result["law_errors"] = law;
+  result["trace"] = to_array(report.trace);
+  return result;
+}
+
+/// (force, displacement, status, report).
+py::tuple solve(const py::array_t<double> &w, const Array &q, const Array &laws, const Array &start,
+                const ContactSolverOptions &options)
+{
+  Eigen::VectorXd force = vector_view(start);
+  Eigen::VectorXd displacement, status(force.size() / 3);
+  SolverReport report;
+  const DenseCompliance compliance(matrix_view(w));
+  {
+    const py::gil_scoped_release release;
+    const ContactSystem system(compliance, to_laws(laws));
+    const ContactStep step(system, vector_view(q));
+    report = make_contact_solver(system, options)->solve(step, force);
+    displacement = step.displacement(force);
+    const auto statuses = step.statuses(force, displacement);
+    for (Index node = 0; node < step.n_nodes(); ++node)
+      status[node] = static_cast<int>(statuses[node]);
+  }
+  return py::make_tuple(to_rows(std::move(force), 3), to_rows(std::move(displacement), 3),
+                        to_rows(std::move(status), 1), to_dict(report));
+}
+} // namespace
+
+PYBIND11_MODULE(_contact, m)
+{
+  add_laws(m);
+  m.def("asymmetry", asymmetry);
+  m.def("methods",
+        []
+        {
+          py::dict words;
+          for (const ContactMethod &method : contact_methods())
+            words[py::str(std::string(method.word))] = std::string(method.help);
+          return words;
+        });
+  m.def("solve",
+        [](const py::array_t<double> &w, const Array &q, const Array &laws, const Array &start,
+           const std::string &method, const double tolerance, const unsigned int maximum_iterations)
+        {
+          ContactSolverOptions options;
+          options.method = method;
+          options.tolerance = tolerance;
+          options.maximum_iterations = maximum_iterations;
+          return solve(w, q, laws, start, options);
+        });
+}

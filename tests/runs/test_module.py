@@ -1,0 +1,182 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""The Python module: laws and solvers have the properties that mathematics gives them, and bad input is an exception.
+
+Usage: test_module.py PROGRAM [unittest options]"""
+import subprocess
+import sys
+import unittest
+
+import numpy as np
+from hypothesis import given, settings
+from hypothesis import strategies as some
+from python_module import BUILT, row_of_nodes
+
+import orthocone
+from orthocone import Status, solve
+
+wide = some.floats(-3, 3).map(lambda power: 10**power)
+laws = some.tuples(wide, wide)
+vectors = some.tuples(*3 * [some.floats(-1e3, 1e3)]).map(np.array)
+slips = some.floats(0, 2 * np.pi).map(lambda angle: np.array([np.cos(angle), np.sin(angle)]))
+# Friction with which Newton's method need not search long, and every problem has one solution.
+mild = some.tuples(some.floats(0.02, 0.4), some.floats(0.02, 0.4))
+seeds = some.integers(0, 10**6)
+quick = settings(deadline=None, max_examples=40, derandomize=True)
+many = settings(deadline=None, max_examples=300, derandomize=True)
+
+
+class LawTest(unittest.TestCase):
+    def assert_small(self, value, scale, precision=1e-12):
+        self.assertLessEqual(abs(value), precision * scale)
+
+    @many
+    @given(vectors, laws)
+    def test_moreau(self, tau, mu):
+        """tau is the sum of two orthogonal parts, one in the cone, one in its polar. A cone a thousand times flatter than
+        its normal is long is known to that many digits less."""
+        inside = orthocone.project(tau, mu)
+        rest = tau - inside
+        size, steep = np.linalg.norm(tau), max(1, *mu, *np.reciprocal(mu))
+        self.assert_small(inside @ rest, size**2, 1e-13 * steep)
+        self.assertLessEqual(orthocone.friction_norm(inside[1:], mu) - inside[0], 1e-13 * steep * size)
+        self.assertLessEqual(rest[0] + orthocone.dual_norm(rest[1:], mu), 1e-13 * steep * size)
+
+    @many
+    @given(vectors, vectors, laws)
+    def test_monotone(self, first, second, mu):
+        """A projection is firmly non-expansive."""
+        moved = orthocone.project(first, mu) - orthocone.project(second, mu)
+        scale = max(np.linalg.norm(first), np.linalg.norm(second))
+        self.assertGreaterEqual(moved @ (first - second) - moved @ moved, -1e-10 * scale**2)
+
+    @many
+    @given(vectors, laws, wide)
+    def test_projection_in_other_units(self, tau, mu, factor):
+        self.assert_small(np.linalg.norm(orthocone.project(factor * tau, mu) - factor * orthocone.project(tau, mu)),
+                          factor * np.linalg.norm(tau), 1e-11)
+
+    @many
+    @given(slips, laws, laws)
+    def test_slip_rule_both_ways(self, slip, mu, p):
+        """The traction of a slip lies on the friction ellipse, and slips along it."""
+        traction = orthocone.sliding_traction(slip, mu, p)
+        self.assertAlmostEqual(orthocone.friction_norm(traction, mu), 1, delta=1e-12)
+        self.assertLessEqual(traction @ slip, 0)
+        direction = orthocone.slip_direction(traction, p)
+        self.assert_small(np.linalg.norm(direction / np.linalg.norm(direction) - slip), 1, 1e-10)
+
+    @many
+    @given(slips, laws)
+    def test_associated_rule_dissipates_most(self, slip, mu):
+        """Support function of the friction ellipse."""
+        self.assertAlmostEqual(-(orthocone.sliding_traction(slip, mu) @ slip) / orthocone.dual_norm(slip, mu), 1, delta=1e-12)
+
+
+class SolveTest(unittest.TestCase):
+    def assert_near(self, first, second, scale, precision=1e-7):
+        self.assertLessEqual(np.abs(first - second).max(), precision * scale)
+
+    @quick
+    @given(seeds, mild, laws)
+    def test_solution_is_a_fixed_point(self, seed, mu, p):
+        W, q = row_of_nodes(6, seed)
+        p = np.array(p) ** 0.3 * mu  # slip ellipses up to eight times longer or shorter than friction
+        solution = solve(W, q, mu, p)
+        r, d = solution.force, solution.displacement
+        self.assert_near(d, q + (W @ r.ravel()).reshape(-1, 3), np.abs(q).max(), 1e-12)
+        normal_length = p / np.max(p / mu)
+        g = orthocone.modified_displacement(d, mu, normal_length)
+        self.assert_near(r, orthocone.project(r - 0.5 * g, mu), np.abs(r).max(), 1e-8)
+        self.assertTrue((d[solution.status == Status.STICK, 1:] < 1e-8).all())
+        self.assertTrue((r[solution.status == Status.OPEN] == 0).all())
+
+    @quick
+    @given(seeds, mild)
+    def test_scaling_map(self, seed, mu):
+        """D = diag(1, mu_x, mu_y) makes the friction ellipse of an associated law a circle of radius 1."""
+        W, q = row_of_nodes(6, seed)
+        D = np.tile([1, *mu], 6)
+        forces = solve(W, q, mu).force
+        scaled = solve(D[:, None] * W * D, D * q.ravel(), 1.).force
+        self.assert_near(forces.ravel(), D * scaled.ravel(), np.abs(forces).max())
+
+    @quick
+    @given(seeds, mild, some.permutations(range(6)))
+    def test_order_of_nodes(self, seed, mu, order):
+        W, q = row_of_nodes(6, seed)
+        places = (3 * np.array(order)[:, None] + range(3)).ravel()
+        mus = np.multiply.outer(np.linspace(0.5, 1, 6), mu)
+        forces = solve(W, q, mus).force
+        self.assert_near(solve(W[np.ix_(places, places)], q[order], mus[order]).force, forces[order], np.abs(forces).max())
+
+    @quick
+    @given(seeds, mild, wide, wide, some.sampled_from(list(orthocone.methods())[:2]))
+    def test_units(self, seed, mu, force, length, method):
+        W, q = row_of_nodes(4, seed)
+        one = solve(W, q, mu, (0.2, 0.1), method=method)
+        other = solve(length / force * W, length * q, mu, (0.2, 0.1), method=method)
+        self.assert_near(other.force / force, one.force, np.abs(one.force).max())
+        self.assertEqual(other.status.tolist(), one.status.tolist())
+
+    def test_start_from_the_solution(self):
+        W, q = row_of_nodes(8, 1)
+        forces = solve(W, q, 0.3).force
+        self.assertEqual(solve(W, q, 0.3, start=forces).report.iterations, 0)
+
+    def test_without_friction(self):
+        W, q = row_of_nodes(8, 1)
+        solution = solve(W, q, 0.)
+        self.assertEqual(np.abs(solution.force[:, 1:]).max(), 0)
+        self.assertLess(np.abs(solution.force[:, 0] * solution.displacement[:, 0]).max(), 1e-9)
+
+    def test_failure_has_what_there_is(self):
+        W, q = row_of_nodes(8, 1)
+        with self.assertRaisesRegex(orthocone.NotConverged, "uzawa: slow, residual .* after 3 iterations") as caught:
+            solve(W, q, 0.3, method="uzawa", maximum_iterations=3)
+        self.assertEqual(caught.exception.solution.force.shape, (8, 3))
+        self.assertEqual(caught.exception.solution.report.trace.shape[1], 4)
+
+    def test_bad_input(self):
+        W, q = row_of_nodes(3, 1)
+        holed, tilted = W.copy(), W.copy()
+        holed[0, 3], tilted[0, 3] = np.nan, 2 * W[0, 3]
+        for words, arguments in (("W has the shape", (W[:8, :8], q, 0.3)), ("W has the shape", (W[:0, :0], q, 0.3)),
+                                 ("W has entries", (holed, q, 0.3)), ("W has entries", (-W, q, 0.3)),
+                                 ("W is not symmetric", (tilted, q, 0.3)), ("q has the shape", (W, q[:2], 0.3)),
+                                 ("q has entries", (W, np.inf * q, 0.3)), ("mu has the shape", (W, q, [1, 2, 3])),
+                                 ("mu: allowed", (W, q, -0.3)), ("mu: allowed", (W, q, (0.3, 0))),
+                                 ("p: allowed", (W, q, 0.3, 0.)), ("p: allowed", (W, q, 0.3, np.nan)),
+                                 ("could not convert", (W, q, "much"))):
+            with self.subTest(words), self.assertRaisesRegex(ValueError, words):
+                solve(*arguments)
+        for words, options in (("method = 'best': allowed is newton, ", {"method": "best"}),
+                               ("tolerance", {"tolerance": 0}), ("maximum_iterations", {"maximum_iterations": 0}),
+                               ("start has the shape", {"start": q[:1]})):
+            with self.subTest(words), self.assertRaisesRegex(ValueError, words):
+                solve(W, q, 0.3, **options)
+
+    def test_matrix_is_not_copied(self):
+        """The memory of a process that solves by sweeps, which need the matrix alone."""
+        code = """import numpy as np, orthocone
+def peak():
+    return [int(line.split()[1]) for line in open('/proc/self/status') if line.startswith('VmHWM')][0]
+n = 900
+W = np.full((3 * n, 3 * n), 1e-3)
+W[np.diag_indices(3 * n)] = 10
+orthocone.solve(W[:30, :30].copy(), np.full((10, 3), -1.), 0.3, method='gauss-seidel')
+before = peak()
+orthocone.solve(W, np.full((n, 3), -1.), 0.3, method='gauss-seidel', tolerance=1e-3)
+assert 1024 * (peak() - before) < 0.3 * W.nbytes, (peak() - before, W.nbytes)"""
+        result = subprocess.run([sys.executable, "-B", "-c", code], env={"PYTHONPATH": str(BUILT), "OPENBLAS_NUM_THREADS": "1"},
+                                capture_output=True, text=True, check=False)
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+
+    def test_everything_is_documented(self):
+        for name in orthocone.__all__:
+            self.assertTrue(getattr(orthocone, name).__doc__, name)
+
+
+if __name__ == "__main__":
+    del sys.argv[1]
+    unittest.main()

@@ -1,0 +1,228 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""orthocone-solve: problems that FCLIB's library writes are solved, and those written are what it says of them.
+
+Usage: test_problems.py PROGRAM [unittest options]"""
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+import numpy as np
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+import fclib_files  # noqa: E402
+
+SOLVE = pathlib.Path(sys.argv[1]).resolve().parent / "orthocone-solve"
+DONE, WRONG_INPUT, UNSOLVED, FILE_ERROR = 0, 2, 3, 4
+
+
+def row_of_nodes(n):
+    """W and q of n nodes that feel each other; pressed and pushed to all sides, some lifted."""
+    near = np.exp(-0.7 * np.abs(np.subtract.outer(np.arange(n), np.arange(n))))
+    block = np.array([[1, 0.1, -0.05], [0.1, 1.3, 0.1], [-0.05, 0.1, 1.2]])
+    return np.kron(near, block), np.random.default_rng(1).uniform([-1, -0.4, -0.4], [0.3, 0.4, 0.4], (n, 3)).ravel()
+
+
+def rigid_block(n):
+    """A rigid block of mass 1 on n x n contacts, many more than its six degrees of freedom: W has rank 6. It falls, slides
+    and turns."""
+    x, y = (c.ravel() for c in np.meshgrid(*2 * [np.linspace(-1, 1, n)]))
+    H = np.zeros((3 * n * n, 6))  # velocities (normal, x, y) by (v_x, v_y, v_z, turns about x, y, z)
+    H[0::3, 2], H[0::3, 3], H[0::3, 4] = 1, y, -x
+    H[1::3, 0], H[1::3, 4], H[1::3, 5] = 1, 0.5 * -1, -y
+    H[2::3, 1], H[2::3, 3], H[2::3, 5] = 1, 0.5, x
+    W = H @ np.diag([1, 1, 1, 3, 3, 2]) @ H.T
+    return W, H @ [0.3, 0.1, -1, 0.1, 0.05, 0.2]
+
+
+class ProblemTest(unittest.TestCase):
+    def setUp(self):
+        folder = tempfile.TemporaryDirectory()
+        self.addCleanup(folder.cleanup)
+        self.folder = pathlib.Path(folder.name)
+        if fclib_files.library() is None:
+            self.skipTest("FCLIB is not there")
+
+    def solve(self, name, *options):
+        return subprocess.run([SOLVE, self.folder / name, *options], text=True, capture_output=True, timeout=120, check=False)
+
+    def row(self, name, *options, code=DONE):
+        result = self.solve(name, "--csv", *options)
+        self.assertEqual((result.returncode, result.stderr), (code, ""))
+        names, values = result.stdout.splitlines()
+        return dict(zip(names.split(","), values.split(",")))
+
+    def test_every_kind_of_matrix(self):
+        """The forces are the same, and FCLIB has nothing to say against them."""
+        W, q = row_of_nodes(6)
+        forces = []
+        for kind in ("columns", "rows", "triplets"):
+            fclib_files.write(self.folder / kind, W, q, np.linspace(0.1, 0.6, 6), kind)
+            row = self.row(kind, "--write", self.folder / f"{kind}.solved")
+            self.assertLess(float(row["residual"]), 1e-10)
+            read = fclib_files.Read(self.folder / f"{kind}.solved")
+            self.assertLess(read.error, 1e-9)
+            np.testing.assert_allclose(read.W, W, atol=1e-15)
+            np.testing.assert_array_equal(read.mu, np.linspace(0.1, 0.6, 6))
+            np.testing.assert_allclose(read.u, q + W @ read.r, atol=1e-12)
+            forces.append(read.r)
+        np.testing.assert_array_equal(forces[0], forces[1])
+        np.testing.assert_array_equal(forces[0], forces[2])
+
+    def test_methods_agree(self):
+        W, q = row_of_nodes(6)
+        fclib_files.write(self.folder / "problem", W, q, np.full(6, 0.3))
+        forces = {}
+        for method in ("newton", "gauss-seidel", "uzawa"):
+            self.row("problem", "--method", method, "--write", self.folder / method)
+            forces[method] = fclib_files.Read(self.folder / method).r
+        for method, force in forces.items():
+            np.testing.assert_allclose(force, forces["newton"], atol=1e-8 * np.abs(force).max(), err_msg=method)
+
+    def test_scaled_form_of_other_laws(self):
+        """What FCLIB reads is W' = D C W D with mu = 1, and its measure judges the law that it does not know."""
+        W, q = row_of_nodes(6)
+        fclib_files.write(self.folder / "problem", W, q, np.full(6, 0.3))
+        for friction, slip in (("0.3,0.15", "0.3,0.15"), ("0.3,0.15", "0.05,0.2"), ("0.3,0.3", "0.1,0.2")):
+            with self.subTest(friction=friction, slip=slip):
+                self.row("problem", "--friction", friction, "--slip", slip, "--write", self.folder / "written")
+                mu, p = (np.array(list(map(float, pair.split(",")))) for pair in (friction, slip))
+                D = np.tile([1, *mu], 6)
+                C = np.tile([1, *(p / mu / (p / mu).max())**2], 6)
+                read = fclib_files.Read(self.folder / "written")
+                np.testing.assert_array_equal(read.mu, np.ones(6))
+                np.testing.assert_allclose(read.W, (D * C)[:, None] * W * D, rtol=1e-13)
+                np.testing.assert_allclose(read.q, D * C * q, rtol=1e-13)
+                np.testing.assert_allclose(read.u, read.q + read.W @ read.r, atol=1e-12)
+                self.assertLess(read.error, 1e-9)
+                self.row("written", "--write", self.folder / "again")
+                again = fclib_files.Read(self.folder / "again")
+                np.testing.assert_allclose(again.r, read.r, atol=1e-9 * np.abs(read.r).max())
+                np.testing.assert_allclose(again.W, read.W, rtol=1e-13, atol=1e-16)
+
+    def test_siconos_finds_the_same_forces(self):
+        """Where it is installed. Of laws that it does not know it solves the scaled form, unsymmetric as it may be."""
+        try:
+            import siconos.numerics as siconos
+        except ImportError:
+            self.skipTest("no Siconos")
+        W, q = row_of_nodes(6)
+        fclib_files.write(self.folder / "problem", W, q, np.full(6, 0.3))
+        for law in ([], ["--friction=0.3,0.15"], ["--friction=0.3,0.15", "--slip=0.05,0.2"]):
+            with self.subTest(law):
+                self.row("problem", "--tolerance=1e-12", "--write", self.folder / "written", *law)
+                ours = fclib_files.Read(self.folder / "written")
+                options = siconos.SolverOptions(siconos.SICONOS_FRICTION_3D_NSGS)
+                options.dparam[siconos.SICONOS_DPARAM_TOL] = 1e-13
+                options.iparam[siconos.SICONOS_IPARAM_MAX_ITER] = 10000
+                force, velocity = np.zeros(18), np.zeros(18)
+                problem = siconos.FrictionContactProblem(3, 6, ours.W, ours.q, ours.mu)
+                self.assertEqual(siconos.fc3d_driver(problem, force, velocity, options), 0)
+                np.testing.assert_allclose(force, ours.r, atol=1e-8)
+
+    def test_without_friction(self):
+        W, q = row_of_nodes(4)
+        fclib_files.write(self.folder / "problem", W, q, np.zeros(4))
+        self.row("problem", "--write", self.folder / "written")
+        read = fclib_files.Read(self.folder / "written")
+        self.assertEqual(np.abs(read.r.reshape(-1, 3)[:, 1:]).max(), 0)
+
+    def test_rigid_body(self):
+        """Forces of more contacts than degrees of freedom are not unique; that they obey the law is."""
+        W, q = rigid_block(4)
+        self.assertEqual(np.linalg.matrix_rank(W), 6)
+        fclib_files.write(self.folder / "problem", W, q, np.full(16, 0.4))
+        row = self.row("problem", "--write", self.folder / "written")
+        self.assertLess(float(row["fclib_error"]), 1e-8)
+
+    def test_constraints(self):
+        """With R they are eliminated, without they are a face that moves until the forces balance."""
+        W, q = row_of_nodes(4)
+        V = np.tile([[1.], [0], [0]], (4, 1))
+        s = np.array([-3.])
+        fclib_files.write(self.folder / "face", W, q, np.full(4, 0.3), V=V, R=np.zeros((1, 1)), s=s)
+        row = self.row("face", "--write", self.folder / "written")
+        self.assertEqual(row["constraints"], "1")
+        read = fclib_files.Read(self.folder / "written")
+        self.assertAlmostEqual(read.r[0::3].sum(), 3, delta=1e-8)
+        fclib_files.write(self.folder / "soft", W, q, np.full(4, 0.3), V=V, R=[[-2.]], s=s)
+        row = self.row("soft", "--write", self.folder / "eliminated")
+        self.assertEqual(row["constraints"], "0")
+        r = fclib_files.Read(self.folder / "eliminated").r
+        multiplier = (V.T @ r + s) / 2
+        u = W @ r + V @ multiplier + q
+        self.assertLess(np.abs(np.minimum(u[0::3], r[0::3])).max(), 1e-8)
+
+    def test_not_converged(self):
+        W, q = row_of_nodes(6)
+        fclib_files.write(self.folder / "problem", W, q, np.full(6, 0.3))
+        self.assertEqual(self.row("problem", "--method=uzawa", "--iterations=3", code=UNSOLVED)["verdict"], "slow")
+
+    def assert_error(self, result, code, expression):
+        self.assertEqual(result.returncode, code, result.stderr)
+        self.assertRegex(result.stderr, rf"\Aorthocone-solve: .*{expression}.*\n\Z")
+        self.assertEqual(result.stdout, "")
+
+    def test_bad_files(self):
+        W, q = row_of_nodes(4)
+        mu = np.full(4, 0.3)
+        fclib_files.write(self.folder / "good", W, q, mu)
+        whole = (self.folder / "good").read_bytes()
+        tilted = W.copy()
+        tilted[0, 5] *= 1.1
+        (self.folder / "text").write_text("not HDF5")
+        (self.folder / "cut").write_bytes(whole[:len(whole) // 2])
+        (self.folder / "foreign").write_bytes(whole.replace(b"fclib_local", b"other_local"))
+        (self.folder / "nameless").write_bytes(whole.replace(b"vectors", b"vektors"))
+        fclib_files.write(self.folder / "plane", W[:8, :8], q[:8], mu, spacedim=2)
+        fclib_files.write(self.folder / "tilted", tilted, q, mu)
+        fclib_files.write(self.folder / "negative", W, q, -mu)
+        fclib_files.write(self.folder / "hollow", W * np.kron(np.eye(4), np.zeros((3, 3))), q, mu)
+        fclib_files.write(self.folder / "nan", W, q * np.nan, mu)
+        fclib_files.write(self.folder / "singular", W, q, mu, V=np.ones((12, 2)), R=np.ones((2, 2)), s=np.ones(2))
+        fclib_files.write(self.folder / "twice", W, q, mu, V=np.ones((12, 2)), R=np.zeros((2, 2)), s=np.ones(2))
+        for name, expression in (("none", "cannot be opened: No such file"), ("text", "is not an HDF5 file"),
+                                 ("cut", "truncated or damaged"), ("foreign", "there is no problem of FCLIB"),
+                                 ("nameless", "there is no array"), ("plane", "2 dimensions; allowed are 3"),
+                                 ("tilted", "W is not symmetric"), ("negative", "friction of node 0 is"),
+                                 ("hollow", "on its diagonal; allowed"), ("nan", "q has entries that are no numbers"),
+                                 ("singular", "R is singular"), ("twice", "not independent of each other")):
+            with self.subTest(name):
+                self.assert_error(self.solve(name), FILE_ERROR, expression)
+
+    def test_bytes_at_random(self):
+        """Whatever is damaged: an answer or one line, never a crash."""
+        W, q = row_of_nodes(2)
+        fclib_files.write(self.folder / "good", W, q, np.full(2, 0.3))
+        whole = (self.folder / "good").read_bytes()
+        random = np.random.default_rng(1)
+        for _ in range(60):
+            bad = bytearray(whole)
+            for place in random.integers(0, len(bad), 8):
+                bad[place] = random.integers(0, 256)
+            (self.folder / "bad").write_bytes(bad)
+            result = self.solve("bad")
+            self.assertIn(result.returncode, (DONE, UNSOLVED, FILE_ERROR), result.stderr)
+            self.assertLessEqual(result.stderr.count("\n"), 1, result.stderr)
+
+    def test_bad_command_lines(self):
+        for options, expression in ((["--method=best"], "'best'"), (["--tolerance=2"], "allowed is 0 < number < 1"),
+                                    (["--iterations", "0"], "allowed"), (["--speed=1"], "no option '--speed'"),
+                                    (["--friction=0.3"], "two numbers > 0"), (["second"], "one file at a time"),
+                                    (["--write"], "wants a value")):
+            with self.subTest(options):
+                self.assert_error(self.solve("none", *options), WRONG_INPUT, expression)
+
+    def test_nowhere_to_write(self):
+        W, q = row_of_nodes(2)
+        fclib_files.write(self.folder / "good", W, q, np.full(2, 0.3))
+        result = self.solve("good", "--write", self.folder / "none/file")
+        self.assertEqual(result.returncode, FILE_ERROR, result.stderr)
+        self.assertRegex(result.stderr, r"\Aorthocone-solve: .*none/file' cannot be written: .*\n\Z")
+
+
+if __name__ == "__main__":
+    del sys.argv[1]
+    unittest.main()
