@@ -19,6 +19,7 @@ import run_folder  # noqa: E402
 
 SPHERE = ROOT / "prm/verification/worn_sphere.prm"
 FRETTING = ROOT / "prm/verification/fretting_wear.prm"
+PUNCH = ROOT / "prm/verification/worn_punch.prm"
 SMALL = ["Mesh/Degree=1", "Mesh/Layers=6", "Material/Poisson ratio=0.3", "Mesh/Volumetric quadrature=full",
          "Load program/Cycles=20000"]
 
@@ -44,6 +45,18 @@ class WearTest(program.RunTest):
     def test_steps_that_wear_too_deep_are_warned_of(self):
         self.worn("run", SPHERE, "Wear/Coefficient=0.01", "Load program/Cycles=1")
         self.assertRegex(self.text("run", "log.txt"), r"warning: load step \d+: wears a node [\d.]+ times as deep as")
+
+    def test_pressure_of_a_dragged_punch_becomes_even(self):
+        """Friction tilts the pressure; where more is carried more is worn, until all of it is 10 MPa."""
+        self.worn("run", PUNCH)
+        rows = self.rows("run")
+        largest = [float(row["max_pressure"]) for row in rows[1:]]
+        self.assertGreater(largest[0], 15)
+        self.assertEqual(largest, sorted(largest, reverse=True))
+        self.assertAlmostEqual(largest[-1], 10, delta=1e-3)
+        self.assertAlmostEqual(float(rows[-1]["worn_volume"]) / 40, 1, delta=1e-4)
+        contact = run_folder.RunFolder(self.folder / "run").contact(401)
+        self.assertAlmostEqual(contact["pressure"].min(), 10, delta=2e-3)
 
     def test_energy_law_holds_over_jumps(self):
         rows = self.worn("run", FRETTING, *SMALL, "Wear/Law=energy", "Wear/Coefficient=1e-5")
