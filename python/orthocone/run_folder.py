@@ -2,7 +2,7 @@
 # Copyright (C) 2026 the orthocone authors
 """Reads the run folder of orthocone: what figures and reports know of a run, they know from here.
 
-Columns and fields have the names and units that README.md gives: mm, N, MPa, N mm."""
+Columns and fields have the names and units that docs/manual.md gives: mm, N, MPa, N mm."""
 import csv
 import functools
 import json
