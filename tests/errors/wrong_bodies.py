@@ -22,10 +22,23 @@ ROWS = [
     row("shear_moduli_zero", "Material", "Shear moduli", "800, 700, 0", "three numbers > 0 separated by commas"),
     row("regions_without_poisson_ratio", "Material", "Regions", "core: 70000", REGIONS),
     row("regions_incompressible", "Material", "Regions", "core: 70000, 0.5", REGIONS),
-    row("lower_radius_zero", "Lower geometry", "Radius", "0", "a number > 0"),
-    row("lower_shape_sphere", "Lower geometry", "Shape", "sphere", "cylinder | box | file"),
-    row("lower_layers_none", "Lower mesh", "Layers", "0", "a whole number from 1 to 200"),
-    row("lower_refinements_many", "Lower mesh", "Refinements", "8", "a whole number from 0 to 7"),
-    row("lower_poisson_ratio_half", "Lower material", "Poisson ratio", "0.5", "a number > -1 and < 0.5"),
     row("regions_twice", "Material", "Regions", "core: 70000, 0.3 ; core: 1000, 0.3", REGIONS),
 ]
+# The lower body has the entries of the other one, in sections of its own.
+COUNT, POSITIVE, GRADING = "a whole number from 1 to 200", "a number > 0", "a number > 0 and <= 10"
+OF_CELLS = [("Core cells", "0", COUNT), ("Rings", "-1", "a whole number from 0 to 200"), ("Layers", "0", COUNT),
+            ("Degree", "5", "a whole number from 1 to 4"), ("Quadrature points", "11", "a whole number from 0 to 10"),
+            ("Volumetric quadrature", "b-bar", "full | reduced"), ("Core ratio", "1", "a number >= 0.01 and < 1"),
+            ("Rim grading", "0", GRADING), ("Cells", "8, 8", "three whole numbers from 1 to 200 separated by commas"),
+            ("Edge grading", "0", GRADING), ("Layer grading", "10.1", GRADING),
+            ("Refinements", "8", "a whole number from 0 to 7")]
+OF_SIZES = [("Shape", "sphere", "cylinder | box | file"), ("Radius", "0", POSITIVE), ("Height", "-10", POSITIVE),
+            ("Sizes", "20, 0, 10", "three numbers > 0 separated by commas")]
+OF_CONSTANTS = [("Young modulus", "210 GPa", POSITIVE), ("Poisson ratio", "0.5", "a number > -1 and < 0.5")]
+GIVEN = [(text.split("set ")[1].split(" = "), message.split("allowed is ", 1)[1], text) for _, text, message in ROWS]
+for section, entries in (("Lower mesh", OF_CELLS), ("Lower geometry", OF_SIZES), ("Lower material", OF_CONSTANTS)):
+    ROWS += [row(f"lower_{entry.lower().replace(' ', '_')}", section, entry, value, allowed)
+             for entry, value, allowed in entries]
+    ROWS += [row(f"lower_{entry.lower().replace(' ', '_')}_{number}", section, entry, value.split("\n")[0], allowed)
+             for number, ((entry, value), allowed, text) in enumerate(GIVEN)
+             if text.startswith(f"subsection {section[6:].capitalize()}\n")]
