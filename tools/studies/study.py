@@ -16,7 +16,8 @@ import style  # noqa: E402
 # that shows it; measured(context), the rows of its points; figures(rows), {name: figure}; and, if the page has tables
 # of it, tables(rows), {name: text}.
 STUDIES = ("discretization", "adaptive", "solvers", "load_stepping", "slip_integration", "projection", "reduced_models", "maps",
-           "backends", "scale", "spectra", "small_problems", "uniqueness", "locking", "wear_jumps", "wear_steps")
+           "backends", "scale", "spectra", "small_problems", "uniqueness", "locking", "wear_jumps", "wear_steps",
+           "counterbodies")
 
 
 class Context:
