@@ -1,9 +1,14 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""What README and docs name is there: files, the targets of links, tests; docs/extending.md asks for few existing files."""
+"""What README and docs name is there: files, the targets of links, tests; docs/extending.md asks for few existing files;
+sentences are short."""
 import pathlib
 import re
+import sys
 import unittest
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+import sentences  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
@@ -57,6 +62,29 @@ class PagesTest(unittest.TestCase):
             with self.subTest(change.strip()):
                 files = re.findall(r"`[\w/]+\.(?:cc|h)`", existing)
                 self.assertLessEqual(len(files), MOST_OF_SHAPE if "shape" in change else MOST_FILES)
+
+    def test_sentences_are_short(self):
+        for page in sentences.PAGES:
+            with self.subTest(page=page.name):
+                mean, count = sentences.mean_length(page)
+                self.assertGreater(count, 15)
+                self.assertLess(mean, sentences.MOST_WORDS)
+
+    def test_sentences_are_counted(self):
+        text = """# A heading of four
+
+**Bold words.** One two three. V. L. Popov wrote `a. b` here!
+| a | table |
+
+- item one
+- item two. Three [four five](page.md#six).
+
+```
+code is none
+```
+"""
+        lengths = [len(sentence) for sentence in sentences.sentences(text)]
+        self.assertEqual(lengths, [3, 7, 2, 2, 3])
 
 
 if __name__ == "__main__":
