@@ -2,8 +2,9 @@
 # Copyright (C) 2026 the orthocone authors
 """Mean length of the sentences of README.md and docs/*.md, in words: `python3 tests/style/sentences.py` prints it.
 
-Counted is prose. Code blocks, tables, headings, pictures, comments, targets of links and up to four bold words that open a paragraph
-are not. A list item begins a sentence. Its end and that of a paragraph end one. Words of `inline code` count, its stops do not."""
+Counted is prose. Code blocks, tables, headings, pictures, comments and targets of links are not, nor are words such as
+**Materials.** or *Why.* that open a paragraph. A list item begins a sentence. Its end and that of a paragraph end one. Words
+of `inline code` count, its stops do not."""
 import pathlib
 import re
 
@@ -12,8 +13,11 @@ GENERATED = {"parameters.md"}
 PAGES = [ROOT / "README.md", *sorted(path for path in (ROOT / "docs").glob("*.md") if path.name not in GENERATED)]
 MOST_WORDS = 20
 ITEM = re.compile(r"^\s*(?:[-*+]|\d+\.) +")
+# Up to eight bold words, or italic ones with a stop.
+OPENING = re.compile(r"^(?:\*\*(?:[^*\s]+\s?){1,8}\*\*|\*(?:[^*\s]+\s?){1,8}(?<=[.:])\*)")
 # A stop, a closing mark behind it, a space, and what begins a sentence. Initials (V. L. Popov) end none.
-END = re.compile(r"(?<![ (][A-Z])(?<!\be\.g)(?<!\bi\.e)(?<!\bJ)(?<!\bInt)(?<!\bvol)(?<!\bTrans)(?<!\bComput)[.!?][)\"'*_]*\s+(?=[\"'(*_\[]*[A-Z0-9`‖μν])")
+ABBREVIATIONS = "".join(rf"(?<!\b{word})" for word in (r"e\.g", r"i\.e", "J", "Int", "vol", "Trans", "Comput"))
+END = re.compile(rf"(?<![ (][A-Z]){ABBREVIATIONS}[.!?][)\"'*_]*\s+(?=[\"'(*_\[]*[A-Z0-9`‖μν])")
 
 
 def blocks(text):
@@ -38,7 +42,7 @@ def words_of(sentence):
 def sentences(text):
     """Lists of words."""
     for block in blocks(text):
-        block = re.sub(r"^\*\*(?:[^*\s]+\s?){1,4}\*\*", "", block)
+        block = OPENING.sub("", block)
         block = re.sub(r"\[([^\]]*)\]\([^)]*\)", r"\1", block)
         block = re.sub(r"`+[^`]+`+", lambda code: re.sub(r"[.!?]", "x", code[0]), block)
         for sentence in END.split(block):
