@@ -38,7 +38,8 @@ def row(count, height=4.0):
 def filled(figure, ax, surface, field, title, colours="viridis", share=0.99):
     """The largest values, which a singular rim has, take the last colour."""
     values = surface[field]
-    shown = contours(ax, surface, values, np.linspace(values.min(), np.quantile(values, share), 13), colours)
+    most, least = np.quantile(values, share), values.min()
+    shown = contours(ax, surface, values, np.linspace(least if least > 1e-6 * most else 0, most, 13), colours)
     figure.colorbar(shown, ax=ax, shrink=0.8, format="%.4g")
     ax.set_title(title)
 
@@ -134,7 +135,7 @@ def wear(runs):
     radius, pressure = on_surface(run, last, "pressure")
     axes[2].plot(radius, pressure / 1e3, ".", color=GREEN, label="pressure in GPa")
     axes[2].set_xlim(0, 0.8)
-    label(axes[2], "The surface after 10$^5$ cycles", "distance from the axis in mm", "see the legend")
+    label(axes[2], "The surface after 10$^5$ cycles", "distance from the axis in mm", "depth in µm, pressure in GPa")
     return figure
 
 
