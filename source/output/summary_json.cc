@@ -16,17 +16,17 @@ namespace orthocone
 {
 namespace
 {
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
-Json peak_json(const std::pair<double, unsigned int> &peak)
+OrderedJson peak_json(const std::pair<double, unsigned int> &peak)
 {
   return {{"value", peak.first}, {"step", peak.second}};
 }
 
-Json model_json(const Summary &summary)
+OrderedJson model_json(const Summary &summary)
 {
   const BodyUnknowns &unknowns = summary.unknowns;
-  Json planes = Json::array();
+  OrderedJson planes = OrderedJson::array();
   if (summary.model.symmetry.planes().normal_to_x)
     planes.push_back("x = 0");
   if (summary.model.symmetry.planes().normal_to_y)
@@ -41,26 +41,27 @@ Json model_json(const Summary &summary)
           {"contact_nodes", unknowns.contact_surface().nodes.size()}};
 }
 
-Json seconds_json(const RunRecord &record)
+OrderedJson seconds_json(const RunRecord &record)
 {
-  Json json;
+  OrderedJson json;
   for (const auto &[name, phase] : phases)
     json[name] = record.seconds.*phase;
   json["total"] = record.total_seconds;
   return json;
 }
 
-Json cycles_json(const CycleMemory &cycles)
+OrderedJson cycles_summary(const CycleMemory &cycles)
 {
-  Json json{{"completed", cycles.n_completed}, {"jumped_steps", cycles.n_jumped_steps()}};
-  json["change"] = cycles.n_completed > 0 ? Json(cycles.change) : Json();
-  json["periodic_since_cycle"] = cycles.periodic_since > 0 ? Json(cycles.periodic_since) : Json();
+  OrderedJson json{{"completed", cycles.n_completed}, {"jumped_steps", cycles.n_jumped_steps()}};
+  json["change"] = cycles.n_completed > 0 ? OrderedJson(cycles.change) : OrderedJson();
+  json["periodic_since_cycle"] =
+      cycles.periodic_since > 0 ? OrderedJson(cycles.periodic_since) : OrderedJson();
   return json;
 }
 
-Json accuracy_json(const AccuracyEstimate &accuracy)
+OrderedJson accuracy_json(const AccuracyEstimate &accuracy)
 {
-  Json json{{"wanted_percent", accuracy.wanted}, {"reached", accuracy.is_reached()}};
+  OrderedJson json{{"wanted_percent", accuracy.wanted}, {"reached", accuracy.is_reached()}};
   for (unsigned int i = 0; i < n_quantities; ++i)
     json[quantity_names[i]] = {{"value", accuracy.values[i]},
                                {"estimated_error_percent", accuracy.errors[i]}};
@@ -68,15 +69,15 @@ Json accuracy_json(const AccuracyEstimate &accuracy)
 }
 
 /// Errors of each quantity by what makes them; null where nothing is known.
-Json errors_json(const RunRecord &record)
+OrderedJson errors_json(const RunRecord &record)
 {
-  Json json;
+  OrderedJson json;
   for (unsigned int i = 0; i < n_quantities; ++i)
   {
-    Json &errors = json[quantity_names[i]];
-    errors["mesh"] = record.accuracy ? Json(record.accuracy->errors[i]) : Json();
-    errors["steps"] = record.steps ? Json(record.steps->estimate.errors[i]) : Json();
-    errors["solver"] = record.steps ? Json(record.steps->solver[i]) : Json();
+    OrderedJson &errors = json[quantity_names[i]];
+    errors["mesh"] = record.accuracy ? OrderedJson(record.accuracy->errors[i]) : OrderedJson();
+    errors["steps"] = record.steps ? OrderedJson(record.steps->estimate.errors[i]) : OrderedJson();
+    errors["solver"] = record.steps ? OrderedJson(record.steps->solver[i]) : OrderedJson();
   }
   return json;
 }
@@ -90,21 +91,21 @@ std::string entry_of(const Parameters &parameters, const std::string &name)
 }
 
 /// Numbers are those of the centre where friction varies; the expressions stand beside them.
-Json friction_json(const Parameters &parameters)
+OrderedJson friction_json(const Parameters &parameters)
 {
   const FrictionOptions &friction = parameters.friction;
-  Json json{{"mu", friction.mu},
-            {"p", friction.p()},
-            {"associated", friction.is_associated()},
-            {"collinear", friction.is_collinear()},
-            {"angle_degrees", friction.angle}};
+  OrderedJson json{{"mu", friction.mu},
+                   {"p", friction.p()},
+                   {"associated", friction.is_associated()},
+                   {"collinear", friction.is_collinear()},
+                   {"angle_degrees", friction.angle}};
   if (friction.varies())
     for (const char *const entry : {"Coefficients", "Slip potential", "Orthotropy angle"})
       json["expressions"][entry] = entry_of(parameters, std::string("Friction/") + entry);
   return json;
 }
 
-Json outline_json(const GeometryOptions &geometry)
+OrderedJson outline_json(const GeometryOptions &geometry)
 {
   if (geometry.is_from_file())
     return {{"shape", "file"}, {"mesh_file", geometry.mesh_file}};
@@ -113,10 +114,10 @@ Json outline_json(const GeometryOptions &geometry)
   return {{"shape", "disc"}, {"radius_mm", geometry.radius}};
 }
 
-Json counterface_json(const Parameters &parameters)
+OrderedJson counterface_json(const Parameters &parameters)
 {
   const ObstacleKind kind = parameters.obstacle.kind;
-  Json json{{"kind", to_word(kind)}};
+  OrderedJson json{{"kind", to_word(kind)}};
   const MaterialOptions &material =
       kind == ObstacleKind::body ? parameters.lower.material : parameters.obstacle.material;
   if (kind != ObstacleKind::rigid)
@@ -134,7 +135,7 @@ Json counterface_json(const Parameters &parameters)
 }
 
 /// What is pressed on the plane, and how it moves, so that nobody need guess it from the other files.
-Json scene_json(const Summary &summary)
+OrderedJson scene_json(const Summary &summary)
 {
   const Parameters &parameters = summary.parameters;
   double area = 0;
@@ -156,7 +157,7 @@ Json scene_json(const Summary &summary)
        {{"length", "mm"}, {"force", "N"}, {"traction", "MPa"}, {"energy", "N mm"}, {"angle", "degrees"}}}};
 }
 
-Json energy_json(const RunRecord &record)
+OrderedJson energy_json(const RunRecord &record)
 {
   return {{"work_Nmm", record.work},
           {"dissipation_Nmm", record.dissipation},
@@ -164,7 +165,7 @@ Json energy_json(const RunRecord &record)
           {"missing_percent_of_dissipation", 100 * relative(record.missing, record.dissipation)}};
 }
 
-Json critical_friction_json(const CriticalFrictionRecord &critical)
+OrderedJson critical_friction_json(const CriticalFrictionRecord &critical)
 {
   if (!std::isfinite(critical.factor))
     return {};
@@ -174,12 +175,12 @@ Json critical_friction_json(const CriticalFrictionRecord &critical)
 
 std::string summary_json(const Summary &summary)
 {
-  Json json;
+  OrderedJson json;
   json["status"] = summary.status;
   json["model"] = model_json(summary);
   json["scene"] = scene_json(summary);
   json["steps"] = {{"planned", summary.n_steps}, {"solved", summary.n_solved}};
-  json["cycles"] = cycles_json(summary.cycles);
+  json["cycles"] = cycles_summary(summary.cycles);
   json["contact_solver"] = {{"method", summary.parameters.contact_solver.method},
                             {"tolerance", summary.parameters.contact_solver.tolerance},
                             {"iterations", summary.record.n_iterations},
@@ -207,27 +208,27 @@ std::string summary_json(const Summary &summary)
   json["threads"] = {{"number", summary.record.threads.number}, {"reason", summary.record.threads.reason}};
   json["seconds"] = seconds_json(summary.record);
   // Names of folders need not be UTF-8.
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 std::string summary_json_with_status(const std::string &text, const std::string &status)
 {
-  Json json = Json::parse(text, nullptr, false);
+  OrderedJson json = OrderedJson::parse(text, nullptr, false);
   if (!json.is_object())
     return text;
   json["status"] = status;
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 
 std::string summary_json_before_steps(const std::string &status, const Parameters &parameters)
 {
-  Json json;
+  OrderedJson json;
   json["status"] = status;
   json["steps"] = {{"planned", load_steps(parameters.load).size()}, {"solved", 0}};
   json["friction"] = friction_json(parameters);
   json["warnings"] = parameter_warnings(parameters);
   for (const auto &[name, version] : versions())
     json["versions"][name] = version;
-  return json.dump(2, ' ', false, Json::error_handler_t::replace) + "\n";
+  return json.dump(2, ' ', false, OrderedJson::error_handler_t::replace) + "\n";
 }
 } // namespace orthocone
