@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 #
-#   tools/setup.sh PRESET [figures] [benchmark] [study] [problems] [tests]
+#   tools/setup.sh PRESET [figures] [benchmark] [study] [problems] [peers] [tests]
 #
 # Installs what is missing, configures and builds with a CMake preset (release, debug, fuzz); `figures` adds the packages
 # of the tools that draw, `benchmark` those and the kernels that tools/benchmark times, `study` those of figures and the
-# small experiments of tools/study, `problems` orthocone-solve, `tests` all of that and the tests. Called by ./run, ./test and
-# the tools.
+# small experiments of tools/study, `problems` orthocone-solve and the entry Output/Problems, `peers` these, the packages of
+# figures and the programs of tools/peers, `tests` all but the peers and the tests. Called by ./run, ./test and the tools.
 # Nothing is done twice: installed packages, a configured build folder and compiled files are left alone.
 set -eu
 
@@ -18,6 +18,7 @@ packages="g++ cmake ninja-build git mold
 figures_packages="python3 python3-numpy python3-matplotlib python3-meshio"
 benchmark_packages="$figures_packages libbenchmark-dev"
 problems_packages="libfclib-dev"
+peers_packages="$figures_packages $problems_packages calculix-ccx python3-getfem libsiconos-numerics-dev"
 # ParaView's Python brings the vtk modules, and takes the place of the package python3-vtk9 where that is installed.
 tests_packages="$benchmark_packages $problems_packages paraview python3-paraview xvfb xauth chromium chromium-driver
   python3-selenium python3-hypothesis clang-format clang-tidy"
@@ -55,6 +56,7 @@ for group in "$preset" "$@"; do
     benchmark) packages="$packages $benchmark_packages" targets="$targets kernels" kernels=ON ;;
     study) packages="$packages $figures_packages" targets="$targets studies" ;;
     problems) packages="$packages $problems_packages" targets="$targets orthocone_solve" ;;
+    peers) packages="$packages $peers_packages" targets="$targets orthocone_solve" ;;
     tests) packages="$packages $tests_packages" targets=all kernels=ON ;;
     fuzz) packages="$packages $fuzz_packages" targets=all ;;
   esac
@@ -81,6 +83,10 @@ fi
 if [ $kernels = ON ] && ! grep -q '^ORTHOCONE_BENCHMARKS:BOOL=ON' "$build/CMakeCache.txt"; then
   cmake -DORTHOCONE_BENCHMARKS=ON "$build" >&2
 fi
+# What was missing when the folder was configured is looked for again.
+case " $* " in
+  *" problems "* | *" peers "* | *" tests "*) ! grep -q '^FCLIB_LIBRARY:.*NOTFOUND' "$build/CMakeCache.txt" || cmake "$build" >&2 ;;
+esac
 say "building $build (the first time takes some minutes)"
 # shellcheck disable=SC2086
 cmake --build "$build" --target $targets >&2
