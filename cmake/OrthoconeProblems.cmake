@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 #
-# Problem files, and the program orthocone-solve (target orthocone_solve), where FCLIB and HDF5 are there.
+# Problem files, the program orthocone-solve (target orthocone_solve) and the entry Output/Problems, where FCLIB and HDF5
+# are there.
 find_library(FCLIB_LIBRARY fclib)
 find_path(FCLIB_INCLUDE_DIR fclib.h)
 # Debian has several HDF5: FCLIB uses the one without MPI.
@@ -18,6 +19,10 @@ set(ORTHOCONE_HAS_FCLIB ON)
 orthocone_library(problems DEPENDS contact)
 target_include_directories(orthocone_problems SYSTEM PRIVATE ${FCLIB_INCLUDE_DIR} ${HDF5_INCLUDE_DIR})
 target_link_libraries(orthocone_problems ${FCLIB_LIBRARY} ${HDF5_LIBRARY})
+
+# The program writes the problems of its steps (Output/Problems): the sources of output alone see them, where they are.
+target_link_libraries(orthocone_output $<LINK_ONLY:orthocone_problems>)
+target_include_directories(orthocone_output PRIVATE ${CMAKE_BINARY_DIR}/views/problems)
 
 add_executable(orthocone_solve source/problems/main.cc)
 # The objects that need MPI are not taken from the library, and so it is not loaded.

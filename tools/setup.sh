@@ -6,9 +6,9 @@
 #
 # Installs what is missing, configures and builds with a CMake preset (release, debug, fuzz); `figures` adds the packages
 # of the tools that draw, `benchmark` those and the kernels that tools/benchmark times, `study` those of figures and the
-# small experiments of tools/study, `problems` orthocone-solve, `tests` all of that and the tests. Called by ./run, ./test and
-# the tools.
-# Nothing is done twice: installed packages, a configured build folder and compiled files are left alone.
+# small experiments of tools/study, `problems` orthocone-solve and the entry Output/Problems, `tests` all of these and the
+# tests. Called by ./run, ./test and the tools. Nothing is done twice: installed packages, a configured build folder and
+# compiled files are left alone.
 set -eu
 
 # mold is the linker that the flags of Debian 13's deal.II ask for; libdeal.ii-dev only recommends it.
@@ -81,6 +81,10 @@ fi
 if [ $kernels = ON ] && ! grep -q '^ORTHOCONE_BENCHMARKS:BOOL=ON' "$build/CMakeCache.txt"; then
   cmake -DORTHOCONE_BENCHMARKS=ON "$build" >&2
 fi
+# What was missing when the folder was configured is looked for again.
+case " $* " in
+  *" problems "* | *" tests "*) ! grep -q '^FCLIB_LIBRARY:.*NOTFOUND' "$build/CMakeCache.txt" || cmake "$build" >&2 ;;
+esac
 say "building $build (the first time takes some minutes)"
 # shellcheck disable=SC2086
 cmake --build "$build" --target $targets >&2

@@ -32,7 +32,7 @@ std::string described(const Estimate &cost, const double seconds)
 bool multigrid_can(const Parameters &parameters, const ModelSymmetry &symmetry)
 {
   return !symmetry.is_axisymmetric() && parameters.obstacle.kind == ObstacleKind::rigid &&
-         parameters.material.is_uniform_and_isotropic() &&
+         parameters.output.problem_interval == 0 && parameters.material.is_uniform_and_isotropic() &&
          parameters.mesh.volumetric_quadrature == VolumetricQuadrature::full &&
          !find_contact_method(parameters.contact_solver.method)->needs_dense;
 }

@@ -8,6 +8,7 @@
 #include <orthocone/base/memory.h>
 #include <orthocone/base/text.h>
 #include <orthocone/body/shapes/body_mesh.h>
+#include <orthocone/output/step_problem.h>
 
 #include <iostream>
 #include <string>
@@ -28,6 +29,7 @@ ModelChoice resolve(const CommandLine &line, const Parameters &parameters)
     check_parameters(parameters);
     const ModelChoice choice = choose_model(parameters);
     require_shareable(parameters, choice);
+    require_writable_problems(parameters, choice.symmetry);
     require_refined_cells(parameters.geometry, parameters.mesh, choice.symmetry);
     return choice;
   }

@@ -60,6 +60,6 @@ void require_shareable(const Parameters &parameters, const ModelChoice &model)
     refuse(
         "Mesh/Backend", "auto",
         "what multigrid can compute: Contact solver/Method = newton, Mesh/Volumetric quadrature = full, one "
-        "isotropic material and Obstacle/Kind = rigid");
+        "isotropic material, Obstacle/Kind = rigid and Output/Problems = 0");
 }
 } // namespace orthocone

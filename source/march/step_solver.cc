@@ -34,6 +34,11 @@ void add_earlier(SolverReport &report, const SolverReport &earlier)
   report.penetration = std::max(report.penetration, earlier.penetration);
 }
 
+std::shared_ptr<const SolvedProblem> solved(const ContactStep &problem, const VectorXd &unknowns)
+{
+  return std::make_shared<const SolvedProblem>(SolvedProblem{problem, unknowns});
+}
+
 /// The least motion along the normal that leaves no node under pressure, where nothing presses.
 double opening_motion(const NodeVector &free_gap)
 {
@@ -238,10 +243,11 @@ void StepSolver::accept_unknowns(ContactState &state, const Attempt &attempt, co
 SolverReport StepSolver::solve_to(ContactState &state, const Attempt &attempt, VectorXd unknowns,
                                   const unsigned int n_halvings) const
 {
-  const SolverReport report = solver_->solve(attempt.problem, unknowns);
+  SolverReport report = solver_->solve(attempt.problem, unknowns);
   if (report.converged)
   {
     accept_unknowns(state, attempt, unknowns);
+    report.last_part = solved(attempt.problem, unknowns);
     return report;
   }
   const bool has_equilibrium = report.verdict != Verdict::unbalanced;
@@ -281,7 +287,10 @@ SolverReport StepSolver::release(ContactState &state, const Attempt &attempt) co
   SolverReport report = make_report(apart.problem, none, 0, tolerance_);
   report.is_released = true;
   if (report.converged)
+  {
     accept_unknowns(state, apart, none);
+    report.last_part = solved(apart.problem, none);
+  }
   return report;
 }
 } // namespace orthocone

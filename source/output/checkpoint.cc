@@ -34,6 +34,7 @@ bool may_change(const std::string &entry)
                                                   "Load program/Stop when periodic",
                                                   "Output/Checkpoint",
                                                   "Output/Contact fields",
+                                                  "Output/Problems",
                                                   "Output/Volume fields"};
   return entry.compare(0, 7, "Checks/") == 0 || free_entries.count(entry) > 0;
 }

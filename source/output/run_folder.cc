@@ -132,6 +132,14 @@ void RunFolder::write_durably(const std::string &name, const std::string &conten
   posix::synchronize(path_);
 }
 
+fs::path RunFolder::place_for(const std::string &name) const
+{
+  require_listed(name);
+  require_same_folder();
+  not_on_disk_.insert(name);
+  return path_ / name;
+}
+
 void RunFolder::append(const std::string &name, const std::string &content) const
 {
   if (is_nowhere())

@@ -3,6 +3,7 @@
 #include <orthocone/output/run_output.h>
 
 #include <orthocone/base/ranks.h>
+#include <orthocone/output/step_problem.h>
 #include <orthocone/output/vtu.h>
 
 namespace orthocone
@@ -51,6 +52,8 @@ void RunOutput::write(const SolvedStep &step)
   history_.write(step);
   probes_.write(step.state);
   write_fields(step.state, step.checks.volume);
+  if (options_.problem_interval != 0 && step.state.step % options_.problem_interval == 0)
+    write_step_problem(step, folder_.place_for(field_file("problem", step.state.step, "hdf5")).string());
 }
 
 void RunOutput::write_fields(const ContactState &state, const Eigen::VectorXd &volume)

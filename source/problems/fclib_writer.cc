@@ -105,7 +105,8 @@ private:
   fclib_solution solution_{};
 };
 
-void write_laws(const std::vector<OrthotropicFriction> &laws, const std::string &name)
+void write_extension(const std::vector<OrthotropicFriction> &laws, const double residual,
+                     const std::string &name)
 {
   VectorXd mu(2 * laws.size()), p(2 * laws.size());
   Index i = 0;
@@ -119,6 +120,7 @@ void write_laws(const std::vector<OrthotropicFriction> &laws, const std::string 
   file.make_group("/orthocone");
   file.write("/orthocone/mu", mu);
   file.write("/orthocone/p", p);
+  file.write("/orthocone/residual", VectorXd::Constant(1, residual));
   file.close();
 }
 
@@ -155,7 +157,7 @@ void write_problem(const ContactProblem &problem, const ProblemSolution &solutio
   if (fclib_write_local(fclib.local(), part.c_str()) != 1 ||
       fclib_write_solution(fclib.solution(), part.c_str()) != 1)
     fail(file, "FCLIB refuses");
-  write_laws(problem.laws, part);
+  write_extension(problem.laws, solution.residual, part);
   std::error_code error;
   std::filesystem::rename(part, file, error);
   if (error)

@@ -195,6 +195,8 @@ std::optional<ProblemSolution> read_solution(const std::string &name)
   solution.displacement = read_vector(file, "/solution/u", n).cwiseQuotient(scale.displacement);
   if (file.has("/solution/l"))
     solution.motions = file.numbers("/solution/l");
+  if (file.has("/orthocone/residual"))
+    solution.residual = file.numbers("/orthocone/residual").sum();
   return solution;
 }
 } // namespace orthocone

@@ -29,6 +29,8 @@ struct SolveOptions
   std::string write{};
   std::optional<Pair> friction{}, slip{};
   ContactSolverOptions solver{};
+  unsigned int n_repeats = 1;
+  bool is_stored = false;
   bool is_csv = false;
   bool is_help = false;
 };
@@ -40,6 +42,8 @@ const char *const usage =
     "  --iterations NUMBER  sweeps or iterations at most (5000)\n"
     "  --friction MU_X,MU_Y friction of all nodes, instead of that of the file\n"
     "  --slip P_X,P_Y       slip ellipse of all nodes, instead of that of the file\n"
+    "  --repeat NUMBER      solves so many times, and tells the median of the seconds (1)\n"
+    "  --stored             judges the solution in the file, instead of solving\n"
     "  --write FILE.hdf5    writes the problem and the solution\n"
     "  --csv                prints a line of names and a line of values\n"
     "Methods:\n";
@@ -73,6 +77,8 @@ void take(SolveOptions &options, const std::string &option, const std::string &v
     options.solver.tolerance = number(option, value, 0, 1);
   else if (option == "--iterations")
     options.solver.maximum_iterations = static_cast<unsigned int>(number(option, value, 0.5, 4e9));
+  else if (option == "--repeat")
+    options.n_repeats = static_cast<unsigned int>(number(option, value, 0.5, 1e4));
   else if (option == "--friction")
     options.friction = two_numbers(option, value);
   else if (option == "--slip")
@@ -91,6 +97,8 @@ SolveOptions parsed(const std::vector<std::string> &arguments)
       options.is_help = true;
     else if (arguments[i] == "--csv")
       options.is_csv = true;
+    else if (arguments[i] == "--stored")
+      options.is_stored = true;
     else if (arguments[i].rfind("--", 0) != 0)
     {
       if (!options.file.empty())
@@ -163,7 +171,7 @@ void print(const SolveOptions &options, const ContactProblem &problem, const Sol
   const std::vector<std::pair<std::string, std::string>> values{
       {"nodes", std::to_string(problem.laws.size())},
       {"constraints", std::to_string(problem.face.cols())},
-      {"method", options.solver.method},
+      {"method", options.is_stored ? "stored" : options.solver.method},
       {"verdict", to_word(report.verdict)},
       {"iterations", std::to_string(report.iterations)},
       {"seconds", short_text(seconds)},
@@ -179,23 +187,58 @@ void print(const SolveOptions &options, const ContactProblem &problem, const Sol
     out << std::left << std::setw(17) << name << value << '\n';
 }
 
-ExitCode solve(const SolveOptions &options, std::ostream &out)
+/// The unknowns of the solution in the file.
+Eigen::VectorXd stored_unknowns(const std::string &file, const ContactStep &step)
 {
-  ContactProblem problem = read_problem(options.file);
-  set_laws(options, problem.laws);
+  const auto stored = read_solution(file);
+  if (!stored || stored->motions.size() != step.face().n())
+    throw FileError(file + ": there is no solution of all unknowns in it (group solution)");
+  Eigen::VectorXd unknowns(step.n_unknowns());
+  unknowns << stored->force, step.face().unknowns(stored->motions);
+  return unknowns;
+}
+
+struct Answer
+{
+  SolverReport report;
+  ProblemSolution solution;
+  double seconds = 0; ///< of the solver and what it prepares
+};
+
+Answer answer(const SolveOptions &options, const ContactProblem &problem)
+{
   const Stopwatch watch;
   const DenseCompliance compliance(DenseView(problem.w.data(), problem.w.rows(), problem.w.cols()));
   const ContactSystem system(compliance, problem.laws);
   const ContactStep step(system, problem.q, face_of(problem));
-  Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(step.n_unknowns());
-  const SolverReport report = make_contact_solver(system, options.solver)->solve(step, unknowns);
-  const double seconds = watch.seconds();
-  const ProblemSolution solution{unknowns.head(problem.q.size()), step.displacement(unknowns),
-                                 step.face().motions(unknowns.tail(step.face().n()))};
-  print(options, problem, report, seconds, fclib_error(problem, solution), out);
+  Eigen::VectorXd unknowns =
+      options.is_stored ? stored_unknowns(options.file, step) : Eigen::VectorXd::Zero(step.n_unknowns());
+  Answer found;
+  found.report = options.is_stored ? make_report(step, unknowns, 0, options.solver.tolerance)
+                                   : make_contact_solver(system, options.solver)->solve(step, unknowns);
+  found.seconds = watch.seconds();
+  found.solution = {unknowns.head(problem.q.size()), step.displacement(unknowns),
+                    step.face().motions(unknowns.tail(step.face().n())), found.report.residual};
+  return found;
+}
+
+ExitCode solve(const SolveOptions &options, std::ostream &out)
+{
+  ContactProblem problem = read_problem(options.file);
+  set_laws(options, problem.laws);
+  Answer found;
+  std::vector<double> seconds;
+  for (unsigned int i = 0; i < options.n_repeats; ++i)
+  {
+    found = answer(options, problem);
+    seconds.push_back(found.seconds);
+  }
+  const auto middle = seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2);
+  std::nth_element(seconds.begin(), middle, seconds.end());
+  print(options, problem, found.report, *middle, fclib_error(problem, found.solution), out);
   if (!options.write.empty())
-    write_problem(problem, solution, options.write);
-  return report.converged ? ExitCode::done : ExitCode::unsolved_step;
+    write_problem(problem, found.solution, options.write);
+  return found.report.converged ? ExitCode::done : ExitCode::unsolved_step;
 }
 
 void print_help(std::ostream &out)

@@ -111,6 +111,19 @@ ROWS = [
     ("probe_outside", "subsection Output\n  set Probes = P: 8 8\nend\n",
      "{file}: Output/Probes: 'P' at (8, 8) is off the contact surface: allowed are points within Geometry/Radius = "
      "10 of the axis"),
+    ("problems_axisymmetric",
+     "subsection Friction\n  set Coefficients = 0.2, 0.2\nend\nsubsection Output\n  set Problems = 1\nend\n",
+     "{file}: Output/Problems = 1 with the axisymmetric model, whose nodes are rings: allowed is 0, or Mesh/Model = full, "
+     "half or quarter"),
+    ("problems_of_forces",
+     "subsection Friction\n  set Slip potential = 0.05, 0.2\nend\nsubsection Load program\n  set Legs = uz -0.1 : 2 ; "
+     "Fx 10 : 2\nend\nsubsection Output\n  set Problems = 2\nend\n",
+     "{file}: Output/Problems = 2 with forces in the load program and a slip rule that is not associated, which have no "
+     "common form in FCLIB: allowed is 0, or Friction/Slip potential = associated"),
+    ("problems_on_multigrid",
+     "subsection Mesh\n  set Backend = multigrid\nend\nsubsection Output\n  set Problems = 1\nend\n",
+     "{file}: Output/Problems = 1 with Mesh/Backend = multigrid, which has no matrix W to write: allowed is 0, or Backend "
+     "= auto or condensed"),
     ("quadrature_1_for_degree_1", "subsection Mesh\n  set Degree = 1\n  set Quadrature points = 1\nend\n",
      "{file}: Mesh/Quadrature points = 1: with Mesh/Degree = 1 allowed is 0 or more than the degree (fewer points "
      "leave deformations without stiffness)"),

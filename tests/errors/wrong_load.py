@@ -213,6 +213,10 @@ ROWS = [
     ("probes_without_name", "subsection Output\n  set Contact fields = 1\n  set Probes = 6.72 6.72\nend\n",
      '{file}:4: Output/Probes = 6.72 6.72: allowed is probes "name: x y" (numbers in mm; name of up to 100 '
      "letters, digits, '-', '_', used once), separated by ';'"),
+    ("problems_negative", "subsection Output\n  set Contact fields = 1\n  set Problems = -1\nend\n",
+     "{file}:4: Output/Problems = -1: allowed is a whole number from 0 to 1000000"),
+    ("problems_too_many", "subsection Output\n  set Contact fields = 1\n  set Problems = 1000001\nend\n",
+     "{file}:4: Output/Problems = 1000001: allowed is a whole number from 0 to 1000000"),
     ("sentence_of_library", "subsection Output\n  set Probes = for the entry named\nend\n",
      '{file}:3: Output/Probes = for the entry named: allowed is probes "name: x y" (numbers in mm; name of up to '
      "100 letters, digits, '-', '_', used once), separated by ';'"),

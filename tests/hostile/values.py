@@ -47,7 +47,7 @@ REFUSED = {
     "Checks/Complementarity": ["-0", "inf"], "Checks/Friction cone": ["0", "1 %"], "Checks/Slip rule": ["0", "-inf"],
     "Checks/Energy identity": ["0", "nan"], "Checks/Energy defect": ["0", "-2"],
     "Output/Contact fields": ["1.0", "1000001x", "+1"],
-    "Output/Volume fields": ["0.5", "-0", "all"], "Output/Checkpoint": ["-1e-9", "1.1e9", "2 s", "nan"],
+    "Output/Volume fields": ["0.5", "-0", "all"], "Output/Problems": ["1.0", "-0", "every"], "Output/Checkpoint": ["-1e-9", "1.1e9", "2 s", "nan"],
     "Output/Probes": ["P: 1e400 0", "P: nan 0", ";", "P 1 0", "P: 0 0; p: 0", "P/Q: 0 0", "P.csv: 0 0", "P: 0,0",
                       "\u00b5: 0 0", "P:: 0 0"],
 }

@@ -68,6 +68,9 @@ public:
   /// The same, and the file is on the disk, as are all that were written before, when this returns.
   void write_durably(const std::string &name, const std::string &content) const;
 
+  /// The place of a file that a library writes by itself: as NAME.part, then under its name.
+  std::filesystem::path place_for(const std::string &name) const;
+
   /// Appends in one piece. Throws FileError if the file is not what this run has left.
   void append(const std::string &name, const std::string &content) const;
 

@@ -172,11 +172,12 @@ struct Probe
   std::array<double, 2> position{{0, 0}}; ///< mm
 };
 
-/// Section Output; intervals of the fields in steps, 0 = never.
+/// Section Output; intervals of fields and problems in steps, 0 = never.
 struct OutputOptions
 {
   unsigned int contact_interval = 1;
   unsigned int volume_interval = 0;
+  unsigned int problem_interval = 0;
   double checkpoint_seconds = 2; ///< least time between two checkpoints; 0 = one after every step
   std::vector<Probe> probes;
 };

@@ -29,5 +29,6 @@ struct ProblemSolution
   Eigen::VectorXd force;        ///< 3 n, N
   Eigen::VectorXd displacement; ///< 3 n, mm
   Eigen::VectorXd motions{};    ///< m, of the face
+  double residual = 0;          ///< ContactStep::residual(), what the solver stopped at
 };
 } // namespace orthocone

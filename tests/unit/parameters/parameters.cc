@@ -33,7 +33,7 @@ Parameters unusual_parameters()
   parameters.load = {{move_to(0, 0, -0.01, 2)}, {move_to(1e-3, -2, -0.1, 3), move_to(0, 0, 0, 4)}, 7};
   parameters.contact_solver = {"gauss-seidel", 1e-7, 17, 1.2, 0.7};
   parameters.checks = {1e-7, 2, 3, 4.5, 6, 1e-9, 0.25};
-  parameters.output = {3, 4, 12.5, {Probe{"P", {{1, -2}}}, Probe{"rim-1", {{0, 3}}}}};
+  parameters.output = {3, 4, 5, 12.5, {Probe{"P", {{1, -2}}}, Probe{"rim-1", {{0, 3}}}}};
   return parameters;
 }
 } // namespace

@@ -10,6 +10,13 @@
 
 namespace orthocone
 {
+/// A contact problem, and what solves it.
+struct SolvedProblem
+{
+  ContactStep problem;
+  Eigen::VectorXd unknowns;
+};
+
 /// What a solver tells of one load step. All figures are recomputed from the final forces by make_report(),
 /// so that no solver judges itself.
 struct SolverReport
@@ -24,6 +31,7 @@ struct SolverReport
   LawErrors law;               ///< the same solution against the contact law in its own terms
   Trace trace{};               ///< of the step, or of the part of it that failed
   Verdict verdict = Verdict::slow;
+  std::shared_ptr<const SolvedProblem> last_part{}; ///< of a step of a march: what was solved last of it
 };
 
 /// Report on `unknowns` as the solution of `step`.

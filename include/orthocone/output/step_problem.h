@@ -1,0 +1,15 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/results/solved_step.h>
+
+namespace orthocone
+{
+/// Throws InputError where Output/Problems is asked for, but cannot be done.
+void require_writable_problems(const Parameters &parameters, const ModelSymmetry &symmetry);
+
+/// Writes what was solved last of a step as a problem of FCLIB: all of the step, or its last part. Throws
+/// FileError.
+void write_step_problem(const SolvedStep &step, const std::string &file);
+} // namespace orthocone

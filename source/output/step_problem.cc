@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/output/step_problem.h>
+
+#include <orthocone/base/errors.h>
+
+#include <stdexcept>
+
+// Only a program that is built with FCLIB finds this header.
+#if __has_include(<orthocone/problems/problem_file.h>)
+#define ORTHOCONE_WRITES_PROBLEMS
+#include <orthocone/problems/problem_file.h>
+#endif
+
+namespace orthocone
+{
+namespace
+{
+#ifdef ORTHOCONE_WRITES_PROBLEMS
+constexpr bool has_fclib = true;
+#else
+constexpr bool has_fclib = false;
+#endif
+
+bool has_forces(const LoadOptions &load)
+{
+  for (unsigned int component = 0; component < n_rigid_components; ++component)
+    if (is_driven_by_force(load, component))
+      return true;
+  return false;
+}
+} // namespace
+
+void require_writable_problems(const Parameters &parameters, const ModelSymmetry &symmetry)
+{
+  if (parameters.output.problem_interval == 0)
+    return;
+  const std::string entry = "Output/Problems = " + std::to_string(parameters.output.problem_interval);
+  if (parameters.mesh.backend == BodyBackend::multigrid)
+    throw InputError(entry +
+                     " with Mesh/Backend = multigrid, which has no matrix W to write: allowed is 0, or "
+                     "Backend = auto or condensed");
+  if (symmetry.is_axisymmetric())
+    throw InputError(entry +
+                     " with the axisymmetric model, whose nodes are rings: allowed is 0, or Mesh/Model "
+                     "= full, half or quarter");
+  if (has_forces(parameters.load) && !parameters.friction.is_associated())
+    throw InputError(entry +
+                     " with forces in the load program and a slip rule that is not associated, which "
+                     "have no common form in FCLIB: allowed is 0, or Friction/Slip potential = associated");
+  if (!has_fclib)
+    throw InputError(entry + ": this program was built without FCLIB; 'tools/setup.sh release problems' "
+                             "installs it and builds the program with it; allowed is 0");
+}
+
+#ifdef ORTHOCONE_WRITES_PROBLEMS
+namespace
+{
+std::string title_of(const SolvedStep &step)
+{
+  const unsigned int n_parts = step.report.n_parts;
+  return "load step " + std::to_string(step.step.number) +
+         (n_parts > 1 ? ", the last of the " + std::to_string(n_parts) + " parts that it was solved in"
+                      : "") +
+         (step.report.is_released ? ", in which nothing presses" : "");
+}
+} // namespace
+
+void write_step_problem(const SolvedStep &step, const std::string &file)
+{
+  const ContactStep &problem = step.report.last_part->problem;
+  const Eigen::VectorXd &unknowns = step.report.last_part->unknowns;
+  const DenseView *const w = problem.system().compliance().dense();
+  if (w == nullptr)
+    throw std::logic_error("a compliance that is no matrix cannot be written");
+  ContactProblem written{w->selfadjointView<Eigen::Lower>(), problem.q(),   {}, problem.face().columns(),
+                         problem.face().balance(),           title_of(step)};
+  for (Eigen::Index node = 0; node < problem.n_nodes(); ++node)
+    written.laws.push_back(problem.system().given_law(node));
+  write_problem(written,
+                {unknowns.head(problem.q().size()), problem.displacement(unknowns),
+                 unknowns.tail(problem.face().n()), problem.residual(unknowns)},
+                file);
+}
+#else
+void write_step_problem(const SolvedStep &, const std::string &file)
+{
+  throw std::logic_error(file + ": a program without FCLIB writes no problems");
+}
+#endif
+} // namespace orthocone
