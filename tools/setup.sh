@@ -2,12 +2,12 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 #
-#   tools/setup.sh PRESET [figures] [benchmark] [study] [problems] [tests]
+#   tools/setup.sh PRESET [figures] [benchmark] [study] [problems] [package] [tests]
 #
 # Installs what is missing, configures and builds with a CMake preset (release, debug, fuzz); `figures` adds the packages
 # of the tools that draw, `benchmark` those and the kernels that tools/benchmark times, `study` those of figures and the
-# small experiments of tools/study, `problems` orthocone-solve and the entry Output/Problems, `tests` all of these and the
-# tests. Called by ./run, ./test and the tools. Nothing is done twice: installed packages, a configured build folder and
+# small experiments of tools/study, `problems` orthocone-solve and the entry Output/Problems, `package` what makes and checks
+# a Debian package, `tests` all of these and the tests. Called by ./run, ./test and the tools. Nothing is done twice: installed packages, a configured build folder and
 # compiled files are left alone.
 set -eu
 
@@ -18,8 +18,9 @@ packages="g++ cmake ninja-build git mold
 figures_packages="python3 python3-numpy python3-matplotlib python3-meshio"
 benchmark_packages="$figures_packages libbenchmark-dev"
 problems_packages="libfclib-dev"
+package_packages="$problems_packages dpkg-dev lintian"
 # ParaView's Python brings the vtk modules, and takes the place of the package python3-vtk9 where that is installed.
-tests_packages="$benchmark_packages $problems_packages paraview python3-paraview xvfb xauth chromium chromium-driver
+tests_packages="$benchmark_packages $package_packages paraview python3-paraview xvfb xauth chromium chromium-driver
   python3-selenium python3-hypothesis clang-format clang-tidy"
 fuzz_packages="clang libclang-rt-dev"
 
@@ -55,6 +56,7 @@ for group in "$preset" "$@"; do
     benchmark) packages="$packages $benchmark_packages" targets="$targets kernels" kernels=ON ;;
     study) packages="$packages $figures_packages" targets="$targets studies" ;;
     problems) packages="$packages $problems_packages" targets="$targets orthocone_solve" ;;
+    package) packages="$packages $package_packages" targets="$targets orthocone_solve" ;;
     tests) packages="$packages $tests_packages" targets=all kernels=ON ;;
     fuzz) packages="$packages $fuzz_packages" targets=all ;;
   esac
@@ -83,7 +85,7 @@ if [ $kernels = ON ] && ! grep -q '^ORTHOCONE_BENCHMARKS:BOOL=ON' "$build/CMakeC
 fi
 # What was missing when the folder was configured is looked for again.
 case " $* " in
-  *" problems "* | *" tests "*) ! grep -q '^FCLIB_LIBRARY:.*NOTFOUND' "$build/CMakeCache.txt" || cmake "$build" >&2 ;;
+  *" problems "* | *" package "* | *" tests "*) ! grep -q '^FCLIB_LIBRARY:.*NOTFOUND' "$build/CMakeCache.txt" || cmake "$build" >&2 ;;
 esac
 say "building $build (the first time takes some minutes)"
 # shellcheck disable=SC2086

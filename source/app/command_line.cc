@@ -28,9 +28,12 @@ po::options_description visible_options()
       "insist", "run even if the memory is likely not to suffice")(
       "batch",
       "run command lines from standard input, each a line such as [\"FILE.prm\", \"--quiet\"], without the "
-      "time of a start (tools/sweep does)")("defaults", "print a complete commented parameter file and stop")(
-      "quiet,q", "print errors only")("help,h", "print this text and stop")(
-      "version", "print the versions of program and libraries and stop");
+      "time of a start (tools/sweep does)")("quiet,q", "print errors only")(
+      "list", "print the scenes that come with the program, a line each, and stop")(
+      "defaults", "print a complete commented parameter file and stop")(
+      "columns", "print name, unit and meaning of every column and field of the results and stop")(
+      "help,h", "print this text and stop")("version",
+                                            "print the versions of program and libraries and stop");
   return options;
 }
 
@@ -59,8 +62,10 @@ CommandLine from(const po::variables_map &values)
   line.check = values.count("check") != 0;
   line.resume = values.count("resume") != 0;
   line.insist = values.count("insist") != 0;
-  line.defaults = values.count("defaults") != 0;
   line.quiet = values.count("quiet") != 0;
+  line.defaults = values.count("defaults") != 0;
+  line.list = values.count("list") != 0;
+  line.columns = values.count("columns") != 0;
   line.help = values.count("help") != 0;
   line.version = values.count("version") != 0;
   return line;
@@ -104,18 +109,19 @@ CommandLine parse_command_line(const int argc, const char *const *const argv)
         "': allowed is the name of a folder (one that begins with '-' is written behind '--output=')");
   if (line.batch && argc > 2)
     throw InputError("command line: --batch stands alone; files and options come from standard input");
-  if (line.parameter_file.empty() && !line.batch && !line.defaults && !line.help && !line.version)
+  if (line.parameter_file.empty() && !line.batch && !line.prints())
     throw InputError(
         "command line: a parameter file is missing, as in 'orthocone prm/paper/case_b.prm'; 'orthocone "
-        "--help' lists the options");
+        "--list' lists those that come with the program, 'orthocone --help' the options");
   return line;
 }
 
 std::string usage()
 {
   std::ostringstream text;
-  text << "orthocone [options] FILE.prm\n\n"
-       << "Elastic body on a rigid plane under cyclic loads with orthotropic friction.\n\n"
+  text << "Usage: orthocone [options] FILE.prm\n\n"
+       << "Elastic bodies in contact under cyclic loads, with orthotropic friction and a slip rule of its "
+          "own.\n\n"
        << visible_options()
        << "\nexample: orthocone prm/paper/case_b.prm --set \"Mesh/Resolution=fine\" -o output/fine\n"
        << "\nexit codes: 0 done, 2 wrong command line or parameter file, 3 a load step could not "

@@ -18,10 +18,15 @@ struct CommandLine
   bool check = false;
   bool resume = false;
   bool insist = false; ///< runs even where memory is likely not to suffice
-  bool defaults = false;
   bool quiet = false;
+  bool defaults = false;
+  bool list = false;    ///< parameter files that come with the program
+  bool columns = false; ///< of the tables, and fields
   bool help = false;
   bool version = false;
+
+  /// Whether it asks for a text only.
+  bool prints() const { return defaults || list || columns || help || version; }
 };
 
 /// Throws InputError for what is not understood.

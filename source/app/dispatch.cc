@@ -6,10 +6,12 @@
 #include "commands.h"
 #include "interrupt.h"
 #include "shareable.h"
+#include "shipped_scenes.h"
 
 #include <orthocone/base/memory.h>
 #include <orthocone/base/text.h>
 #include <orthocone/base/version.h>
+#include <orthocone/results/described_columns.h>
 
 #include <deal.II/base/exceptions.h>
 
@@ -24,9 +26,21 @@ namespace orthocone
 {
 namespace
 {
-void print_defaults()
+void print_text(const CommandLine &line)
 {
-  write_parameters(Parameters(), std::cout);
+  if (line.help)
+    std::cout << usage();
+  else if (line.version)
+    for (const auto &[name, version] : versions())
+      std::cout << name << " " << version << "\n";
+  else if (line.list)
+    std::cout << shipped_scenes(folder_of_shipped_scenes());
+  else if (line.columns)
+    std::cout << described_columns();
+  else
+    write_parameters(Parameters(), std::cout);
+  if (!std::cout.flush())
+    throw FileError("standard output: cannot be written");
 }
 
 /// A command line of --batch, in a process of its own.
@@ -44,27 +58,18 @@ int dispatch(const int argc, const char *const *const argv)
   if (line.batch)
     return static_cast<int>(run_batch(std::cin, std::cout, run_words) ? ExitCode::done
                                                                       : ExitCode::interrupted);
-  if (line.help)
-    std::cout << usage();
-  else if (line.version)
-    for (const auto &[name, version] : versions())
-      std::cout << name << " " << version << "\n";
-  else if (line.defaults)
-    print_defaults();
-  else
+  if (line.prints())
   {
-    require_address_space();
-    catch_signals();
-    require_file_for_all(line.parameter_file);
-    const ParameterFile file = read_parameter_file(line.parameter_file, line.overrides);
-    require_same_for_all(line, file.parameters);
-    return line.check ? check(line, file.parameters) : run(line, file);
+    print_text(line);
+    return static_cast<int>(ExitCode::done);
   }
-  if (!std::cout.flush())
-    throw FileError("standard output: cannot be written");
-  return static_cast<int>(ExitCode::done);
+  require_address_space();
+  catch_signals();
+  require_file_for_all(line.parameter_file);
+  const ParameterFile file = read_parameter_file(line.parameter_file, line.overrides);
+  require_same_for_all(line, file.parameters);
+  return line.check ? check(line, file.parameters) : run(line, file);
 }
-
 } // namespace
 
 int guarded_dispatch(const int argc, const char *const *const argv)

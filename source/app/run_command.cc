@@ -143,6 +143,21 @@ QuasiStaticProblem::Outcome out_of_memory()
 {
   return {ExitCode::unsolved_step, "memory runs out; a coarser mesh or a reduced Mesh/Model needs less"};
 }
+
+/// Tells of what was not done. Where the march has ended, all processes know it, and the first one tells.
+/// Returns the exit code.
+int tell_end(const QuasiStaticProblem::Outcome &outcome, const RunFolder &folder, const bool is_thrown)
+{
+  if (outcome.code == ExitCode::done || (!is_thrown && !is_first_rank()))
+    return static_cast<int>(outcome.code);
+  const bool has_steps = outcome.code == ExitCode::unsolved_step && !is_thrown;
+  return fail(outcome.code,
+              outcome.message + (has_steps
+                                     ? "\nIn " + folder.path() +
+                                           ": log.txt has every step, history.csv and contact.pvd those "
+                                           "that are solved, summary.json this message."
+                                     : ""));
+}
 } // namespace
 
 int run(const CommandLine &line, const ParameterFile &file)
@@ -179,8 +194,7 @@ int run(const CommandLine &line, const ParameterFile &file)
   }
   if (is_thrown)
     keep_failure(folder, task, outcome.message);
-  const bool is_to_tell = outcome.code != ExitCode::done && (is_thrown || is_first_rank());
-  const int code = is_to_tell ? fail(outcome.code, outcome.message) : static_cast<int>(outcome.code);
+  const int code = tell_end(outcome, folder, is_thrown);
   if (!is_thrown)
     wait_for_all_ranks(); // the first one to fail ends all, perhaps while another writes
   return code;

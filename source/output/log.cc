@@ -7,6 +7,7 @@
 #include <sys/ioctl.h>
 #include <unistd.h>
 
+#include <cstdint>
 #include <iomanip>
 #include <iostream>
 #include <sstream>
@@ -21,6 +22,14 @@ std::string fitted(const std::string &text)
   winsize size{};
   const bool is_known = ioctl(STDOUT_FILENO, TIOCGWINSZ, &size) == 0 && size.ws_col > 1;
   return is_known ? text.substr(0, size.ws_col - 1) : text;
+}
+
+/// "[#####---------------] ", as much of it as is done.
+std::string bar(const unsigned int n_done, const unsigned int n_all)
+{
+  constexpr unsigned int width = 20;
+  const unsigned int n_full = width * std::uint64_t(n_done) / n_all;
+  return "[" + std::string(n_full, '#') + std::string(width - n_full, '-') + "] ";
 }
 } // namespace
 
@@ -65,7 +74,7 @@ void Log::progress(const LoadStep &step, const Totals &totals, const SolverRepor
   if (is_quiet_)
     return;
   if (is_terminal_)
-    std::cout << "\r\033[K" << fitted(text.str()) << std::flush;
+    std::cout << "\r\033[K" << fitted(bar(step.number, n_steps_) + text.str()) << std::flush;
   else
     std::cout << text.str() << std::endl;
   is_in_place_ = is_terminal_;

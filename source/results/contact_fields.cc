@@ -23,18 +23,19 @@ const std::vector<ContactField> &contact_field_list()
 {
   using F = ContactFields;
   static const std::vector<ContactField> list{
-      {"displacement", "mm", "of the surface of the body", &F::displacement},
-      {"slip", "mm", "displacement along the plane", &F::slip},
-      {"slip_magnitude", "mm", "its length", [](const F &f) { return f.slip.norm(); }},
+      {"displacement", "mm", "displacement of the surface of the body", &F::displacement},
+      {"slip", "mm", "displacement relative to the counterface, along it", &F::slip},
+      {"slip_magnitude", "mm", "length of the slip", [](const F &f) { return f.slip.norm(); }},
       {"accumulated_slip", "mm", "length of the path of the slip", &F::accumulated_slip},
-      {"gap", "mm", "> 0 where the node is open", &F::gap},
+      {"gap", "mm", "gap between the surfaces, > 0 where the node is open", &F::gap},
       {"pressure", "MPa", "normal traction", &F::pressure},
-      {"friction_traction", "MPa", "of the plane on the body", &F::friction_traction},
+      {"friction_traction", "MPa", "friction traction of the plane on the body", &F::friction_traction},
       {"friction_criterion", "", "||r_t||_m / r_n - 1", &F::friction_criterion},
       {"status", "", "0 open, 1 stick, 2 slip", [](const F &f) { return static_cast<double>(f.status); }},
-      {"nodal_force", "N", "of the plane on the body", &F::nodal_force},
-      {"dissipated_energy", "N/mm", "per area, accumulated", &F::dissipated_energy},
-      {"wear_depth", "mm", "of what slip has worn off", &F::wear_depth}};
+      {"nodal_force", "N", "force of the plane on the node", &F::nodal_force},
+      {"dissipated_energy", "N/mm", "energy that friction has dissipated per area since the start",
+       &F::dissipated_energy},
+      {"wear_depth", "mm", "depth that slip has worn off", &F::wear_depth}};
   return list;
 }
 

@@ -31,49 +31,58 @@ double dissipated(const SolvedStep &step)
 /// In the order in which files have always had them.
 Columns<SolvedStep> first_history_columns()
 {
-  return {
-      {"step", "", "number of the load step", [](const Step &s) { return s.state.step; }},
-      {"ux", "mm", "motion of the held face", [](const Step &s) { return s.state.motion[0]; }},
-      {"uy", "mm", "motion of the held face", [](const Step &s) { return s.state.motion[1]; }},
-      {"uz", "mm", "motion of the held face", [](const Step &s) { return s.state.motion[2]; }},
-      {"force_x", "N", "of the plane on the body", [](const Step &s) { return s.totals.force[0]; }},
-      {"force_y", "N", "of the plane on the body", [](const Step &s) { return s.totals.force[1]; }},
-      {"force_z", "N", "of the plane on the body", [](const Step &s) { return s.totals.force[2]; }},
-      {"max_slip", "mm", "largest of a node", [](const Step &s) { return s.totals.max_slip; }},
-      {"max_accumulated_slip", "mm", "largest of a node",
-       [](const Step &s) { return s.totals.max_accumulated_slip; }},
-      {"min_pressure", "MPa", "least of a node", [](const Step &s) { return s.totals.min_pressure; }},
-      {"max_pressure", "MPa", "largest of a node", [](const Step &s) { return s.totals.max_pressure; }},
-      {"n_open", "", "nodes (or rings) that are open", [](const Step &s) { return s.totals.n_open; }},
-      {"n_stick", "", "nodes (or rings) that stick", [](const Step &s) { return s.totals.n_stick; }},
-      {"n_slip", "", "nodes (or rings) that slip", [](const Step &s) { return s.totals.n_slip; }},
-      {"stick_area", "mm^2", "area that sticks", [](const Step &s) { return s.totals.stick_area; }},
-      {"dissipation", "N mm", "of friction in the step", dissipated},
-      {"total_dissipation", "N mm", "of friction since the start",
-       [](const Step &s) { return s.totals.total_dissipation; }},
-      {"elastic_energy", "N mm", "stored in the body", [](const Step &s) { return s.totals.elastic_energy; }},
-      {"method", "", "contact solver", [](const Step &s) { return s.method; }},
-      {"iterations", "", "of the contact solver", [](const Step &s) { return s.report.iterations; }},
-      {"residual", "", "of the contact problem, relative", [](const Step &s) { return s.report.residual; }}};
+  return {{"step", "", "number of the load step, from 1", [](const Step &s) { return s.state.step; }},
+          {"ux", "mm", "motion of the held face along x", [](const Step &s) { return s.state.motion[0]; }},
+          {"uy", "mm", "motion of the held face along y", [](const Step &s) { return s.state.motion[1]; }},
+          {"uz", "mm", "motion of the held face along z", [](const Step &s) { return s.state.motion[2]; }},
+          {"force_x", "N", "force of the plane on the body along x",
+           [](const Step &s) { return s.totals.force[0]; }},
+          {"force_y", "N", "force of the plane on the body along y",
+           [](const Step &s) { return s.totals.force[1]; }},
+          {"force_z", "N", "force of the plane on the body along z",
+           [](const Step &s) { return s.totals.force[2]; }},
+          {"max_slip", "mm", "largest slip of a node", [](const Step &s) { return s.totals.max_slip; }},
+          {"max_accumulated_slip", "mm", "largest length of a node's path of slip",
+           [](const Step &s) { return s.totals.max_accumulated_slip; }},
+          {"min_pressure", "MPa", "least pressure of a node",
+           [](const Step &s) { return s.totals.min_pressure; }},
+          {"max_pressure", "MPa", "largest pressure of a node",
+           [](const Step &s) { return s.totals.max_pressure; }},
+          {"n_open", "", "nodes (or rings) that are open", [](const Step &s) { return s.totals.n_open; }},
+          {"n_stick", "", "nodes (or rings) that stick", [](const Step &s) { return s.totals.n_stick; }},
+          {"n_slip", "", "nodes (or rings) that slip", [](const Step &s) { return s.totals.n_slip; }},
+          {"stick_area", "mm^2", "area that sticks", [](const Step &s) { return s.totals.stick_area; }},
+          {"dissipation", "N mm", "energy that friction dissipates in the step", dissipated},
+          {"total_dissipation", "N mm", "energy that friction has dissipated since the start",
+           [](const Step &s) { return s.totals.total_dissipation; }},
+          {"elastic_energy", "N mm", "energy that is stored in the bodies",
+           [](const Step &s) { return s.totals.elastic_energy; }},
+          {"method", "", "contact solver", [](const Step &s) { return s.method; }},
+          {"iterations", "", "iterations of the contact solver",
+           [](const Step &s) { return s.report.iterations; }},
+          {"residual", "", "residual of the contact problem, relative",
+           [](const Step &s) { return s.report.residual; }}};
 }
 
 /// Those that came later stand behind them.
 Columns<SolvedStep> later_history_columns()
 {
-  constexpr const char *of_plane = "of the plane on the body, about the centre of the held face";
+  constexpr const char *of_plane = "moment of the plane on the body, about the centre of the held face";
   return {
-      {"rx", "degrees", "rotation of the held face", [](const Step &s) { return degrees(s, 0); }},
-      {"ry", "degrees", "rotation of the held face", [](const Step &s) { return degrees(s, 1); }},
-      {"rz", "degrees", "rotation of the held face", [](const Step &s) { return degrees(s, 2); }},
+      {"rx", "degrees", "rotation of the held face about x", [](const Step &s) { return degrees(s, 0); }},
+      {"ry", "degrees", "rotation of the held face about y", [](const Step &s) { return degrees(s, 1); }},
+      {"rz", "degrees", "rotation of the held face about z", [](const Step &s) { return degrees(s, 2); }},
       {"moment_x", "N mm", of_plane, [](const Step &s) { return s.totals.moment[0]; }},
       {"moment_y", "N mm", of_plane, [](const Step &s) { return s.totals.moment[1]; }},
       {"moment_z", "N mm", of_plane, [](const Step &s) { return s.totals.moment[2]; }},
-      {"cycle", "", "counted from 1; 0 in the preload", [](const Step &s) { return s.step.cycle; }},
-      {"phase", "", "step of the cycle or preload, counted from 0",
-       [](const Step &s) { return s.step.phase; }},
+      {"cycle", "", "number of the cycle, from 1; 0 in the preload",
+       [](const Step &s) { return s.step.cycle; }},
+      {"phase", "", "step of the cycle or preload, from 0", [](const Step &s) { return s.step.phase; }},
       {"driven", "", "components of the held face that are driven", [](const Step &s) { return s.driven; }},
-      {"worn_volume", "mm^3", "since the start", [](const Step &s) { return s.totals.worn_volume; }},
-      {"max_wear_depth", "mm", "largest of a node", [](const Step &s) { return s.totals.max_wear_depth; }}};
+      {"worn_volume", "mm^3", "volume that is worn since the start",
+       [](const Step &s) { return s.totals.worn_volume; }},
+      {"max_wear_depth", "mm", "largest worn depth of a node",
+       [](const Step &s) { return s.totals.max_wear_depth; }}};
 }
 } // namespace
 
@@ -92,7 +101,7 @@ const Columns<SolvedStep> &history_columns()
 const Columns<SolvedStep> &checks_columns()
 {
   static const Columns<SolvedStep> columns{
-      {"step", "", "number of the load step", [](const Step &s) { return s.state.step; }},
+      {"step", "", "number of the load step, from 1", [](const Step &s) { return s.state.step; }},
       {"equilibrium", "", "error of forces and displacements of the body, relative",
        [](const Step &s) { return s.checks.equilibrium; }},
       {"penetration", "", "relative to the motion along z",
@@ -103,7 +112,7 @@ const Columns<SolvedStep> &checks_columns()
        [](const Step &s) { return s.checks.law.friction_cone; }},
       {"slip_rule", "", "slip in another direction than the rule's, relative",
        [](const Step &s) { return s.checks.law.slip_rule; }},
-      {"work", "N mm", "of the held face in the step", [](const Step &s) { return s.checks.work; }},
+      {"work", "N mm", "work of the held face in the step", [](const Step &s) { return s.checks.work; }},
       {"energy_identity", "", "error of what holds for any forces, relative",
        [](const Step &s) { return s.checks.energy_identity; }},
       {"energy_defect", "", "what the step leaves of the energy balance, relative",
@@ -114,27 +123,33 @@ const Columns<SolvedStep> &checks_columns()
 const Columns<SolvedStep> &timing_columns()
 {
   static const Columns<SolvedStep> columns{
-      {"step", "", "number of the load step", [](const Step &s) { return s.state.step; }},
+      {"step", "", "number of the load step, from 1", [](const Step &s) { return s.state.step; }},
       {"seconds", "s", "wall time of the contact solver", [](const Step &s) { return s.seconds; }},
-      {"iterations", "", "of the contact solver", [](const Step &s) { return s.report.iterations; }}};
+      {"iterations", "", "iterations of the contact solver",
+       [](const Step &s) { return s.report.iterations; }}};
   return columns;
 }
 
 const Columns<ProbedStep> &probe_columns()
 {
   static const Columns<ProbedStep> columns{
-      {"step", "", "number of the load step", [](const Probed &p) { return p.state.step; }},
-      {"uz", "mm", "motion of the held face", [](const Probed &p) { return p.state.motion[2]; }},
-      {"slip_x", "mm", "slip", [](const Probed &p) { return p.fields.slip[0]; }},
-      {"slip_y", "mm", "slip", [](const Probed &p) { return p.fields.slip[1]; }},
-      {"accumulated_slip", "mm", "length of its path",
+      {"step", "", "number of the load step, from 1", [](const Probed &p) { return p.state.step; }},
+      {"uz", "mm", "motion of the held face along z", [](const Probed &p) { return p.state.motion[2]; }},
+      {"slip_x", "mm", "slip along x", [](const Probed &p) { return p.fields.slip[0]; }},
+      {"slip_y", "mm", "slip along y", [](const Probed &p) { return p.fields.slip[1]; }},
+      {"accumulated_slip", "mm", "length of the path of the slip",
        [](const Probed &p) { return p.fields.accumulated_slip; }},
-      {"force_n", "N", "of the plane on the node", [](const Probed &p) { return p.fields.nodal_force[2]; }},
-      {"force_x", "N", "of the plane on the node", [](const Probed &p) { return p.fields.nodal_force[0]; }},
-      {"force_y", "N", "of the plane on the node", [](const Probed &p) { return p.fields.nodal_force[1]; }},
+      {"force_n", "N", "force of the plane on the node along the normal",
+       [](const Probed &p) { return p.fields.nodal_force[2]; }},
+      {"force_x", "N", "force of the plane on the node along x",
+       [](const Probed &p) { return p.fields.nodal_force[0]; }},
+      {"force_y", "N", "force of the plane on the node along y",
+       [](const Probed &p) { return p.fields.nodal_force[1]; }},
       {"pressure", "MPa", "normal traction", [](const Probed &p) { return p.fields.pressure; }},
-      {"traction_x", "MPa", "of friction", [](const Probed &p) { return p.fields.friction_traction[0]; }},
-      {"traction_y", "MPa", "of friction", [](const Probed &p) { return p.fields.friction_traction[1]; }},
+      {"traction_x", "MPa", "friction traction along x",
+       [](const Probed &p) { return p.fields.friction_traction[0]; }},
+      {"traction_y", "MPa", "friction traction along y",
+       [](const Probed &p) { return p.fields.friction_traction[1]; }},
       {"status", "", "open, stick or slip", [](const Probed &p) { return word_of(p.fields.status); }}};
   return columns;
 }
@@ -142,29 +157,31 @@ const Columns<ProbedStep> &probe_columns()
 const Columns<CycleRow> &cycle_columns()
 {
   static const Columns<CycleRow> columns{
-      {"cycle", "", "the last of the row", [](const Cycle &c) { return c.cycle; }},
-      {"n_cycles", "", "for which the row stands", [](const Cycle &c) { return c.n_cycles; }},
+      {"cycle", "", "the last cycle of the row", [](const Cycle &c) { return c.cycle; }},
+      {"n_cycles", "", "cycles for which the row stands", [](const Cycle &c) { return c.n_cycles; }},
       {"last_step", "", "the last load step of the cycle", [](const Cycle &c) { return c.last_step; }},
-      {"peak_force_z", "N", "where the total force is largest",
+      {"peak_force_z", "N", "force where the total force is largest",
        [](const Cycle &c) { return c.peak_force_z; }},
-      {"force_z", "N", "at the end", [](const Cycle &c) { return c.force_z; }},
-      {"max_slip", "mm", "largest of a node in the cycle", [](const Cycle &c) { return c.max_slip; }},
-      {"max_accumulated_slip", "mm", "largest of a node since the start",
+      {"force_z", "N", "force at the end of the cycle", [](const Cycle &c) { return c.force_z; }},
+      {"max_slip", "mm", "largest slip of a node in the cycle", [](const Cycle &c) { return c.max_slip; }},
+      {"max_accumulated_slip", "mm", "largest length of a node's path of slip since the start",
        [](const Cycle &c) { return c.max_accumulated_slip; }},
-      {"accumulated_slip", "mm", "largest of a node in the cycles of the row",
+      {"accumulated_slip", "mm", "largest length of a node's path of slip in the cycles of the row",
        [](const Cycle &c) { return c.accumulated_slip; }},
-      {"dissipation", "N mm", "of friction in the cycles of the row",
+      {"dissipation", "N mm", "energy that friction dissipates in the cycles of the row",
        [](const Cycle &c) { return c.dissipation; }},
-      {"total_dissipation", "N mm", "of friction since the start",
+      {"total_dissipation", "N mm", "energy that friction has dissipated since the start",
        [](const Cycle &c) { return c.total_dissipation; }},
-      {"work", "N mm", "of the held face in the cycles of the row", [](const Cycle &c) { return c.work; }},
+      {"work", "N mm", "work of the held face in the cycles of the row",
+       [](const Cycle &c) { return c.work; }},
       {"change", "", "largest difference of the states at both ends, relative",
        [](const Cycle &c) { return c.change; }},
-      {"iterations", "", "of the contact solver", [](const Cycle &c) { return c.iterations; }},
-      {"worn_volume", "mm^3", "at the end, since the start", [](const Cycle &c) { return c.worn_volume; }},
-      {"max_wear_depth", "mm", "largest of a node at the end",
+      {"iterations", "", "iterations of the contact solver", [](const Cycle &c) { return c.iterations; }},
+      {"worn_volume", "mm^3", "volume that is worn since the start",
+       [](const Cycle &c) { return c.worn_volume; }},
+      {"max_wear_depth", "mm", "largest worn depth of a node at the end",
        [](const Cycle &c) { return c.max_wear_depth; }},
-      {"wear_error", "mm^3", "of worn_volume by the jumps, estimated",
+      {"wear_error", "mm^3", "estimated error of worn_volume by the jumps",
        [](const Cycle &c) { return c.wear_error; }}};
   return columns;
 }

@@ -17,8 +17,8 @@ double von_mises_stress(const PointFields &point)
 const std::vector<VolumeField> &volume_field_list()
 {
   static const std::vector<VolumeField> fields{
-      {"displacement", "mm", "from the undeformed body", &PointFields::displacement},
-      {"stress", "MPa", "of Cauchy, in global axes", &PointFields::stress},
+      {"displacement", "mm", "displacement from the undeformed body", &PointFields::displacement},
+      {"stress", "MPa", "Cauchy stress in global axes", &PointFields::stress},
       {"von_mises_stress", "MPa", "sqrt(3/2) times the norm of the deviator", von_mises_stress}};
   return fields;
 }

@@ -113,8 +113,9 @@ class ContractTest(unittest.TestCase):
         os.close(leader)
         lines = text.decode().split("\r\x1b[K")[1:]
         self.assertEqual(len(lines), 45)
-        for line in lines:
-            self.assertRegex(line, r"^step \d+ of 45, \d+\.\d s, \d+\.\d s left: ")
+        for step, line in enumerate(lines, start=1):
+            self.assertRegex(line, rf"^\[#*-*\] step {step} of 45, \d+\.\d s, \d+\.\d s left: ")
+            self.assertEqual(line.partition("]")[0].count("#"), 20 * step // 45)
 
     @staticmethod
     def read_from(descriptor):
@@ -214,8 +215,8 @@ class ContractTest(unittest.TestCase):
         result = self.run_program("--output", "run", settings=settings)
         self.assertEqual(result.returncode, 3)
         self.assertRegex(result.stderr, r"^orthocone: load step 2 of 9 .*feng2006.*residual .* > tolerance .*worst node "
-                                        r"at \(.*\n.*newton")
-        self.assertEqual(len(result.stderr.splitlines()), 2)
+                                        r"at \(.*\n.*newton.*\nIn run: log\.txt has every step, history\.csv ")
+        self.assertEqual(len(result.stderr.splitlines()), 3)
         self.assertEqual([row["step"] for row in self.history()], ["1"])
         self.assertTrue((self.folder / "run/contact-0001.vtu").exists())
         self.assertFalse((self.folder / "run/contact-0002.vtu").exists())

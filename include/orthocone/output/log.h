@@ -10,7 +10,7 @@
 
 namespace orthocone
 {
-/// log.txt and what the screen shows: one line a step, in place on a terminal.
+/// log.txt and what the screen shows: one line a step; on a terminal in place, behind a bar.
 class Log
 {
 public:

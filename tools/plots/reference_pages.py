@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""docs/parameters.md: every entry of a parameter file, as `orthocone --defaults` has it."""
+"""docs/parameters.md and docs/results.md: every entry of a parameter file, and every column and field of the results, as
+`orthocone --defaults` and `orthocone --columns` have them."""
 import argparse
 import pathlib
 import re
@@ -8,10 +9,15 @@ import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-HEAD = """# Parameters
+PARAMETERS = """# Parameters
 Every entry of a parameter file with its default, as `build/orthocone --defaults` prints them.
-`tools/parameters_page` writes this page, and `ctest -R run_parameters_page` checks that it is current.
+`tools/reference_pages` writes this page, and `ctest -R run_reference_pages` checks that it is current.
 A file needs only the entries that differ from their defaults. Units are mm, N, MPa and degrees.
+"""
+RESULTS = """# Columns and fields
+Every column of the tables and every field of the VTU files, as `build/orthocone --columns` prints them.
+`tools/reference_pages` writes this page, and `ctest -R run_reference_pages` checks that it is current.
+[manual.md](manual.md) explains the other files of a run folder, and what the numbers mean.
 """
 
 
@@ -39,8 +45,8 @@ def code(text):
     return f"`{text}`".replace("|", "\\|") if text else ""
 
 
-def page(text):
-    out = HEAD
+def parameters_page(text):
+    out = PARAMETERS
     for section, entries in sections(text):
         out += f"\n## {section}\n| entry | default | what it is | allowed |\n|---|---|---|---|\n"
         for entry, default, meaning, allowed in entries:
@@ -48,16 +54,30 @@ def page(text):
     return out
 
 
+def results_page(text):
+    out, last = RESULTS, None
+    for line in text.splitlines():
+        file, name, unit, meaning = line.split("\t")
+        if file != last:
+            kind = "field" if file.endswith(".vtu") else "column"
+            out += f"\n## {file}\n| {kind} | unit | what it is |\n|---|---|---|\n"
+            last = file
+        out += f"| {code(name)} | {unit} | {cell(meaning)} |\n"
+    return out
+
+
 def main():
-    parser = argparse.ArgumentParser(prog="tools/parameters_page", description=__doc__)
+    parser = argparse.ArgumentParser(prog="tools/reference_pages", description=__doc__)
     parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/orthocone")
-    parser.add_argument("--output", type=pathlib.Path, default=ROOT / "docs/parameters.md")
+    parser.add_argument("--output", metavar="DIR", type=pathlib.Path, default=ROOT / "docs")
     options = parser.parse_args()
     try:
-        defaults = subprocess.run([options.program, "--defaults"], capture_output=True, text=True, check=True).stdout
-        options.output.write_text(page(defaults), encoding="utf-8")
+        for name, option, page in (("parameters.md", "--defaults", parameters_page),
+                                   ("results.md", "--columns", results_page)):
+            text = subprocess.run([options.program, option], capture_output=True, text=True, check=True).stdout
+            (options.output / name).write_text(page(text), encoding="utf-8")
     except (OSError, subprocess.CalledProcessError) as error:
-        sys.exit(f"parameters_page: {error}")
+        sys.exit(f"reference_pages: {error}")
 
 
 if __name__ == "__main__":

@@ -1,0 +1,80 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+#
+# What stands beside the installed program, of component `program`: scenes, tools, pages, man pages, completion. And the
+# Debian package that `cpack -G DEB` makes of the components `program` and `python`.
+set(share ${CMAKE_INSTALL_DATADIR}/orthocone)
+install(DIRECTORY prm DESTINATION ${share} COMPONENT program)
+install(DIRECTORY tools/report tools/paraview DESTINATION ${share}/tools COMPONENT program
+  PATTERN "__pycache__" EXCLUDE)
+install(PROGRAMS tools/report.py tools/python DESTINATION ${share}/tools COMPONENT program)
+install(DIRECTORY tools/sweeps DESTINATION ${share}/tools COMPONENT program PATTERN "__pycache__" EXCLUDE)
+install(FILES tools/plots/run_folder.py tools/plots/outline.py tools/plots/imported_body.py tools/plots/wear_profile.py
+  DESTINATION ${share}/tools/plots COMPONENT program)
+install(DIRECTORY python/orthocone DESTINATION ${share}/python COMPONENT program FILES_MATCHING PATTERN "*.py")
+install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program PATTERN "data" EXCLUDE)
+install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(FILES cmake/package/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(FILES cmake/package/orthocone.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
+  RENAME orthocone COMPONENT program)
+
+# orthocone_tool(NAME MODULES SCRIPT [ARGUMENTS]): a command NAME that runs tools/SCRIPT.
+function(orthocone_tool name MODULES SCRIPT)
+  set(ARGUMENTS ${ARGN})
+  configure_file(cmake/package/tool.in ${CMAKE_BINARY_DIR}/package/${name} @ONLY)
+  install(PROGRAMS ${CMAKE_BINARY_DIR}/package/${name} DESTINATION ${CMAKE_INSTALL_BINDIR} COMPONENT program)
+endfunction()
+orthocone_tool(orthocone-report numpy,meshio report.py)
+orthocone_tool(orthocone-sweep numpy,matplotlib sweeps/sweep.py "--program \"$bin/orthocone\"")
+orthocone_tool(orthocone-wear-profile numpy,matplotlib,meshio plots/wear_profile.py)
+
+# Debian wants man pages and the changelog compressed. -n: the same bytes each time.
+function(orthocone_compressed file folder)
+  configure_file(cmake/package/${file}.in ${CMAKE_BINARY_DIR}/package/${file} @ONLY)
+  add_custom_command(OUTPUT package/${file}.gz COMMAND gzip -9nc package/${file} > package/${file}.gz
+    DEPENDS ${CMAKE_BINARY_DIR}/package/${file})
+  add_custom_target(orthocone_${file} DEPENDS package/${file}.gz)
+  add_dependencies(orthocone orthocone_${file})
+  install(FILES ${CMAKE_BINARY_DIR}/package/${file}.gz DESTINATION ${folder} COMPONENT program)
+endfunction()
+set(SHARE ${CMAKE_INSTALL_FULL_DATADIR}/orthocone)
+set(DOC ${CMAKE_INSTALL_FULL_DOCDIR})
+foreach(page orthocone.1 orthocone-solve.1 orthocone-report.1)
+  orthocone_compressed(${page} ${CMAKE_INSTALL_MANDIR}/man1)
+endforeach()
+orthocone_compressed(changelog ${CMAKE_INSTALL_DOCDIR})
+
+set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON) # what is packed is built before; the tests are not part of it
+set(CPACK_PACKAGE_NAME orthocone)
+set(CPACK_PACKAGE_CONTACT "the orthocone authors <orthocone@users.noreply.github.com>" CACHE STRING "Maintainer of the package")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "elastic bodies in contact with orthotropic friction")
+set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
+  "An elastic body is pressed on another one and released again, cycle
+after cycle. Friction is orthotropic (an elliptic Coulomb cone), and the
+slip rule is not tied to the cone (another ellipse). orthocone computes
+slip, pressure, stick zones, dissipated energy and wear. It is made for
+tribologists, fretting and wear engineers, and researchers in contact
+mechanics.")
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+# Any BLAS would do, but the program chooses threads for this one. The compiled module is for one version of Python.
+set(python "python3")
+if(pybind11_FOUND)
+  math(EXPR next "${Python_VERSION_MINOR} + 1")
+  set(python "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next})")
+endif()
+set(CPACK_DEBIAN_PACKAGE_DEPENDS
+  "libopenblas0-pthread, ${python}, python3-numpy, python3-matplotlib, python3-meshio")
+set(CPACK_DEBIAN_PACKAGE_SUGGESTS "paraview")
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/package/debian_paths.cmake)
+set(CPACK_INSTALL_DEFAULT_DIRECTORY_PERMISSIONS OWNER_READ OWNER_WRITE OWNER_EXECUTE GROUP_READ GROUP_EXECUTE WORLD_READ
+  WORLD_EXECUTE)
+# The libraries for programs of one's own (components contact and body) are installed by `cmake --install`.
+set(CPACK_COMPONENTS_ALL program python)
+set(CPACK_COMPONENTS_GROUPING ALL_COMPONENTS_IN_ONE)
+set(CPACK_DEB_COMPONENT_INSTALL ON)
+include(CPack)

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// The parameter files that come with the program, for --list.
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace orthocone
+{
+/// Where they are beside the running program: in its source tree, or where it is installed. Throws FileError
+/// if in neither.
+std::filesystem::path folder_of_shipped_scenes();
+
+/// A line for each parameter file of a folder and its subfolders: the path, to be run as it stands, and the
+/// first sentence of the comment at its head. Throws FileError for a file that cannot be read.
+std::string shipped_scenes(const std::filesystem::path &folder);
+} // namespace orthocone
