@@ -19,6 +19,7 @@ smartquotes = False  # pages read as on a forge
 myst_disable_syntax = ["myst_role", "myst_line_comment", "myst_block_break", "myst_target"]
 myst_heading_anchors = 4
 
+toc_object_entries = False  # "On this page" has the headers, not all that they declare
 cpp_index_common_prefix = ["orthocone::"]
 breathe_default_project = "orthocone"
 breathe_default_members = ("members", "undoc-members")

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""Debian's build of furo lacks three things, which are mended in its copies in the site. Its script imports another one as a
-module, which browsers refuse in pages that are files. Its style sheet may import one from a folder of a web server. And it
-leaves out that a browser that asks for dark pages gets them."""
+"""Debian's furo is made for a web server. It is mended in its copies in the site, so that pages work as files. Browsers
+refuse modules from files: its script imports one, and is one in Debian 13. Its style sheet may import one from a folder of
+the server. And it leaves out that a browser that asks for dark pages gets them."""
 import pathlib
 import re
 
@@ -31,3 +31,6 @@ def mend(html):
     for name, mended in (("scripts/furo.js", mended_script), ("styles/furo.css", mended_sheet)):
         file = html / "_static" / name
         file.write_text(mended(file), encoding="utf-8")
+    for file in html.rglob("*.html"):
+        text = file.read_text(encoding="utf-8")
+        file.write_text(text.replace('<script type="module"', "<script"), encoding="utf-8")
