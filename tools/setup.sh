@@ -3,11 +3,13 @@
 # Copyright (C) 2026 the orthocone authors
 #
 #   tools/setup.sh PRESET [figures] [benchmark] [study] [problems] [package] [tests]
+#   tools/setup.sh docs
 #
 # Installs what is missing, configures and builds with a CMake preset (release, debug, fuzz); `figures` adds the packages
 # of the tools that draw, `benchmark` those and the kernels that tools/benchmark times, `study` those of figures and the
 # small experiments of tools/study, `problems` orthocone-solve and the entry Output/Problems, `package` what makes and checks
-# a Debian package, `tests` all of these and the tests. Called by ./run, ./test and the tools. Nothing is done twice: installed packages, a configured build folder and
+# a Debian package, `tests` all of these and the tests. `docs` alone installs what makes the site of these pages, and builds
+# nothing. Called by ./run, ./test and the tools. Nothing is done twice: installed packages, a configured build folder and
 # compiled files are left alone.
 set -eu
 
@@ -19,9 +21,10 @@ figures_packages="python3 python3-numpy python3-matplotlib python3-meshio"
 benchmark_packages="$figures_packages libbenchmark-dev"
 problems_packages="libfclib-dev"
 package_packages="$problems_packages dpkg-dev lintian"
+docs_packages="python3 python3-sphinx python3-myst-parser furo python3-breathe doxygen"
 # ParaView's Python brings the vtk modules, and takes the place of the package python3-vtk9 where that is installed.
-tests_packages="$benchmark_packages $package_packages paraview python3-paraview xvfb xauth chromium chromium-driver
-  python3-selenium python3-hypothesis clang-format clang-tidy"
+tests_packages="$benchmark_packages $package_packages $docs_packages paraview python3-paraview xvfb xauth chromium
+  chromium-driver python3-selenium python3-hypothesis clang-format clang-tidy"
 fuzz_packages="clang libclang-rt-dev"
 
 say() { echo "setup: $*" >&2; }
@@ -50,6 +53,7 @@ preset=$1
 shift
 targets="orthocone orthocone_python"
 kernels=OFF
+[ "$preset" != docs ] || packages='' targets=''
 for group in "$preset" "$@"; do
   case $group in
     figures) packages="$packages $figures_packages" ;;
@@ -59,6 +63,7 @@ for group in "$preset" "$@"; do
     package) packages="$packages $package_packages" targets="$targets orthocone_solve" ;;
     tests) packages="$packages $tests_packages" targets=all kernels=ON ;;
     fuzz) packages="$packages $fuzz_packages" targets=all ;;
+    docs) packages="$packages $docs_packages" ;;
   esac
 done
 [ "$preset" != debug ] || targets=unit_tests kernels=OFF # the only ones that this preset runs
@@ -72,6 +77,7 @@ else
   # shellcheck disable=SC2086
   say $packages
 fi
+[ -n "$targets" ] || exit 0
 
 build=build
 [ "$preset" = release ] || build=build/$preset
