@@ -2,23 +2,22 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 #
-#   tools/setup.sh PRESET [figures] [benchmark] [study] [problems] [package] [tests]
+#   tools/setup.sh PRESET [benchmark] [study] [problems] [package] [tests]
 #   tools/setup.sh docs
 #
-# Installs what is missing, configures and builds with a CMake preset (release, debug, fuzz); `figures` adds the packages
-# of the tools that draw, `benchmark` those and the kernels that tools/benchmark times, `study` those of figures and the
-# small experiments of tools/study, `problems` orthocone-solve and the entry Output/Problems, `package` what makes and checks
-# a Debian package, `tests` all of these and the tests. `docs` alone installs what makes the site of these pages, and builds
-# nothing. Called by ./run, ./test and the tools. Nothing is done twice: installed packages, a configured build folder and
-# compiled files are left alone.
+# Installs what is missing, configures and builds with a CMake preset (release, debug, fuzz); `benchmark` adds the kernels
+# that tools/benchmark times, `study` the small experiments of tools/study, `problems` orthocone-solve and the entry
+# Output/Problems, `package` what makes and checks a Debian package, `tests` all of these and the tests. `docs` alone
+# installs what makes the site of these pages, and builds nothing. Called by ./run, ./test and the tools. Nothing is done
+# twice: installed packages, a configured build folder and compiled files are left alone.
 set -eu
 
 # mold is the linker that the flags of Debian 13's deal.II ask for; libdeal.ii-dev only recommends it.
 packages="g++ cmake ninja-build git mold
   libdeal.ii-dev libsuitesparse-dev libmetis-dev libeigen3-dev libopenblas-pthread-dev liblapacke-dev zlib1g-dev
-  libboost-program-options-dev nlohmann-json3-dev libgtest-dev pybind11-dev python3-dev python3-numpy"
-figures_packages="python3 python3-numpy python3-matplotlib python3-meshio"
-benchmark_packages="$figures_packages libbenchmark-dev"
+  libboost-program-options-dev nlohmann-json3-dev libgtest-dev pybind11-dev python3-dev python3-numpy python3-matplotlib
+  python3-meshio"
+benchmark_packages="libbenchmark-dev"
 problems_packages="libfclib-dev"
 package_packages="$problems_packages dpkg-dev lintian"
 docs_packages="python3 python3-sphinx python3-myst-parser furo python3-breathe doxygen"
@@ -56,9 +55,8 @@ kernels=OFF
 [ "$preset" != docs ] || packages='' targets=''
 for group in "$preset" "$@"; do
   case $group in
-    figures) packages="$packages $figures_packages" ;;
     benchmark) packages="$packages $benchmark_packages" targets="$targets kernels" kernels=ON ;;
-    study) packages="$packages $figures_packages" targets="$targets studies" ;;
+    study) targets="$targets studies" ;;
     problems) packages="$packages $problems_packages" targets="$targets orthocone_solve" ;;
     package) packages="$packages $package_packages" targets="$targets orthocone_solve" ;;
     tests) packages="$packages $tests_packages" targets=all kernels=ON ;;

@@ -184,15 +184,17 @@ Estimate least_estimate(const ModelSize &size)
 }
 
 std::string describe(const Estimate &estimate, const unsigned int n_steps, const MemoryLimit &limit,
-                     const bool is_least)
+                     const bool is_least, const bool has_jumps)
 {
   const char *const about = is_least ? "more than " : "about ";
   std::ostringstream text;
   text << std::setprecision(2) << "memory         " << about << estimate.gigabytes << " GB; " << limit.source
        << " " << (limit.gigabytes < 10 ? limit.gigabytes : std::round(limit.gigabytes)) << " GB\n"
-       << "time           " << about << estimate.set_up_seconds + n_steps * estimate.step_seconds
-       << " s: set-up " << estimate.set_up_seconds << " s, " << n_steps << " load steps of "
-       << estimate.step_seconds << " s" << (is_least ? "" : " (to a factor of 3)");
+       << "time           " << (has_jumps ? "up to " : about)
+       << estimate.set_up_seconds + n_steps * estimate.step_seconds << " s: set-up "
+       << estimate.set_up_seconds << " s, " << n_steps << " load steps of " << estimate.step_seconds << " s"
+       << (is_least ? "" : " (to a factor of 3)")
+       << (has_jumps ? ", less for each cycle that is jumped" : "");
   return text.str();
 }
 

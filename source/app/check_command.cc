@@ -57,6 +57,12 @@ std::string why_too_large(const ModelSize &size, const std::string &lack)
   return lack;
 }
 
+/// Whether cycles may be left out, and take no time.
+bool has_jumps(const Parameters &parameters)
+{
+  return parameters.load.jump_when_periodic != 0 || parameters.wear.largest_jump != 0;
+}
+
 /// A mesh of so many unknowns that it takes longer than somebody who checks waits.
 void print_large_model(const Parameters &parameters, const ModelChoice &model, const ModelSize &size)
 {
@@ -67,7 +73,8 @@ void print_large_model(const Parameters &parameters, const ModelChoice &model, c
       is_condensed ? least_estimate(size) : multigrid_estimate(parameters, size, model.symmetry);
   std::cout << describe_model(model) << describe(size) << "\n"
             << describe_friction(parameters) << describe_obstacle(parameters)
-            << describe_steps(parameters.load) << describe(cost, n_steps, limit, is_condensed) << "\n";
+            << describe_steps(parameters.load)
+            << describe(cost, n_steps, limit, is_condensed, has_jumps(parameters)) << "\n";
   const std::string lack = lack_of_memory(cost.gigabytes, limit);
   print_warnings(parameters, is_condensed ? why_too_large(size, lack) : lack);
 }
@@ -96,13 +103,13 @@ void print_model(const Parameters &parameters, const ModelChoice &model)
         parameters.mesh.backend == BodyBackend::multigrid
             ? multigrid_estimate(parameters, model_size(parameters, model.symmetry), model.symmetry)
             : estimate(parameters, body, model.symmetry);
-    std::cout << describe(cost, n_steps, limit, false) << "\n";
+    std::cout << describe(cost, n_steps, limit, false, has_jumps(parameters)) << "\n";
     print_warnings(parameters, lack_of_memory(cost.gigabytes, limit));
   }
   catch (const TooLargeError &error)
   {
     const Estimate least = least_estimate(model_size(parameters, model.symmetry));
-    std::cout << describe(least, n_steps, limit, true) << "\n";
+    std::cout << describe(least, n_steps, limit, true, has_jumps(parameters)) << "\n";
     print_warnings(parameters, error.what());
   }
 }

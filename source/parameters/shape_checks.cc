@@ -6,12 +6,15 @@
 
 #include <orthocone/base/errors.h>
 #include <orthocone/base/grading.h>
+#include <orthocone/base/numbers.h>
 #include <orthocone/base/text.h>
+#include <orthocone/parameters/expression.h>
 #include <orthocone/parameters/values.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
 
 namespace orthocone
 {
@@ -185,9 +188,42 @@ void check_shape(const Parameters &parameters)
   check_probes(parameters.geometry, parameters.output.probes);
 }
 
+/// How far the program of legs moves the top down, mm. None where a force presses.
+static std::optional<double> way_down(const LoadOptions &load)
+{
+  constexpr unsigned int along_z = 2;
+  double depth = 0;
+  for (const auto *const legs : {&load.preload, &load.legs})
+    for (const Leg &leg : *legs)
+    {
+      if (leg.targets[along_z] && leg.targets[along_z]->by_force)
+        return std::nullopt;
+      depth = std::max(depth, -leg.motion(along_z).value_or(0));
+    }
+  return depth;
+}
+
+/// Whether the gap keeps the rim of a cylinder open: it is nowhere less there than what the top moves down.
+static bool rim_stays_open(const Parameters &parameters)
+{
+  constexpr unsigned int n_places = 32;
+  const auto depth = way_down(parameters.load);
+  if (!depth || is_box(parameters.geometry) || !parameters.obstacle.gap_file.empty())
+    return false;
+  const Expression gap(parameters.obstacle.gap);
+  for (unsigned int i = 0; i < n_places; ++i)
+  {
+    const double angle = 2 * pi * i / n_places;
+    const double radius = parameters.geometry.radius;
+    if (!(gap.value(radius * std::cos(angle), radius * std::sin(angle)) > *depth))
+      return false;
+  }
+  return true;
+}
+
 void warn_of_shape(const Parameters &parameters, std::vector<std::string> &warnings)
 {
-  if (!parameters.geometry.is_from_file())
+  if (!parameters.geometry.is_from_file() && !rim_stays_open(parameters))
     warn_of_coarse_rim(parameters.geometry, parameters.mesh, warnings);
   warn_of_other_shape(parameters, warnings);
 }

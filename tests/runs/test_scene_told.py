@@ -6,10 +6,11 @@ Usage: test_scene_told.py PROGRAM [unittest options]"""
 import json
 import math
 import re
+import subprocess
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from program import RunTest, SMALL, main  # noqa: E402
+from program import PROGRAM, RunTest, SMALL, main  # noqa: E402
 
 DONE = 0
 
@@ -57,6 +58,16 @@ class SceneTest(RunTest):
                                r"change there; both are taken at the reference position", log)
             self.assertEqual(bool(warned), is_warned, log)
         self.assertAlmostEqual(float(warned[1]), 100 * way * math.pi / 20, delta=10)
+
+    def test_the_time_of_a_check_says_that_jumps_take_none(self):
+        wear = ["Wear/Law=energy", "Wear/Coefficient=1e-6"]
+        jumped, told = "less for each cycle that is jumped$", r"^time +{} .* s: .* s \(to a factor of 3\)"
+        for settings, expected in ((wear, told.format("about") + "$"),
+                                   ([*wear, "Wear/Largest depth of a jump=1e-5"], told.format("up to") + ", " + jumped),
+                                   (["Load program/Jump when periodic=1e-6"], told.format("up to") + ", " + jumped)):
+            words = [f"--set={setting}" for setting in settings]
+            result = subprocess.run([PROGRAM, self.FILE, "--check", *words], capture_output=True, text=True, check=True)
+            self.assertRegex(result.stdout, "(?m)" + expected)
 
     def test_lines_keep_their_words_where_the_body_is_only_pressed(self):
         self.assertRegex(self.run_with(), r"\nstep 4 of 45, .* s left: u_z -0\.08 mm, open/stick/slip ")

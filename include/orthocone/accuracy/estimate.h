@@ -47,7 +47,9 @@ double step_gigabytes(const LoadOptions &load, double contact_nodes);
 double volume_seconds_per_step(const OutputOptions &output, double dofs);
 
 /// The estimate in two lines, with the memory that there is. `is_least`: it is a bound from below.
-std::string describe(const Estimate &estimate, unsigned int n_steps, const MemoryLimit &limit, bool is_least);
+/// `has_jumps`: cycles may be left out.
+std::string describe(const Estimate &estimate, unsigned int n_steps, const MemoryLimit &limit, bool is_least,
+                     bool has_jumps);
 
 /// Cells, unknowns and contact nodes in lines.
 std::string describe(const ModelSize &size);
