@@ -2,9 +2,12 @@
 # Copyright (C) 2026 the orthocone authors
 """One hostile input is a row: how the program is run, and what must hold. A bench runs it in a folder of its own."""
 import dataclasses
+import json
 import os
 import pathlib
 import resource
+import select
+import shutil
 import subprocess
 import tempfile
 import typing
@@ -53,21 +56,57 @@ class Row:
     script: typing.Callable = None
 
 
-class Bench:
-    """A folder with s.prm and the program."""
+class Worker:
+    """A program that has loaded its libraries and runs command lines of --batch, each in a process of its own. Loading takes
+    longer than most inputs."""
 
     def __init__(self, program):
-        self.program = program
         self._folder = tempfile.TemporaryDirectory()
         self.folder = pathlib.Path(self._folder.name)
+        self._process = subprocess.Popen([program, "--batch"], cwd=self.folder, text=True, stdin=subprocess.PIPE,
+                                         env=Bench.environment({"LD_BIND_NOW": "1"}), stdout=subprocess.PIPE,
+                                         preexec_fn=limit_memory)
+
+    def call(self, words):
+        """As Bench.call()."""
+        self._process.stdin.write(json.dumps(words) + "\n")
+        self._process.stdin.flush()
+        if not select.select([self._process.stdout], [], [], SECONDS)[0]:
+            self._process.kill()
+            return "too long", "", ""
+        answer = json.loads(self._process.stdout.readline())
+        return answer["exit"], answer["output"], answer["message"]
+
+    def clear(self):
+        for path in self.folder.iterdir():
+            shutil.rmtree(path) if path.is_dir() and not path.is_symlink() else path.unlink()
+
+    def end(self):
+        self._process.stdin.close()
+        self._process.wait()
+        self._process.stdout.close()
+        self._folder.cleanup()
+
+
+class Bench:
+    """A folder with s.prm and the program; with a worker the folder is that in which the worker runs."""
+
+    def __init__(self, program, worker=None):
+        self.program = program
+        self.worker = worker
+        if worker:
+            worker.clear()
+        self._folder = None if worker else tempfile.TemporaryDirectory()
+        self.folder = worker.folder if worker else pathlib.Path(self._folder.name)
         self.put("s.prm", SCENE)
 
     def __enter__(self):
         return self
 
     def __exit__(self, *_):
-        subprocess.run(["chmod", "-R", "u+rwx", self.folder], check=False)
-        self._folder.cleanup()
+        if self._folder:
+            subprocess.run(["chmod", "-R", "u+rwx", self.folder], check=False)
+            self._folder.cleanup()
 
     def put(self, name, content):
         path = self.folder / name
@@ -92,6 +131,8 @@ class Bench:
 
     def call(self, *arguments, shell="", environment=()):
         """Exit code, standard output, error output; the code of one that takes too long is "too long"."""
+        if self.worker and not shell and not environment:
+            return self.worker.call([str(argument) for argument in arguments])
         process = self.start(*arguments, shell=shell, environment=environment)
         try:
             out, err = process.communicate(timeout=SECONDS)

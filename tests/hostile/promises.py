@@ -20,10 +20,13 @@ def of_exit(code, wanted):
 
 
 def of_error_output(code, text, says):
-    """One or two lines that begin with the program's name; nothing if all went well."""
+    """One or two lines that begin with the program's name, and where to look after a step that is not solved; nothing if all
+    went well."""
     if code == DONE:
         return [f"error output of a run that is done: {text[:200]!r}"] if text and not says else []
     lines = text.strip("\n").split("\n")
+    if code == UNSOLVED and lines[-1].startswith("In "):
+        del lines[-1]
     faults = [] if 1 <= len(lines) <= 2 else [f"{len(lines)} lines of error output"]
     faults += [] if lines[0].startswith("orthocone: ") else [f"error output begins with {lines[0][:40]!r}"]
     faults += [f"a line of {len(line)} characters" for line in lines if len(line) > LONGEST_LINE]

@@ -19,17 +19,19 @@ import parameter_files  # noqa: E402
 import promises  # noqa: E402
 import relations  # noqa: E402
 import values  # noqa: E402
-from bench import Bench  # noqa: E402
+from bench import Bench, Worker  # noqa: E402
 
 GROUPS = {"command lines": command_lines, "parameter files": parameter_files, "JSON files": json_files,
           "values": values, "relations": relations, "run folders": folders,
           "environment and signals": environments}
+# In which the way that a process starts is no part of what is tried.
+SHARED = {"parameter files", "JSON files", "values", "relations"}
 LEAST_ROWS = 220
 
 
-def faults_of(row, program):
+def faults_of(row, program, worker):
     """What does not hold of a row."""
-    with Bench(program) as bench:
+    with Bench(program, worker) as bench:
         if row.script:
             return row.script(bench)
         for name, content in row.files.items():
@@ -45,10 +47,10 @@ def faults_of(row, program):
         return faults + (promises.of_run(bench.folder / run, code) if run and row.run else [])
 
 
-def checked(row, program):
+def checked(row, program, worker):
     """What a row leaves undone must not stop the others."""
     try:
-        return faults_of(row, program)
+        return faults_of(row, program, worker)
     except Exception as error:  # pylint: disable=broad-except
         return [f"{type(error).__name__}: {error}"]
 
@@ -64,11 +66,12 @@ def main():
     if "--list" in words:
         print("\n".join(f"{group}: {row.name!r}" for group, row in rows))
         return 0
-    start, failed = time.monotonic(), 0
+    start, failed, worker = time.monotonic(), 0, Worker(program)
     for group, row in rows:
-        if faults := checked(row, program):
+        if faults := checked(row, program, worker if group in SHARED and not row.prepare else None):
             failed += 1
             print(f"FAILED {group}: {row.name!r}: " + "; ".join(faults))
+    worker.end()
     numbers = {group: sum(group == other for other, _ in rows) for group in GROUPS}
     counts = ", ".join(f"{number} {group}" for group, number in numbers.items() if number)
     print(f"hostile: {len(rows)} inputs ({counts}), {failed} failed, {time.monotonic() - start:.0f} s")
