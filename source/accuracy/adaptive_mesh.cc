@@ -145,7 +145,7 @@ std::unique_ptr<RefinementWatch> RefinementWatch::of(const Scene &scene)
       { return std::make_unique<WatchOfSpace<std::decay_t<decltype(space)>::dimension>>(scene, space); });
 }
 
-MeshOptions adapted_mesh(const Parameters &parameters, const ModelChoice &choice, const Teller &tell,
+MeshOptions adapted_mesh(const Parameters &parameters, const ModelChoice &choice, const Reporter &report,
                          const double gigabytes)
 {
   Parameters adapted = parameters;
@@ -166,10 +166,10 @@ MeshOptions adapted_mesh(const Parameters &parameters, const ModelChoice &choice
     const std::string line = "adaptive       round " + std::to_string(round) + ", " + size_of(scene);
     if (is_too_large(with_backend(finer), choice.symmetry, gigabytes))
     {
-      tell(line + "the next mesh would need more memory than this machine has");
+      report(line + "the next mesh would need more memory than this machine has");
       break;
     }
-    tell(line + std::to_string(Body(finer, choice.symmetry).unknowns().size().cells) + " cells follow");
+    report(line + std::to_string(Body(finer, choice.symmetry).unknowns().size().cells) + " cells follow");
     adapted = finer;
   }
   return adapted.mesh;

@@ -203,7 +203,7 @@ std::string line_of(const StepSearch &search)
 } // namespace
 
 DividedSteps find_steps(const Parameters &parameters, const ModelChoice &choice, const double wanted,
-                        const Teller &tell)
+                        const Reporter &report)
 {
   Parameters searched = parameters;
   searched.mesh = search_mesh(parameters, choice);
@@ -212,12 +212,12 @@ DividedSteps find_steps(const Parameters &parameters, const ModelChoice &choice,
   do
   {
     search.measure();
-    tell(line_of(search));
+    report(line_of(search));
   } while (!search.estimate().is_reached() && search.divide());
   DividedSteps divided{search.load(), {search.estimate(), search.solver_errors()}};
   divided.load.cycles = parameters.load.cycles;
   divided.load.accuracy = 0;
-  tell("accuracy       of the steps " + describe(divided.accuracy.estimate));
+  report("accuracy       of the steps " + describe(divided.accuracy.estimate));
   return divided;
 }
 } // namespace orthocone

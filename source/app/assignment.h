@@ -24,7 +24,7 @@ struct Assignment
   ThreadChooser threads;
   std::string lines{}; ///< for log.txt, which begins when it is known that the run does
 
-  void tell(const std::string &text)
+  void report(const std::string &text)
   {
     lines += text + "\n";
     if (!line.quiet)
@@ -32,7 +32,7 @@ struct Assignment
   }
 };
 
-/// Path of the parameter file, to tell it from others of its name.
+/// Path of the parameter file, which distinguishes it from others of the same name.
 std::string path_of(const CommandLine &line);
 
 /// Where the results go.

@@ -18,7 +18,7 @@ namespace orthocone
 class QuasiStaticProblem : private MarchObserver
 {
 public:
-  /// What came of a run; `message` tells the user why it did not come to its end.
+  /// How a run ended; `message` says why it did not come to its end.
   struct Outcome
   {
     ExitCode code = ExitCode::done;

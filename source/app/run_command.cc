@@ -101,17 +101,18 @@ QuasiStaticProblem::Outcome solve(Assignment &task, const RunFolder &folder)
   const auto checkpoint = checkpoint_to_resume(task, folder);
   if (checkpoint)
     go_on(task, *checkpoint);
-  // A search may take minutes: what is wrong with the folder is told before, and an older run in it is no
-  // longer there to be resumed.
+  // A search may take minutes: what is wrong with the folder is reported before it, and an older run in the
+  // folder can no longer be resumed.
   if (searches(given) && !checkpoint)
   {
     if (!task.line.resume)
       keep_parameters(folder, task, given);
     task.threads.choose(unknowns_of_search(task));
   }
-  ChosenModel chosen = checkpoint ? ChosenModel{given, chosen_by(*checkpoint, given)}
-                                  : choose_mesh_and_steps(given, task.model,
-                                                          [&](const std::string &text) { task.tell(text); });
+  ChosenModel chosen =
+      checkpoint
+          ? ChosenModel{given, chosen_by(*checkpoint, given)}
+          : choose_mesh_and_steps(given, task.model, [&](const std::string &text) { task.report(text); });
   const Parameters parameters = chosen.parameters;
   if (task.line.resume && !checkpoint)
     require_nothing_to_lose(folder, parameters);
@@ -144,9 +145,9 @@ QuasiStaticProblem::Outcome out_of_memory()
   return {ExitCode::unsolved_step, "memory runs out; a coarser mesh or a reduced Mesh/Model needs less"};
 }
 
-/// Tells of what was not done. Where the march has ended, all processes know it, and the first one tells.
+/// Reports what was not done. Where the march has ended, all processes know it, and the first one reports it.
 /// Returns the exit code.
-int tell_end(const QuasiStaticProblem::Outcome &outcome, const RunFolder &folder, const bool is_thrown)
+int report_end(const QuasiStaticProblem::Outcome &outcome, const RunFolder &folder, const bool is_thrown)
 {
   if (outcome.code == ExitCode::done || (!is_thrown && !is_first_rank()))
     return static_cast<int>(outcome.code);
@@ -194,7 +195,7 @@ int run(const CommandLine &line, const ParameterFile &file)
   }
   if (is_thrown)
     keep_failure(folder, task, outcome.message);
-  const int code = tell_end(outcome, folder, is_thrown);
+  const int code = report_end(outcome, folder, is_thrown);
   if (!is_thrown)
     wait_for_all_ranks(); // the first one to fail ends all, perhaps while another writes
   return code;

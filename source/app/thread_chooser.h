@@ -23,7 +23,7 @@ public:
   /// To be called before choose() if the run goes on with the bytes of an earlier one.
   void go_on_with(unsigned int n_threads) { of_run_before_ = n_threads; }
 
-  /// The first call decides and tells the libraries. `unknowns`: of the model.
+  /// The first call decides and sets the threads of the libraries. `unknowns`: their number in the model.
   const ThreadChoice &choose(double unknowns);
 
   /// What was chosen.

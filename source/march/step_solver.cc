@@ -24,7 +24,7 @@ FaceTarget on_the_way(const FaceState &from, const FaceTarget &target, const dou
   return middle;
 }
 
-/// Adds what solving a part before told to the report of the one behind it.
+/// Adds the report on an earlier part of the step to the report on the part behind it.
 void add_earlier(SolverReport &report, const SolverReport &earlier)
 {
   report.iterations += earlier.iterations;
@@ -130,7 +130,7 @@ SolverReport StepSolver::solve_in_one(ContactState &state, const LoadStep &step)
 /// What is known of the past, or what the step changes on a coarser mesh where that is far off.
 VectorXd StepSolver::start_of(const Attempt &attempt, const ContactState &state, const LoadStep &step) const
 {
-  constexpr double good = 1e-3; // what a coarser mesh tells is hardly better
+  constexpr double good = 1e-3; // what a coarser mesh finds is hardly better
   VectorXd start = starts_.best(attempt.problem, attempt.components, state, step, tolerance_);
   if (coarser_ == nullptr)
     return start;

@@ -48,8 +48,8 @@ Eigen::VectorXd ElasticSolver::works_with(const Vector &forces) const
   return works;
 }
 
-/// Shares of the known that do these works on each of them; directions that only rounding tells apart are
-/// left out.
+/// Shares of the known that do these works on each of them; directions that differ by rounding only are left
+/// out.
 Eigen::VectorXd ElasticSolver::combination(const Eigen::VectorXd &works) const
 {
   constexpr double independent = 1e-12; // of the energies, scaled to 1

@@ -14,9 +14,9 @@ struct NearSolution
   BodyVector<double> displacement, rest;
 };
 
-/// Displacements of a body by forces: conjugate gradients with one V-cycle an iteration, from the best that
-/// earlier solutions can tell (P. F. Fischer, Projection techniques for iterative solution of Ax = b with
-/// successive right-hand sides, 1998).
+/// Displacements of a body by forces: conjugate gradients with one V-cycle an iteration, from the best
+/// combination of earlier solutions (P. F. Fischer, Projection techniques for iterative solution of Ax = b
+/// with successive right-hand sides, 1998).
 class ElasticSolver
 {
 public:
@@ -28,7 +28,7 @@ public:
   /// Until ||K u - forces|| <= accuracy ||forces||. Throws SolveError if that is out of reach.
   Vector solve(const Vector &forces, double accuracy) const;
 
-  /// The best that earlier solutions can tell, for one product with K.
+  /// The best combination of earlier solutions, for one product with K.
   NearSolution near(const Vector &forces) const;
 
   /// Compliance::settle() and restore().

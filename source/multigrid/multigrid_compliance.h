@@ -48,6 +48,6 @@ private:
   ElasticSolver elastic_;
   Eigen::VectorXd of_nodes_; ///< mm/N
   double accuracy_;
-  mutable ContactChange learned_; ///< what learn() was told last
+  mutable ContactChange learned_; ///< what learn() was given last
 };
 } // namespace orthocone

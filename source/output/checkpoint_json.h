@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// Values of a checkpoint in CBOR. A checksum tells damage, not malice or a mistake of another program: what
-// is read is bounded and checked. Everything throws CheckpointError.
+// Values of a checkpoint in CBOR. A checksum shows damage, but neither malice nor a mistake of another
+// program: what is read is bounded and checked. All functions throw CheckpointError.
 #pragma once
 
 #include <orthocone/output/checkpoint.h>

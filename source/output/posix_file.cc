@@ -57,7 +57,7 @@ public:
     }
   }
 
-  /// Some file systems tell only here that the disk is full.
+  /// Some file systems report a full disk only here.
   void close()
   {
     const int descriptor = descriptor_;

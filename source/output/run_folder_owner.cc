@@ -42,8 +42,8 @@ using run_folder::RunFile;
 
 namespace
 {
-/// Tells a folder of a run from others: a name and a first line that nobody else writes. `parameters.prm`
-/// would not do, as users of deal.II call their own files so.
+/// The mark of a run's folder: a name and a first line that nobody else writes. `parameters.prm` would not
+/// do, as users of deal.II call their own files so.
 constexpr const char *marker = "orthocone-run.txt";
 constexpr const char *marker_line = "orthocone run folder: parameter file and tables of probes";
 constexpr const char *identity = "parameters.prm";

@@ -80,7 +80,7 @@ private:
 
 namespace orthocone::entries
 {
-/// Interval of numbers, open at both ends unless said otherwise, and how to tell users of it.
+/// Interval of numbers, open at both ends unless said otherwise, and how messages describe it.
 struct Range
 {
   double lower = -1e300;

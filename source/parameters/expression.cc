@@ -20,7 +20,7 @@ namespace orthocone
 {
 namespace
 {
-/// Keeps what the library says on the screen away from there: messages are told by us.
+/// Keeps what the library prints off the screen: the program words its own messages.
 class SilentErrors
 {
 public:

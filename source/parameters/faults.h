@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// The sentences that tell users what is wrong with a parameter file.
+// The sentences that say what is wrong with a parameter file.
 #pragma once
 
 #include <string>

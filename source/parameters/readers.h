@@ -18,7 +18,7 @@ std::string read_prm(const std::string &file_name, EntryTable &table);
 /// Returns the text.
 std::string read_json(const std::string &file_name, EntryTable &table);
 
-/// Sets the entry `name` ("Section/Entry"); `place` tells users where it was given ("file:line: ").
+/// Sets the entry `name` ("Section/Entry"); `place` says where it was given ("file:line: ").
 void set_entry(const std::string &place, const std::string &name, const std::string &value,
                EntryTable &table);
 

@@ -6,7 +6,7 @@
 
 namespace orthocone
 {
-/// What a text file is wanted for, as messages tell it.
+/// What a text file is wanted for, as messages name it.
 struct TextFileKind
 {
   const char *name;

@@ -137,7 +137,7 @@ void StepChecker::check_equilibrium(const ContactState &state, StepChecks &check
 }
 
 /// Work of the top - change of elastic energy = -(work of the mean contact forces), whatever the forces: an
-/// error tells of totals, energies or displacements that do not belong to the forces.
+/// error shows totals, energies or displacements that do not belong to the forces.
 double StepChecker::identity_error(const Situation &before, const Situation &after, const double work) const
 {
   const double of_contact = -0.5 * n_copies_ *

@@ -69,7 +69,7 @@ void append(const std::vector<Leg> &legs, const unsigned int cycle, Drives &driv
             std::vector<LoadStep> &steps)
 {
   unsigned int phase = 0;
-  unsigned int phase_of_part = 0; // behind those of all steps: StartForces tells both apart
+  unsigned int phase_of_part = 0; // behind those of all steps: StartForces distinguishes both
   for (const Leg &leg : legs)
     phase_of_part += leg.steps;
   for (const Leg &leg : legs)

@@ -29,6 +29,6 @@ public:
 /// is solved, and the cells are halved that RefinementWatch finds. The rounds stand in Refined cells;
 /// Adaptive is 0. They end where the next mesh is likely to need more memory than `gigabytes`. Throws
 /// std::runtime_error if a step is not solved.
-MeshOptions adapted_mesh(const Parameters &parameters, const ModelChoice &choice, const Teller &tell,
+MeshOptions adapted_mesh(const Parameters &parameters, const ModelChoice &choice, const Reporter &report,
                          double gigabytes);
 } // namespace orthocone

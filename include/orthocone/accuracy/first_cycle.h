@@ -12,7 +12,7 @@ namespace orthocone
 /// The program up to the end of the first cycle.
 LoadOptions first_cycle(LoadOptions load);
 
-/// What a march through it tells.
+/// What a march through the first cycle finds.
 struct FirstCycle
 {
   Quantities quantities{};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// Accuracy on demand: the program is solved on finer and finer meshes until the differences between them tell
+// Accuracy on demand: the program is solved on finer and finer meshes until the differences between them show
 // that the quantities that users look at are accurate enough.
 #pragma once
 
@@ -31,11 +31,11 @@ struct ChosenModel
 /// `gigabytes`. Levels are those of the mesh ladder; of a solid, from level 2 on, level 1 with rounds of
 /// refinement as RefinementWatch finds. `steps_share`: AccuracyEstimate::steps_share; what is more than
 /// `most_steps_share`, no finer mesh has to make up for. Throws std::runtime_error.
-ChosenModel find_mesh(const Parameters &parameters, const ModelChoice &choice, const Teller &tell,
+ChosenModel find_mesh(const Parameters &parameters, const ModelChoice &choice, const Reporter &report,
                       double gigabytes, const Quantities &steps_share = {}, double most_steps_share = 0);
 
 /// Mesh and load steps that the parameters ask for, whichever way. Where both have an accuracy, 0.3 times the
 /// larger one is left to the steps, and the errors of both together are as small as that.
 ChosenModel choose_mesh_and_steps(const Parameters &parameters, const ModelChoice &choice,
-                                  const Teller &tell);
+                                  const Reporter &report);
 } // namespace orthocone

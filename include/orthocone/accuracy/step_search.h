@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 //
 // Accuracy on demand, of the load steps: each leg is solved in finer and finer parts until what halving them
-// changes tells that the quantities that users look at are accurate enough.
+// changes shows that the quantities that users look at are accurate enough.
 #pragma once
 
 #include <orthocone/accuracy/accuracy.h>
@@ -15,7 +15,7 @@
 namespace orthocone
 {
 /// Takes lines for screen and log.
-using Teller = std::function<void(const std::string &)>;
+using Reporter = std::function<void(const std::string &)>;
 
 /// What load steps err by, and the tolerance of the contact solver with them.
 struct StepAccuracy
@@ -33,8 +33,8 @@ struct DividedSteps
 
 /// Divides the steps of each leg into parts until the estimated errors of all quantities are at most `wanted`
 /// percent, or 64 parts a step do not reach that. What halving a leg's parts changes is taken for half of its
-/// error, or for less where halving them before tells that they converge more slowly; errors of legs add up.
-/// All is measured on a mesh that is no finer than that of the run. Throws std::runtime_error.
+/// error, or for less where the halving before shows that they converge more slowly; errors of legs add up.
+/// All is measured on a mesh that is no finer than the run's. Throws std::runtime_error.
 DividedSteps find_steps(const Parameters &parameters, const ModelChoice &choice, double wanted,
-                        const Teller &tell);
+                        const Reporter &report);
 } // namespace orthocone

@@ -31,14 +31,14 @@ ThreadChoice choose_threads(double unknowns, const UsableCores &cores, double n_
 /// Whether choose_threads() needs to know of others.
 bool depends_on_load(double unknowns, const UsableCores &cores);
 
-/// The number of threads that OpenBLAS computes with: of cores, or what the environment says, until it is
-/// told otherwise. One with another BLAS.
+/// The number of threads that OpenBLAS computes with: the number of cores, or what the environment says,
+/// until set_blas_threads() changes it. One with another BLAS.
 unsigned int blas_threads();
 
 /// The number that a variable of the environment gives, such as OPENBLAS_NUM_THREADS, if there is one.
 std::optional<ThreadChoice> threads_of_environment();
 
-/// Tells OpenBLAS to compute with so many threads from now on. Does nothing with another BLAS.
+/// Makes OpenBLAS compute with so many threads from now on. Does nothing with another BLAS.
 void set_blas_threads(unsigned int number);
 
 /// While this lives, OpenBLAS runs on one thread if the matrices that the work is done with are small: their

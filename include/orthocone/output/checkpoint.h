@@ -64,9 +64,9 @@ void write_checkpoint(const RunFolder &folder, const Checkpoint &checkpoint);
 void require_nothing_to_lose(const RunFolder &folder, const Parameters &parameters);
 
 /// The checkpoint from which a run with these parameters goes on; nothing if it has to start from the
-/// beginning because the earlier run had not come to its first. Throws InputError (told with `file`, the
-/// parameter file) if the earlier run had parameters with which its steps would have been others, FileError
-/// for a checkpoint that cannot be used. Only reads.
+/// beginning because the earlier run had not come to its first. Throws InputError (which names `file`, the
+/// parameter file) if the earlier run had parameters that lead to other steps, FileError for a checkpoint
+/// that cannot be used. Only reads.
 std::optional<Checkpoint> find_checkpoint(const RunFolder &folder, const Parameters &parameters,
                                           const std::string &file);
 } // namespace orthocone

@@ -17,7 +17,7 @@ namespace orthocone
 {
 namespace posix
 {
-/// Device and inode: tells a folder from another one that has taken its name.
+/// Device and inode: they distinguish a folder from another one that has taken its name.
 using Identity = std::pair<std::uintmax_t, std::uintmax_t>;
 } // namespace posix
 
@@ -51,7 +51,7 @@ public:
   void require_own(const std::vector<std::string> &probes) const;
 
   /// Removes the files that an earlier run left; whatever else lies there stays. `parameters` becomes the
-  /// content of parameters.prm, which tells the run from others. `parameter_file` and
+  /// content of parameters.prm, which distinguishes the run from others. `parameter_file` and
   /// `probes` are kept, too; returns the parameter file of the earlier run, if it was another one.
   std::optional<std::string> start_anew(const std::string &parameters, const std::string &parameter_file,
                                         const std::vector<std::string> &probes) const;

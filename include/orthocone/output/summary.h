@@ -65,7 +65,7 @@ struct RunRecord
   double total_seconds = 0;
 };
 
-/// Everything that summary.json tells.
+/// All that summary.json states.
 struct Summary
 {
   std::string status; ///< "complete", or why not

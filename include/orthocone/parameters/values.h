@@ -69,7 +69,7 @@ std::optional<std::vector<Leg>> parse_legs(const std::string &text, std::string 
 /// What reads back as these legs.
 std::string legs_text(const std::vector<Leg> &legs);
 
-/// What users are told of legs in general.
+/// What messages say of legs in general.
 std::string allowed_legs();
 
 /// "name: x y ; ...", possibly empty; nothing if malformed. Names become file names: letters, digits, '-',

@@ -11,7 +11,7 @@
 
 namespace orthocone
 {
-/// A solved step, as the tables tell it.
+/// A solved step, as the tables list it.
 struct SolvedStep
 {
   const ContactState &state;

@@ -41,7 +41,7 @@ struct Column
 
   const char *name; ///< in the header of the file
   const char *unit;
-  const char *how; ///< what the number tells
+  const char *how; ///< what the number means
   std::function<std::string(const Row &)> of;
 };
 

@@ -11,7 +11,7 @@
 
 namespace orthocone
 {
-/// A contact node after a step, as the table of a probe tells it.
+/// A contact node after a step, as the table of a probe lists it.
 struct ProbedStep
 {
   const ContactState &state;

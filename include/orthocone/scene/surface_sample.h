@@ -48,7 +48,7 @@ SurfaceSample surface_sample(const Parameters &parameters);
 /// the mirror of the section's own plane.
 std::vector<Eigen::Matrix2d> symmetry_maps(const ModelSymmetry &symmetry);
 
-/// A value that messages tell: a number, "not a number" or "infinite".
+/// A value as messages print it: a number, "not a number" or "infinite".
 std::string value_text(double value);
 
 /// "(3, 4) mm", with four digits.

@@ -40,9 +40,10 @@ public:
   /// Takes note of a body under these forces that somebody has found: later answers may start from it.
   virtual void learn(const NodeVector &force, const BodyPart &body) const;
 
-  /// To be called with the forces of a state that is accepted. Keeps of all that was learned what the last
-  /// accepted states tell, and returns it: a new compliance of the same body that is given it answers from
-  /// then on as this one, to the last bit. Nothing where answers do not depend on earlier ones.
+  /// To be called with the forces of a state that is accepted. Of all that was learned it keeps what comes
+  /// from the last accepted states, and returns it: a new compliance of the same body that is given it by
+  /// restore() answers from then on as this one, to the last bit. Empty where answers do not depend on
+  /// earlier ones.
   virtual std::vector<Eigen::VectorXd> settle(const NodeVector &force) const;
   virtual void restore(const std::vector<Eigen::VectorXd> &settled) const;
 

@@ -14,8 +14,8 @@
 namespace orthocone
 {
 /// Derivatives that the strain of a shape function N is made of, three in solids and sections alike: d_x,
-/// d_y, d_z N, or d_r, d_z N and N / r. place() tells which entry of the displacement gradient (x, y, z; in a
-/// section r, hoop, z) one of them is if the component moves.
+/// d_y, d_z N, or d_r, d_z N and N / r. place() gives the entry of the displacement gradient (x, y, z; in a
+/// section r, hoop, z) that one of them is if the component moves.
 template<int dim>
 struct StrainTerms;
 

@@ -33,7 +33,7 @@ double norm_slope(const OrthotropicFriction &law, const Vector2d &r, const doubl
 /// decreasing function psi(lambda) = ||r_t(lambda)||_m (1 - lambda) - tau_n on (0, infinity).
 ///
 /// Newton's method runs on psi / ||r_t||_m, which is linear in lambda for a circular cone; a bracket catches
-/// the rest. The root of psi is 1 for tau_n = 0 and lies on the side of 1 that the sign of tau_n tells.
+/// the rest. The root of psi is 1 for tau_n = 0; the sign of tau_n says on which side of 1 it lies.
 /// The quartic that multiplying out gives is not used: its terms cancel for small coefficients.
 double multiplier(const OrthotropicFriction &law, const Vector3d &tau)
 {

@@ -75,7 +75,7 @@ const char *to_word(const Verdict verdict)
 
 Verdict judge(const Points &trace, const double tolerance, const double rounding)
 {
-  constexpr std::size_t few = 4;       // points that tell no trend
+  constexpr std::size_t few = 4;       // points that show no trend
   constexpr double growth = 10;        // of forces that have no bound, in half of the iterations
   constexpr double least_fall = 0.105; // a tenth of the residual in half of the iterations
   if (trace.empty())

@@ -34,8 +34,8 @@ private:
   Eigen::VectorXd imbalance_;
 };
 
-/// Tells, from looks at an iteration every few sweeps, that no equilibrium is to be had: no node sticks, and
-/// what the face lacks of its balance does not fall, look after look, while the face moves on and on.
+/// Finds, from looks at an iteration every few sweeps, that there is no equilibrium: no node sticks, and what
+/// the face lacks of its balance does not fall from look to look while the face keeps moving.
 class BalanceWatch
 {
 public:

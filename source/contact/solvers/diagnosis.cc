@@ -46,7 +46,7 @@ std::string why(const ContactSolverOptions &options, const SolverReport &report)
   case Verdict::slow:
     text << "The iteration is slow: "
          << (enough_iterations(options, report) > 0 ? "the residual still fell at the end"
-                                                    : "too few iterations to tell more");
+                                                    : "too few iterations to say more");
     break;
   case Verdict::rounding:
     text << "Rounding stops the iteration: the residual came down to " << least_residual(report);

@@ -66,7 +66,7 @@ TEST(Threads, AreNoMoreThanTheCoresOfTheProcess)
   ASSERT_EQ(sched_setaffinity(0, sizeof before, &before), 0);
 }
 
-TEST(Threads, OfBlasAreWhatItIsTold)
+TEST(Threads, OfBlasAreWhatIsSet)
 {
   const unsigned int before = blas_threads();
   {

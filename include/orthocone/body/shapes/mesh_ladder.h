@@ -8,9 +8,9 @@ namespace orthocone
 {
 /// Meshes that get finer everywhere from level to level: more cells around; rings and layers that shrink
 /// geometrically towards the rim, the base and the upper face, the less so the more there are. So cells at
-/// these edges get smaller by a factor on every level, and the widest in the middle get smaller, too: what
-/// all levels have in common no difference between them tells. Layers fit the height: the lowest is as thick
-/// as the outermost ring. A section has more cells and degree 4.
+/// these edges get smaller by a factor on every level, and the widest in the middle get smaller, too: no
+/// difference between levels would show an error that all of them have in common. Layers fit the height: the
+/// lowest is as thick as the outermost ring. A section has more cells and degree 4.
 MeshOptions ladder_mesh(const GeometryOptions &geometry, const MeshOptions &given, bool is_axisymmetric,
                         unsigned int level);
 

@@ -74,8 +74,8 @@ public:
   /// The same from the natural map at `unknowns`.
   double residual_of(const Eigen::VectorXd &map, const Eigen::VectorXd &unknowns) const;
 
-  /// Status of every node. One is open if it carries no force, or one so small that only rounding tells it
-  /// from none.
+  /// Status of every node. A node is open if it carries no force, or one that differs from none by rounding
+  /// only.
   std::vector<NodeStatus> statuses(const Eigen::VectorXd &unknowns, const NodeVector &displacement) const;
 
   /// Whether a node without force has a gap, or none to close: it obeys the law, whatever rounding makes of

@@ -13,7 +13,7 @@ namespace orthocone
 class ContactSolver;
 class ContactSystem;
 
-/// What users are told of a contact solver, and how it is made. It stands in the file of the solver.
+/// What help texts say of a contact solver, and how it is made. Each solver's own file defines it.
 struct ContactMethod
 {
   std::string_view word; ///< of Contact solver/Method

@@ -17,8 +17,8 @@ struct SolvedProblem
   Eigen::VectorXd unknowns;
 };
 
-/// What a solver tells of one load step. All figures are recomputed from the final forces by make_report(),
-/// so that no solver judges itself.
+/// A solver's report on one load step. All figures are recomputed from the final forces by make_report(), so
+/// that no solver judges itself.
 struct SolverReport
 {
   bool converged = false;
