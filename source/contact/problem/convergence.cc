@@ -12,7 +12,7 @@ namespace
 {
 using Points = std::vector<TracePoint>;
 
-/// The point with half of the iterations of the last one: passes over it and what follows show the trend.
+/// The point with half as many iterations as the last one: what follows it shows the trend.
 Points::const_iterator middle_of(const Points &trace)
 {
   return std::find_if(trace.begin(), trace.end(),

@@ -21,8 +21,8 @@ std::string best_method()
   return ContactSolverOptions().method;
 }
 
-/// How many iterations would have been enough for the part of the step that was tried last, or 0 if nobody
-/// knows.
+/// How many iterations would have been enough for the part of the step that was tried last, or 0 if this is
+/// not known.
 double enough_iterations(const ContactSolverOptions &options, const SolverReport &report)
 {
   const double more = iterations_to_go(report.trace.points(), options.tolerance);
