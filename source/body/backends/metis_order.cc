@@ -22,7 +22,7 @@ namespace
 {
 static_assert(std::is_same<idx_t, int>::value, "CHOLMOD's indices are METIS'");
 
-/// Memory that a child process shares.
+/// Memory that is shared with a child process.
 class SharedArray
 {
 public:

@@ -51,7 +51,7 @@ Point<3> RingManifold::push_forward(const Point<3> &chart) const
   return turned(in_block, block_);
 }
 
-/// x gives s for a given t, and y then is a rising function of t: Newton's method.
+/// For a given t, x gives s, and y is a rising function of t: Newton's method finds t.
 Point<3> RingManifold::pull_back(const Point<3> &point) const
 {
   constexpr unsigned int most_steps = 30;
