@@ -30,9 +30,9 @@ struct Statement
 struct StatementFile
 {
   std::vector<Statement> statements;
-  std::string text; ///< as written; of included files between two comments
+  std::string text; ///< as written, with included files between two comments
 };
 
-/// Throws FileError for what cannot be read and InputError for lines that are no statements.
+/// Reads a .prm file. Throws FileError if it cannot be read, and InputError for lines that are no statements.
 StatementFile read_statements(const std::string &file_name);
 } // namespace orthocone

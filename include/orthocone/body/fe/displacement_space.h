@@ -100,8 +100,7 @@ private:
   std::vector<unsigned int> contact_cells_;
   // For a section:
   std::vector<double> axis_face_points_; ///< 0 to 1
-  Eigen::MatrixXd
-      axis_face_values_; ///< values at FE_Q's nodes of the face, of the basis for axis_face_points_
+  Eigen::MatrixXd axis_face_values_;     ///< of the basis for these points, at the face's nodes of FE_Q
   Eigen::MatrixXd axis_face_basis_;
 };
 
