@@ -16,9 +16,9 @@ namespace
 {
 constexpr double best_ratio = 0.5;
 constexpr double worst_ratio = 0.6;
-constexpr double least_share = 1. / 3; // of the difference before
+constexpr double least_share = 1. / 3; // of the difference before: docs/accuracy.md, "Load steps"
 
-/// What all differences behind the last one are likely to add up to; `before`: the one before, or 0.
+/// The likely sum of all differences behind the last one. `before` is the difference before it, or 0.
 double remaining_change(const double last, const double before)
 {
   const double difference = std::max(last, least_share * before);

@@ -24,7 +24,7 @@ std::string line_of(const unsigned int level, const Scene &scene, const std::str
          std::to_string(scene.surface().nodes.size()) + " contact nodes: " + quantities;
 }
 
-/// Whether the mesh has reached its share.
+/// Whether the mesh has reached its share of the accuracy.
 bool is_fine_enough(AccuracyEstimate accuracy, const double most_steps_share)
 {
   for (double &steps_share : accuracy.steps_share)
@@ -32,8 +32,8 @@ bool is_fine_enough(AccuracyEstimate accuracy, const double most_steps_share)
   return accuracy.is_reached();
 }
 
-/// The meshes of a search, each finer than the one before: levels of the ladder; of a solid, from level 2 on,
-/// level 1 with rounds of refinement of single cells.
+/// The meshes of a search, each finer than the one before: levels of the ladder. For a solid, levels from 2
+/// on are level 1 with rounds of refinement of single cells.
 class MeshLevels
 {
 public:
@@ -50,7 +50,7 @@ public:
     return is_axisymmetric() ? n_ladder_levels(true) : n_graded + most_rounds;
   }
 
-  /// `to_halve`: what the mesh before asked for.
+  /// `to_halve` are the cells that the solution on the mesh before asked for.
   Parameters finer(const unsigned int level, const std::vector<CellRange> &to_halve)
   {
     Parameters finer = given_;
@@ -77,8 +77,8 @@ private:
   MeshOptions before_{};
 };
 
-/// Solves the first cycle on the mesh of `finer`, the model of which is kept, and adds its quantities. What
-/// they ask to be halved.
+/// Solves the first cycle on the mesh of `finer`, keeps the model, and adds its quantities. Returns the cells
+/// to halve.
 std::vector<CellRange> solve_level(const Parameters &finer, const ModelChoice &choice,
                                    std::vector<Quantities> &levels, ChosenModel &found,
                                    AccuracyEstimate &accuracy)
@@ -129,15 +129,17 @@ ChosenModel find_mesh(const Parameters &parameters, const ModelChoice &choice, c
 
 namespace
 {
-constexpr double share_of_steps = 0.3; ///< of the larger accuracy
+constexpr double share_of_steps = 0.3; ///< of the larger accuracy: docs/accuracy.md, "Load steps"
 
-/// What of an error of the steps is more than the larger accuracy leaves beside that of the mesh.
+/// The part of an error of the steps that exceeds what the larger accuracy leaves beside the error of the
+/// mesh.
 double beyond(const double error, const double larger, const double of_mesh)
 {
   return std::max(0., error - (larger - of_mesh));
 }
 
-/// The mesh that the parameters ask for. `steps`: errors of the steps, percent; `larger`: of both accuracies.
+/// The mesh that the parameters ask for. `steps` are errors of the steps, percent, and `larger` is the larger
+/// one of both accuracies.
 ChosenModel choose_mesh(const Parameters &parameters, const ModelChoice &choice, const Reporter &report,
                         const Quantities &steps, const double larger)
 {
@@ -165,7 +167,7 @@ ChosenModel choose_mesh(const Parameters &parameters, const ModelChoice &choice,
   return chosen;
 }
 
-/// Numbers of cells mean those of one model.
+/// Fixes the model where cells are named, because their numbers belong to one model.
 ChosenModel with_model_of_cells(ChosenModel chosen, const ModelChoice &choice)
 {
   MeshOptions &mesh = chosen.parameters.mesh;

@@ -150,7 +150,7 @@ FreeFace face_of(const ContactProblem &problem)
   }
 }
 
-/// A line of names and one of values.
+/// Prints a line of names and a line of values.
 void print_csv(const std::vector<std::pair<std::string, std::string>> &values, std::ostream &out)
 {
   for (const bool is_name : {true, false})
@@ -202,7 +202,7 @@ struct Answer
 {
   SolverReport report;
   ProblemSolution solution;
-  double seconds = 0; ///< of the solver and what it prepares
+  double seconds = 0; ///< of the solver and its preparation
 };
 
 Answer answer(const SolveOptions &options, const ContactProblem &problem)

@@ -38,7 +38,7 @@ void shorten(VectorXd &lengths, const Values &values, const std::vector<Vector2d
     const VectorXd slope = slopes(values, places[i], step);
     double &length = lengths[static_cast<Eigen::Index>(i)];
     for (Eigen::Index k = 0; k < slope.size(); ++k)
-      if (slope[k] > 0 && std::isfinite(slope[k])) // just outside of the surface there may be nothing
+      if (slope[k] > 0 && std::isfinite(slope[k])) // just outside the surface there may be no value
         length =
             std::min(length, std::max(step, ranges[k] / slope[k])); // all nodes may lie on zeros of a wave
   }

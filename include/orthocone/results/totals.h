@@ -6,7 +6,7 @@
 
 namespace orthocone
 {
-/// Figures of the whole body after a step, whatever part of it is modelled.
+/// Results of the whole body after a step, whatever part of it is modelled.
 struct Totals
 {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< of the plane on the body (x, y, z), N
