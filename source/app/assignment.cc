@@ -26,7 +26,7 @@ std::string input_name(const CommandLine &line)
   return is_json(line.parameter_file) ? "input.json" : "input.prm";
 }
 
-/// A path without detours such as a/../b, which would make the folder a on the way.
+/// A path without detours such as a/../b, which would create the folder a.
 fs::path without_detours(const fs::path &path)
 {
   const auto goes_back = [](const fs::path &part, const fs::path &next)

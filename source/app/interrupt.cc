@@ -58,7 +58,7 @@ void catch_signals()
     {
     };
     sigaction(number, nullptr, &before);
-    if (before.sa_handler != SIG_IGN) // as nohup has it
+    if (before.sa_handler != SIG_IGN) // nohup ignores it
       sigaction(number, &action, nullptr);
   }
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// What the program does around each step of its march: checks, tables, cycles, checkpoints.
+// The work of the program around each step of its march: checks, tables, cycles, checkpoints.
 #include "interrupt.h"
 #include "quasi_static_problem.h"
 #include "step_messages.h"
@@ -74,7 +74,7 @@ void QuasiStaticProblem::write(const SolvedStep &solved)
         });
 }
 
-/// Checks and writes a step. One that fails a check is neither accepted nor written.
+/// Checks and writes a step. A step that fails a check is neither accepted nor written.
 bool QuasiStaticProblem::accepts(const MarchedStep &marched)
 {
   const ContactState &next = marched.after;

@@ -90,7 +90,7 @@ CriticalFrictionRecord QuasiStaticProblem::critical_friction_of_model() const
 QuasiStaticProblem::Outcome QuasiStaticProblem::run(const std::optional<Checkpoint> &checkpoint,
                                                     const std::function<void()> &on_resumed)
 {
-  const BlasThreads threads(state_.force.size()); // also for what a resumed run computes again
+  const BlasThreads threads(state_.force.size()); // also for the parts that a resumed run computes again
   begin(checkpoint);
   if (checkpoint && on_resumed)
     on_resumed();

@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 void require_memory_for(const Assignment &task)
 {
   Parameters parameters = task.file.parameters;
-  if (task.line.insist || parameters.mesh.accuracy != 0) // a search looks at the memory itself
+  if (task.line.insist || parameters.mesh.accuracy != 0) // a search checks the memory itself
     return;
   parameters.mesh =
       resolved_mesh(parameters.geometry, parameters.mesh, task.model.symmetry.is_axisymmetric());
@@ -49,13 +49,13 @@ void require_memory_for(const Assignment &task)
   }
 }
 
-/// Whether a mesh or the parts of load steps are to be found before the run.
+/// Whether a search for the mesh or for parts of load steps comes before the run.
 bool searches(const Parameters &given)
 {
   return given.mesh.accuracy != 0 || given.mesh.adaptive != 0 || given.load.accuracy != 0;
 }
 
-/// Unknowns of the finest mesh that a search usually comes to.
+/// Unknowns of the finest mesh that a search usually reaches.
 double unknowns_of_search(const Assignment &task)
 {
   constexpr unsigned int level = 2;
@@ -67,7 +67,7 @@ double unknowns_of_search(const Assignment &task)
   return model_size(parameters, task.model.symmetry).dofs;
 }
 
-/// The first process reads it for all.
+/// The checkpoint from which the run goes on. The first process reads it for all.
 std::optional<Checkpoint> checkpoint_to_resume(const Assignment &task, const RunFolder &folder)
 {
   std::optional<Checkpoint> checkpoint;
@@ -82,7 +82,8 @@ std::optional<Checkpoint> checkpoint_to_resume(const Assignment &task, const Run
   return checkpoint;
 }
 
-/// Throws InputError for a run of one process that several cannot go on with.
+/// Prepares the task to go on. Throws InputError for a run of one process that several processes cannot
+/// continue.
 void go_on(Assignment &task, const Checkpoint &checkpoint)
 {
   if (checkpoint.n_ranks == n_ranks())
@@ -93,7 +94,7 @@ void go_on(Assignment &task, const Checkpoint &checkpoint)
                      " processes: allowed for --resume is one process");
 }
 
-/// The mesh, the folder, and the steps. Throws what the libraries throw.
+/// Chooses the mesh, prepares the folder, and solves the steps. Throws what the libraries throw.
 QuasiStaticProblem::Outcome solve(Assignment &task, const RunFolder &folder)
 {
   const Parameters &given = task.file.parameters;
@@ -129,7 +130,7 @@ QuasiStaticProblem::Outcome solve(Assignment &task, const RunFolder &folder)
   return problem.run(checkpoint, [&] { update_parameters(folder, task, parameters); });
 }
 
-/// The summary of a run that could not go on to its first step; that of the steps before an interruption
+/// Writes the summary of a run that could not reach its first step. A summary of steps before an interruption
 /// keeps all but its status.
 void keep_failure(const RunFolder &folder, const Assignment &task, const std::string &message)
 {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// What users read of a run besides its steps, and of a step at which it ends.
+// Texts on a run besides its steps, and on a step at which it ends.
 #pragma once
 
 #include <orthocone/contact/solvers/contact_solver.h>

@@ -23,7 +23,7 @@ std::string rounded(const double value)
   return text.str();
 }
 
-/// Name and value of a component, as users wrote them.
+/// Name and value of a component, as users write them.
 std::string text_of(const LoadStep &step, const unsigned int component, const std::string &between)
 {
   const bool turns = component >= first_rotation;

@@ -78,7 +78,8 @@ std::vector<std::string> model_warnings(const RunRecord &record)
 }
 
 /// Wear is explicit: a node that wears deeper than it was flattened carries nothing in the next step, and its
-/// neighbours all. The bound is that of a force from node to node on a half-space.
+/// neighbours carry all. The bound holds for forces that alternate from node to node on a half-space
+/// (docs/theory.md, section 3, "Wear").
 static void warn_of_fast_wear(const RunRecord &record, std::vector<std::string> &warnings)
 {
   constexpr double most_of_flattening = 0.9;
@@ -144,7 +145,7 @@ std::string describe_energy(const RunRecord &record)
   return text.str();
 }
 
-/// What gives way below; nothing where it is rigid.
+/// The line on an obstacle that deforms; empty for a rigid one.
 static std::string describe_counterbody(const Parameters &parameters)
 {
   const auto constants = [](const MaterialOptions &material)
@@ -172,7 +173,7 @@ static std::string describe_counterbody(const Parameters &parameters)
   return {};
 }
 
-/// A line only where it is not the rigid plane z = 0.
+/// The line is empty for the rigid plane z = 0.
 std::string describe_obstacle(const Parameters &parameters)
 {
   const ObstacleOptions &obstacle = parameters.obstacle;

@@ -35,9 +35,8 @@ struct ContactState
   Eigen::VectorXd accumulated_slip;  ///< path length of the slip in steps that begin or end in contact, mm
   Eigen::VectorXd dissipated_energy; ///< N mm
   Eigen::VectorXd wear_depth;        ///< worn off since the start, mm
-  Eigen::VectorXd
-      found_depth; ///< the part of it before the last step, to which `displacement` is relative, mm
-  Eigen::VectorXd slip_at_stick; ///< slip (x, y) where the node last stuck or turned round, mm
+  Eigen::VectorXd found_depth;       ///< worn before the last step: `displacement` is relative to it, mm
+  Eigen::VectorXd slip_at_stick;     ///< slip (x, y) where the node last stuck or turned round, mm
   std::vector<NodeStatus> status;
 };
 
