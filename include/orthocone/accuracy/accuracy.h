@@ -21,6 +21,7 @@ constexpr std::array<const char *, n_quantities> quantity_names{
 constexpr unsigned int stick_area_index = 3;
 constexpr unsigned int loop_area_index = 4;
 
+/// Values and estimated errors of the quantities.
 struct AccuracyEstimate
 {
   double wanted = 0; ///< percent
@@ -28,7 +29,7 @@ struct AccuracyEstimate
   Quantities errors{};      ///< estimated, percent
   Quantities steps_share{}; ///< the part of `wanted` that errors of load steps take, percent
 
-  bool is_reached() const;
+  bool is_reached() const; ///< whether all errors, with those of the steps, are within `wanted`
 };
 
 /// Absolute errors relative to the values, percent. Errors of the stick area are relative to a tenth of the

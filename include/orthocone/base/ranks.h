@@ -14,6 +14,7 @@ namespace orthocone
 /// Whether a launcher of MPI has started this process.
 bool is_launched();
 
+/// Number of the processes of this run, at least 1, and the number of this one, counted from 0.
 unsigned int n_ranks();
 unsigned int this_rank();
 inline bool is_first_rank()
@@ -24,6 +25,8 @@ inline bool is_first_rank()
 /// Sums over all ranks, entry by entry (`n` numbers), with the same bits on each rank.
 void sum_over_ranks(double *values, std::size_t n);
 double sum_over_ranks(double value);
+
+/// The largest value of all ranks, and whether any rank has true, on each of them.
 double largest_of_ranks(double value);
 bool any_rank(bool value);
 
@@ -35,5 +38,6 @@ std::string of_first_rank(std::string text);
 /// Returns the texts of all ranks, in their order, on the first one, and none on the others.
 std::vector<std::string> gather_on_first(const std::string &text);
 
+/// Returns when all ranks have called it.
 void wait_for_all_ranks();
 } // namespace orthocone

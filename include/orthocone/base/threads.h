@@ -20,6 +20,8 @@ struct UsableCores
   unsigned int allowed = 1; ///< by its affinity
   unsigned int granted = 1; ///< of these, as many at a time as its control group grants
 };
+
+/// The cores of this process; throws nothing.
 UsableCores usable_cores();
 
 /// One thread for each core that nobody else keeps busy: threads of BLAS wait for each other, so that threads

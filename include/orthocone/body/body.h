@@ -31,6 +31,8 @@ public:
 
   /// Fills `pattern` with the entries of the stiffness on and below the diagonal, n_free() x n_free().
   void make_pattern(dealii::SparsityPattern &pattern) const;
+
+  /// K, n_free() x n_free(), N/mm.
   Stiffness stiffness(const Materials &materials) const;
 
   const Materials &materials() const { return materials_; }

@@ -27,9 +27,9 @@ class BodyUnknowns
 public:
   /// Including degrees of freedom that other processes own.
   unsigned int n_dofs() const { return directions_.size(); }
-  unsigned int n_owned() const { return n_owned_; }
-  unsigned int n_interior() const { return n_interior_; }
-  unsigned int n_free() const { return n_free_; }
+  unsigned int n_owned() const { return n_owned_; }       ///< all four ranges
+  unsigned int n_interior() const { return n_interior_; } ///< the first range
+  unsigned int n_free() const { return n_free_; }         ///< the first two ranges
 
   const BodySize &size() const { return size_; }
 

@@ -31,6 +31,7 @@ public:
   const BodyUnknowns &unknowns() const { return mesh().unknowns(); }
   const ContactSurface &surface() const { return unknowns().contact_surface(); }
 
+  /// W of the contact nodes, 3 n x 3 n, local axes, mm/N.
   virtual const Compliance &compliance() const = 0;
 
   /// Displacement of every contact node (3 n, mm), without contact forces, when the held face moves by

@@ -40,6 +40,8 @@ public:
 
   bool empty() const { return sums_.empty(); }
   bool contains(const unsigned int dof) const { return !empty() && places_[dof] != none; }
+
+  /// The sum of a hanging degree of freedom.
   const Terms &terms(const unsigned int dof) const { return sums_[places_[dof]]; }
 
   /// Sets the displacements of the hanging ones from those of the others; `displacement` has n_dofs numbers.
@@ -82,6 +84,7 @@ private:
 template<typename Index>
 struct CellBasis
 {
+  /// `of_cell` are the n degrees of freedom of a cell; `basis` becomes n x dofs.size(), without units.
   CellBasis(const HangingDofs &hanging, const std::vector<Index> &of_cell)
       : dofs(of_cell)
   {

@@ -17,6 +17,7 @@ public:
   /// The coarser march of a scene; null if its body has no coarser mesh, or does not need one.
   static std::unique_ptr<CoarserMarch> of(const Scene &finer);
 
+  /// `parameters` have the coarser mesh.
   explicit CoarserMarch(const Parameters &parameters, const ModelChoice &choice);
 
   struct Change

@@ -38,6 +38,7 @@ public:
   virtual void failed(const LoadStep & /*step*/, const SolverReport & /*report*/, double /*seconds*/) {}
 };
 
+/// How a march ended.
 enum class MarchEnd
 {
   done,     ///< all steps are accepted

@@ -30,6 +30,7 @@ public:
   /// A law without wear.
   WearLaw() = default;
 
+  /// The law of the options, with the areas of the nodes of `surface`.
   WearLaw(const WearOptions &options, const ContactSurface &surface);
 
   /// Depth that a node (index in the model) loses, mm.

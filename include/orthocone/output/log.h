@@ -15,6 +15,7 @@ namespace orthocone
 class Log
 {
 public:
+  /// `folder` must outlive the log. A quiet log writes to log.txt only.
   Log(const RunFolder &folder, bool is_quiet);
 
   /// A line for the screen and for log.txt.

@@ -22,6 +22,7 @@ namespace orthocone
 /// Largest values over the run and the steps that had them.
 struct Peaks
 {
+  /// Takes over larger values of a step.
   void consider(unsigned int step, const Totals &totals);
 
   std::pair<double, unsigned int> slip{0, 0};     ///< mm

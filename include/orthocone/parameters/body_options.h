@@ -149,7 +149,7 @@ struct GeometryOptions
   std::string held_surface{};
   std::vector<std::string> symmetry_surfaces{};
 
-  bool is_from_file() const { return shape == BodyShape::file; }
+  bool is_from_file() const { return shape == BodyShape::file; } ///< whether Mesh file and the surfaces count
 
   /// Distance of the held face from the base, mm; it means nothing for a body from a file.
   double held_height() const { return shape == BodyShape::box ? sizes[2] : height; }
@@ -184,7 +184,7 @@ struct MeshOptions
   std::vector<std::vector<CellRange>> refined_cells{}; ///< halved after all refinements, round by round
   unsigned int coarsenings = 0; ///< how often cells that were halved are made larger again; no entry
 
-  unsigned int n_rings() const { return rings == 0 ? core_cells : rings; }
+  unsigned int n_rings() const { return rings == 0 ? core_cells : rings; } ///< the default resolved
   unsigned int n_quadrature_points() const { return quadrature_points == 0 ? degree + 1 : quadrature_points; }
 };
 

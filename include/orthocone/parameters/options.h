@@ -57,6 +57,8 @@ struct FrictionOptions
     return is_frictionless() || is_collinear_by_word ? std::array<double, 2>{{1, 1}}
                                                      : slip_potential.value_or(mu);
   }
+
+  /// Whether p is proportional to mu everywhere, so that slip is along the normal of the cone.
   bool is_associated() const
   {
     constexpr double rounding = 1e-12;
@@ -65,6 +67,8 @@ struct FrictionOptions
     return is_frictionless() ||
            (!has_own_field && std::abs(p()[0] * mu[1] / (p()[1] * mu[0]) - 1) <= rounding);
   }
+
+  /// Whether p_x = p_y everywhere, so that slip is along the friction force.
   bool is_collinear() const
   {
     const bool has_varying_p = varying_slip_potential || (varying_mu && !slip_potential);

@@ -59,6 +59,7 @@ public:
   /// `scene` must outlive the evaluator.
   explicit ContactFieldEvaluator(const Scene &scene);
 
+  /// Fields of a contact node.
   ContactFields fields(const ContactState &state, unsigned int node) const;
   /// Fields of all places: contact nodes, then hanging nodes.
   std::vector<ContactFields> all_fields(const ContactState &state) const;

@@ -31,6 +31,7 @@ double stick_share(double reserve, double slip, double edge_compliance, double l
 class StickArea
 {
 public:
+  /// `material` is the one near the contact; only its isotropic constants count.
   StickArea(const ContactSurface &surface, const MaterialOptions &material);
 
   /// The area (mm^2) of the modelled part that sticks; one sample for each place.

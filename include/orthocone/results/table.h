@@ -12,6 +12,7 @@
 
 namespace orthocone
 {
+/// The text of a value in a table.
 inline std::string cell(const double value)
 {
   return to_text(value);

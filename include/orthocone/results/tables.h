@@ -18,6 +18,7 @@ struct ProbedStep
   ContactFields fields; ///< of the image where the probe lies
 };
 
+/// The columns of history.csv, checks.csv, timing.csv, probe-NAME.csv and cycles.csv.
 const Columns<SolvedStep> &history_columns();
 const Columns<SolvedStep> &checks_columns();
 const Columns<SolvedStep> &timing_columns();

@@ -25,5 +25,6 @@ struct Totals
   double max_wear_depth = 0;    ///< mm
 };
 
+/// The totals of a state.
 Totals compute_totals(const ContactFieldEvaluator &evaluator, const ContactState &state);
 } // namespace orthocone

@@ -18,6 +18,7 @@ struct FaceTarget
   RigidMotion motion{}; ///< of the components that motions drive
   Wrench force{};       ///< on the held face, of the components that forces drive
 
+  /// Whether a force drives a component.
   bool has_forces() const;
 
   /// Whether nothing presses: all driving forces are zero, and the normal one is among them.

@@ -25,6 +25,7 @@ class Compliance
 public:
   virtual ~Compliance() = default;
 
+  /// n, the number of contact nodes.
   virtual Eigen::Index n_nodes() const = 0;
 
   /// displacement (mm) = W force (N), both of size 3 n_nodes().

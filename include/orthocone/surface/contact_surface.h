@@ -50,6 +50,8 @@ struct ContactSurface
 
   /// Places are contact nodes, then hanging nodes.
   std::size_t n_places() const { return nodes.size() + hanging.size(); }
+
+  /// Place i, which may be a hanging node.
   const ContactNode &place(const std::size_t i) const
   {
     return i < nodes.size() ? nodes[i] : hanging[i - nodes.size()].place;

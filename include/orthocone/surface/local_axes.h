@@ -24,6 +24,7 @@ public:
   /// Whether all nodes have one angle.
   bool is_uniform() const { return turns_.size() == 1; }
 
+  /// Tangential vectors (x, y), in any unit, in the local axes of a node, and back in global axes.
   Eigen::Vector2d to_local(const std::size_t node, const Eigen::Vector2d &global) const
   {
     return turn(node).transpose() * global;

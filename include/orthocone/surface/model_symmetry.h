@@ -82,6 +82,7 @@ public:
   /// The map (2 x 2) from the model to a place (x, y) of the whole surface, mm.
   Eigen::Matrix2d map_to(const Eigen::Vector2d &position) const;
 
+  /// The contact surface of the whole body; a section is drawn with 32 sectors.
   WholeSurface whole(const ContactSurface &surface) const;
 
 private:

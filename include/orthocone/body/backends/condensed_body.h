@@ -16,9 +16,10 @@ namespace orthocone
 class CondensedBody
 {
 public:
+  /// `unknowns` and `factor` must outlive the body. Throws as StiffnessFactor::trailing_inverse() does.
   CondensedBody(const BodyUnknowns &unknowns, const StiffnessFactor &factor, LocalAxes axes);
 
-  const DenseCompliance &compliance() const { return compliance_; }
+  const DenseCompliance &compliance() const { return compliance_; } ///< W, 3 n x 3 n, local axes, mm/N
 
   const ContactFrame &frame() const { return frame_; }
 

@@ -35,6 +35,7 @@ public:
   CellFields(const DisplacementSpace<dim> &space, const Materials &materials,
              const dealii::Quadrature<dim> &points, const Eigen::VectorXd &displacement);
 
+  /// The fields at the points of a cell, in the order of the points.
   std::vector<PointFields> in(const typename DisplacementSpace<dim>::Cell &cell);
 
 private:

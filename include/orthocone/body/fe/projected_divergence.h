@@ -20,6 +20,7 @@ template<int dim>
 class ProjectedDivergence
 {
 public:
+  /// `degree` is that of the displacement, at least 1; `quadrature` is on the unit cell.
   ProjectedDivergence(const unsigned int degree, const dealii::Quadrature<dim> &quadrature)
       : polynomials_(dealii::FE_DGQ<dim>(degree - 1).n_dofs_per_cell(), quadrature.size())
   {

@@ -26,6 +26,7 @@ Eigen::VectorXd diagonal_beside_hanging_nodes(const Discretization &space, const
 class Stiffness
 {
 public:
+  /// Assembles the stiffness; `space` need not outlive it. Throws std::bad_alloc if memory runs out.
   template<int dim>
   Stiffness(const DisplacementSpace<dim> &space, const Materials &materials);
 

@@ -33,6 +33,7 @@ public:
 
   bool is_isotropic() const { return !orthotropic_; }
 
+  /// Stress (MPa) of a strain.
   Stress stress(const Strain &strain) const { return stress(strain, trace(strain)); }
 
   /// Stress (MPa) in elements whose change of volume is not the trace of `strain`; orthotropic materials

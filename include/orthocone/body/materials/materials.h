@@ -28,6 +28,7 @@ public:
   /// With the regions of a mesh file, which has their names. Throws as read_gmsh_file() does.
   explicit Materials(const Parameters &parameters);
 
+  /// The material of the cells with this number; throws nothing.
   const Material &of(const dealii::types::material_id volume) const
   {
     const auto found = regions_.find(volume);

@@ -34,6 +34,8 @@ public:
   /// The same for the section (r, z) of a body of revolution. Throws std::logic_error for any other body.
   virtual void make_section(dealii::Triangulation<2> &triangulation) const;
 
+  /// Size of the model with this symmetry. A file throws std::logic_error for another part of the body than
+  /// it has.
   virtual ModelSize size(const ModelSymmetry &symmetry) const = 0;
 };
 

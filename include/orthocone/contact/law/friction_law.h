@@ -49,6 +49,7 @@ enum class ConeZone
   outside, ///< projects on the surface: the node slips
 };
 
+/// The zone of the point tau (N).
 ConeZone cone_zone(const OrthotropicFriction &law, const Eigen::Vector3d &tau);
 
 /// Nearest point of the cone K = { r : ||r_t||_m <= r_n }, N: docs/theory.md, section 1, "Projection".
@@ -67,9 +68,11 @@ struct Projection
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   double stiffness = 0; ///< in (0, 1]; 0 without friction
 
+  /// d point / d tau, without units.
   Eigen::Matrix3d derivative() const;
 };
 
+/// The same point as project(), tau in N, with the derivative.
 Projection project_with_derivative(const OrthotropicFriction &law, const Eigen::Vector3d &tau);
 
 /// Modified displacement G(d) = (d_n + ||Q^2 d_t||*_m, Q^2 d_t), mm, of the present gap d_n and the slip d_t

@@ -18,7 +18,7 @@ public:
   ContactSystem(const Compliance &compliance, std::vector<OrthotropicFriction> laws);
 
   Eigen::Index n_nodes() const { return compliance_.n_nodes(); }
-  const Compliance &compliance() const { return compliance_; }
+  const Compliance &compliance() const { return compliance_; } ///< W, mm/N
 
   /// The law as given, and the same law with p scaled for the natural map.
   const OrthotropicFriction &given_law(Eigen::Index node) const { return given_laws_[node]; }

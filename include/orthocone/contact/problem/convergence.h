@@ -20,6 +20,7 @@ struct TracePoint
 class Trace
 {
 public:
+  /// Adds a point at the present time; `force` is in N.
   void add(unsigned int iterations, double residual, double force);
   const std::vector<TracePoint> &points() const { return points_; }
 

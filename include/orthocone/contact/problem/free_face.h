@@ -20,7 +20,7 @@ public:
   /// what motions^T r must be (N or N mm). Throws std::invalid_argument if the motions are not independent.
   FreeFace(const Eigen::MatrixXd &motions, const Eigen::VectorXd &balance);
 
-  Eigen::Index n() const { return columns_.cols(); }
+  Eigen::Index n() const { return columns_.cols(); } ///< m
 
   /// C, 3 n x m, orthonormal: C y is the displacement of the nodes (mm).
   const Eigen::MatrixXd &columns() const { return columns_; }
