@@ -14,7 +14,7 @@ namespace orthocone
 {
 namespace
 {
-constexpr double best_ratio = 0.5;
+constexpr double best_ratio = 0.5; // of first order: docs/accuracy.md, "A number: `Load program/Accuracy`"
 constexpr double worst_ratio = 0.6;
 constexpr double least_share = 1. / 3; // of the difference before: docs/accuracy.md, "Load steps"
 
@@ -47,7 +47,7 @@ Quantities relative_errors(const Quantities &absolute, const Quantities &values,
                            const double motion)
 {
   constexpr double percent = 100;
-  constexpr double least_share_of_area = 0.1, negligible = 1e-3;
+  constexpr double least_share_of_area = 0.1, negligible = 1e-3; // digits of less are not worth any effort
   Quantities least{};
   least[0] = negligible * motion;
   least[2] = least[loop_area_index] = negligible * values[1] * motion / 2;

@@ -66,7 +66,7 @@ public:
 
   std::vector<CellRange> cells_to_halve() const override
   {
-    constexpr double share = 0.5;
+    constexpr double share = 0.5; // of the squared error: docs/accuracy.md, "Cells halved"
     const auto [errors, border] = of_all_cells();
     std::vector<bool> is_marked(errors.size());
     for (std::size_t i = 0; i < is_marked.size(); ++i)

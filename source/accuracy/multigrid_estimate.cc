@@ -57,7 +57,7 @@ double stretch_of(const Parameters &coarsest, const ModelSymmetry &symmetry)
 
 double multigrid_gigabytes(const Parameters &parameters, const ModelSize &size, const ModelSymmetry &symmetry)
 {
-  constexpr double program = 0.17, bytes_per_unknown = 1200;
+  constexpr double program = 0.17, bytes_per_unknown = 1200; // docs/performance.md, "Multigrid"
   // Every level has a march of its own, with a coarsest mesh of its own.
   const double n_levels =
       1. + parameters.mesh.refinements + static_cast<double>(parameters.mesh.refined_cells.size());

@@ -17,7 +17,7 @@ namespace orthocone
 namespace
 {
 constexpr const char *entry = "Load program/Accuracy";
-constexpr unsigned int most_parts = 64;
+constexpr unsigned int most_parts = 64; // of a step: docs/accuracy.md, "A number: `Load program/Accuracy`"
 
 /// A mesh on which load steps cause the same errors as on the run's mesh, and which costs less if possible:
 /// these errors depend on the path, not on the singular edges. A gap needs cells that resolve the contact.
@@ -59,7 +59,7 @@ std::vector<Leg *> legs_of(LoadOptions &load)
   return legs;
 }
 
-/// What is known of the errors of a leg.
+/// The known errors of a leg.
 struct LegError
 {
   Quantities change{};        ///< what halving its parts changes

@@ -85,7 +85,7 @@ public:
   /// The text that was written, cut to a length that somebody would read.
   std::string text() const
   {
-    constexpr std::size_t most = 1000000;
+    constexpr std::size_t most = 1000000; // bytes
     std::string text;
     std::array<char, 4096> buffer{};
     ::lseek(file_, 0, SEEK_SET);

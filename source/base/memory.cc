@@ -46,7 +46,7 @@ double memory_of_group(const std::string &folder, const bool is_unified)
   return number_in(folder + (is_unified ? "/memory.max" : "/memory.limit_in_bytes"));
 }
 
-/// What is left of the address space, bytes.
+/// The rest of the address space, bytes.
 double free_address_space()
 {
   rlimit limit{};

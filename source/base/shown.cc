@@ -8,7 +8,7 @@ namespace orthocone
 {
 namespace
 {
-constexpr std::size_t most_bytes = 200;
+constexpr std::size_t most_bytes = 200; // a few lines of a terminal
 
 /// The first bytes of `text`, at most `most`, which do not end within a UTF-8 character.
 std::string beginning(const std::string &text, const std::size_t most)

@@ -13,7 +13,7 @@ Eigen::VectorXd node_compliance(const ContactSurface &surface, const ModelSymmet
                                 const MaterialOptions &given)
 {
   const MaterialOptions material = given.isotropic();
-  constexpr double square = 0.7;
+  constexpr double square = 0.7; // docs/theory.md, section 4
   const double nu = material.poisson_ratio;
   const Eigen::VectorXd shares = symmetry.force_shares(surface);
   Eigen::VectorXd compliance(shares.size());

@@ -60,7 +60,7 @@ NodeRelation relation_of(const NodeCondition &condition, const Eigen::Matrix3d &
 
 Eigen::Matrix2d bounded_robin(const NodeRelation &relation, const double stiffness)
 {
-  constexpr double most = 1e4;
+  constexpr double most = 1e4; // single precision has seven digits
   const double size = relation.robin.cwiseAbs().maxCoeff();
   return size <= most * stiffness ? relation.robin : most * stiffness / size * relation.robin;
 }

@@ -103,7 +103,7 @@ std::string nearest_in_words(const std::string &name, const std::vector<std::str
 
 std::string nearest_name(const std::string &name, const std::vector<std::string> &candidates)
 {
-  constexpr std::size_t longest = 100;
+  constexpr std::size_t longest = 100; // letters; the distance takes their square
   if (name.size() > longest)
     return {};
   std::vector<std::string> in_lower_case;

@@ -6,7 +6,7 @@
 
 namespace orthocone
 {
-/// What a text file is wanted for, as messages name it.
+/// The purpose of a text file, as messages name it, and its limits.
 struct TextFileKind
 {
   const char *name;

@@ -74,7 +74,7 @@ bool presses_otherwise(const Leg &leg)
 void warn_of_large_strain(const std::string &motion, const double largest, const std::string &strain,
                           const GeometryOptions &geometry, std::vector<std::string> &warnings)
 {
-  constexpr double small = 0.05;
+  constexpr double small = 0.05; // strains that linear elasticity is good for
   constexpr double percent = 100;
   const double height = geometry.held_height();
   if (largest / height > small)

@@ -217,7 +217,7 @@ double StepChecker::law_bound(const double multiple) const
 
 double StepChecker::slip_rule_bound() const
 {
-  constexpr double most_by_amplification = 1e-3;
+  constexpr double most_by_amplification = 1e-3; // docs/theory.md, section 5
   const double bound = law_bound(options_.slip_rule);
   return std::max(bound, std::min(slip_amplification_ * bound, most_by_amplification));
 }

@@ -19,7 +19,7 @@ WearJumps::WearJumps(const WearOptions &options, VectorXd areas)
 /// differ by a tenth.
 double WearJumps::growth(const VectorXd &rate) const
 {
-  constexpr double wanted = 0.1, least = 0.25, most = 2;
+  constexpr double wanted = 0.1, least = 0.25, most = 2; // docs/theory.md, section 3, "Jumps"
   const double worn = areas_.dot(rate.cwiseMax(memory_.rate));
   const double changed = areas_.dot((rate - memory_.rate).cwiseAbs());
   return changed > 0 ? std::clamp(wanted * worn / changed, least, most) : most;

@@ -48,7 +48,7 @@ void shorten(VectorXd &lengths, const Values &values, const std::vector<Vector2d
 VectorXd change_lengths(const Obstacle &obstacle, const FrictionField &friction,
                         const ContactSurface &surface)
 {
-  constexpr double fine = 1e-4;
+  constexpr double fine = 1e-4; // step of the differences, relative to the reach of the surface
   const std::vector<Vector2d> places = places_of(surface);
   double reach = 0;
   for (const Vector2d &place : places)

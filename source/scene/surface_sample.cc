@@ -90,7 +90,7 @@ std::vector<Matrix2d> symmetry_maps(const ModelSymmetry &symmetry)
     maps.push_back(mirror_y);
   if (!symmetry.is_axisymmetric())
     return maps;
-  constexpr int n_turns = 16;
+  constexpr int n_turns = 16; // docs/theory.md, section 3, "Gaps and friction that varies"
   const double golden_angle = pi * (3 - std::sqrt(5)); // no number of waves around the axis repeats under it
   for (int i = 1; i <= n_turns; ++i)
     maps.emplace_back(Eigen::Rotation2Dd(i * golden_angle).toRotationMatrix());

@@ -173,7 +173,7 @@ private:
 
 MortarMap mortar_map(const ContactSurface &surface, const ContactSurface &other)
 {
-  constexpr double least_cover = 0.9;
+  constexpr double least_cover = 0.9; // docs/theory.md, section 2, "A second elastic body below"
   const std::vector<CutFace> own = cut_faces(surface), others = cut_faces(other);
   // This is exact for products of two functions on parallelograms.
   const TriangleRule rule(2 * std::max(surface.degree, other.degree) + 1);

@@ -13,7 +13,7 @@ namespace orthocone
 /// Size of a model, found from the numbers of cells alone.
 ModelSize model_size(const Parameters &parameters, const ModelSymmetry &symmetry);
 
-/// What a run will need, accurate to about a factor of 3.
+/// The needs of a run, accurate to about a factor of 3.
 struct Estimate
 {
   double gigabytes;

@@ -12,7 +12,7 @@ namespace orthocone
 /// The load program up to the end of the first cycle.
 LoadOptions first_cycle(LoadOptions load);
 
-/// What a march through the first cycle finds.
+/// The results of a march through the first cycle.
 struct FirstCycle
 {
   Quantities quantities{};

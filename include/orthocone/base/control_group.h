@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// What a container or a batch system allows this process.
+// The limits that a container or a batch system sets to this process.
 #pragma once
 
 #include <functional>

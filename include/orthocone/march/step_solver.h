@@ -31,7 +31,7 @@ struct StartMemory
   static constexpr std::size_t most_bytes = 32000000;
 };
 
-/// What a march needs to go on from here.
+/// The data from which a march goes on.
 struct MarchMemory
 {
   ContactState state;
@@ -108,7 +108,7 @@ public:
   /// Computes the body of an accepted state, where the remembered bodies are not known.
   void settle(const ContactState &state);
 
-  /// What a solver of the same problem needs to go on as this one would.
+  /// The data with which a solver of the same problem goes on as this one would, and their return.
   const StartMemory &memory() const { return starts_.memory(); }
   void restore(const StartMemory &memory);
 

@@ -26,7 +26,7 @@ enum class WearKind
   energy,
 };
 
-/// What the body rests on.
+/// The kind of obstacle that the body rests on.
 enum class ObstacleKind
 {
   rigid,

@@ -70,7 +70,7 @@ std::optional<std::vector<Leg>> parse_legs(const std::string &text, std::string 
 /// The text that reads back as these legs.
 std::string legs_text(const std::vector<Leg> &legs);
 
-/// What messages say of legs in general.
+/// The form of legs, as messages describe it.
 std::string allowed_legs();
 
 /// Reads "name: x y ; ...", possibly empty, mm. Returns nothing if this is malformed. Names become file

@@ -55,7 +55,7 @@ struct StepRange
 
 bool operator==(const StepRange &a, const StepRange &b);
 
-/// What is stored of a cycle's steps, and of the cycles before, until its end.
+/// The data of a cycle's steps, and of the cycles before, that are stored until its end.
 struct CycleMemory
 {
   explicit CycleMemory(Eigen::Index n_nodes = 0)

@@ -6,7 +6,7 @@
 
 namespace orthocone
 {
-/// What the next jump must know of the last one.
+/// The data of the last jump that the next one needs.
 struct WearMemory
 {
   Eigen::VectorXd rate{};     ///< depth of the cycle that the last jump repeated, mm a node; empty before it

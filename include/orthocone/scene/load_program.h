@@ -11,7 +11,7 @@
 
 namespace orthocone
 {
-/// What drives the components of the held face to the end of a step, or to a point on the way there.
+/// The motions and forces that drive the held face to the end of a step, or to a point on the way there.
 struct FaceTarget
 {
   std::array<bool, n_rigid_components> by_force{};
@@ -50,7 +50,7 @@ struct LoadStep
   /// one. Their `step_of_leg` and `phase` count parts.
   std::vector<LoadStep> parts{};
 
-  /// What drives the face at the end of the step, in a leg that began with the face as `begin` says.
+  /// The target at the end of the step, in a leg that began with the face in the state `begin`.
   FaceTarget target(const FaceState &begin) const;
 
   /// The same step with the motion and force of target().

@@ -31,8 +31,8 @@ public:
   /// displacement (mm) = W force (N), both of size 3 n_nodes().
   virtual void vmult(NodeVector &displacement, const NodeVector &force) const = 0;
 
-  /// What is known of W force without long work: all of it, or a displacement and the forces (N) that the
-  /// body lacks of its equilibrium then. Motions of a face are not included.
+  /// The part of W force that is known without long work: all of it, or a displacement and the forces (N)
+  /// that the body lacks of its equilibrium then. Motions of a face are not included.
   virtual ContactChange near(const NodeVector &force) const;
 
   /// The contact forces (N) that hold a body whose free degrees of freedom have this displacement (mm), and

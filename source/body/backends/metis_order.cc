@@ -51,7 +51,8 @@ int dissect(std::vector<int> &starts, std::vector<int> &neighbours, int *const o
   return METIS_NodeND(&n, starts.data(), neighbours.data(), nullptr, nullptr, order, inverse.data());
 }
 
-/// What the child does: it dies with its parent, prints nothing, and returns METIS' result as its exit code.
+/// The work of the child: it dies with its parent, prints nothing, and returns METIS' result as its exit
+/// code.
 [[noreturn]] void dissect_and_exit(std::vector<int> &starts, std::vector<int> &neighbours, int *const order)
 {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);

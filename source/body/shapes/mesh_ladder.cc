@@ -30,7 +30,7 @@ const std::vector<Level> &levels(const bool is_axisymmetric)
   return is_axisymmetric ? section : solid;
 }
 
-constexpr double solid_core_ratio = 0.6;
+constexpr double solid_core_ratio = 0.6; // docs/accuracy.md, "How good the estimates are"
 /// In a section, cells of the core cost no more than rings: the core reaches to where stick and slip meet on
 /// the way up.
 constexpr double section_core_ratio = 0.9;

@@ -18,7 +18,7 @@ namespace
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr unsigned int n_directions = 64;
+constexpr unsigned int n_directions = 64; // of the grid; pairs of zeros between its points are found, too
 
 /// k_0 + k_1 cos a + k_2 sin a.
 struct Harmonic

@@ -157,7 +157,7 @@ double ContactStep::residual_of(const VectorXd &map, const VectorXd &unknowns) c
 /// A share of the largest force that would hold a node against its free displacement; open gaps cost none.
 double ContactStep::negligible_force(const VectorXd &unknowns) const
 {
-  constexpr double rounding = 1e-12;
+  constexpr double rounding = 1e-12; // of the displacements
   const NodeVector free = face_.n() == 0 ? q_ : NodeVector(q_ + face_.columns() * unknowns.tail(face_.n()));
   double largest = 0;
   for (Index node = 0; node < n_nodes(); ++node)

@@ -52,7 +52,7 @@ private:
 /// Least value over the half circle: the minimum between the neighbours of a grid's best point.
 double least_over_directions(const SlipResistance &resistance)
 {
-  constexpr unsigned int n_grid = 90;
+  constexpr unsigned int n_grid = 90; // steps of two degrees
   constexpr double spacing = pi / n_grid;
   constexpr int bits = std::numeric_limits<double>::digits / 2;
   double best = 0;

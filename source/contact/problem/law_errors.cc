@@ -55,7 +55,7 @@ void LawErrors::merge(const LawErrors &other)
 
 namespace
 {
-/// What errors are related to.
+/// The scales of errors.
 struct Scales
 {
   double length = 0;   ///< mm

@@ -19,7 +19,7 @@ public:
   /// How far the face and its spring move a node now, mm.
   Eigen::Vector3d displacement(Eigen::Index node) const;
 
-  /// What the spring adds to a node's own compliance, mm/N.
+  /// The spring's part in a node's compliance, mm/N.
   Eigen::Matrix3d compliance(Eigen::Index node) const;
 
   /// To be called when a node's force changes, N.

@@ -80,7 +80,7 @@ SolverReport Continuation::solve_at(const ContactStep &step, const double t, Wal
   // Where slip is far from associated, a residual of 1e-5 does not mean that the solution is near. Short ways
   // take few iterations.
   constexpr double accurate = 1e-9;
-  constexpr unsigned int most_iterations = 20;
+  constexpr unsigned int most_iterations = 20; // docs/performance.md, "Multigrid"
   ContactSolverOptions options = options_;
   options.maximum_iterations = std::min(options.maximum_iterations, most_iterations);
   VectorXd unknowns = walk.unknowns;
@@ -103,7 +103,7 @@ SolverReport Continuation::solve_at(const ContactStep &step, const double t, Wal
 /// Follows the way in steps that are as long as they may be; returns nothing where even short ones fail.
 std::optional<SolverReport> Continuation::follow(const ContactStep &step, Walk &walk) const
 {
-  constexpr double first = 0.25, least = 1. / 256;
+  constexpr double first = 0.25, least = 1. / 256; // of the way: docs/performance.md, "Multigrid"
   if (!solve_at(step, 0, walk).converged)
     return std::nullopt;
   for (double t = 0, length = first; length >= least;)

@@ -181,7 +181,7 @@ bool SemismoothNewton::run_round(const unsigned int round, const unsigned int n_
 
 SolverReport SemismoothNewton::solve(const ContactStep &step, VectorXd &unknowns) const
 {
-  constexpr unsigned int first_sweeps = 10;
+  constexpr unsigned int first_sweeps = 10; // then twice as many each time: docs/theory.md, section 3
   constexpr unsigned int most_sweeps = 160;
   constexpr double good_start = 0.1; // sweeps are for worse starts, and for stalls
   Progress progress{step, unknowns, unknowns, step.residual(unknowns)};

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// What the contact solvers share, and the list of them for contact_methods.cc.
+// Code that the contact solvers share, and their list for contact_methods.cc.
 #pragma once
 
 #include "balancing_face.h"

@@ -12,8 +12,8 @@ using Eigen::VectorXd;
 
 namespace
 {
-/// The method's iterations on one step. What a face lacks of its balance stands beside the displacements, and
-/// its motion beside the forces: the problem of both together is monotone, too.
+/// The method's iterations on one step. A face's lack of balance is put beside the displacements, and its
+/// motion beside the forces: the problem of both together is monotone, too.
 class Projections
 {
 public:

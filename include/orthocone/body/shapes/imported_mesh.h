@@ -33,7 +33,7 @@ public:
   /// Describes volumes, surfaces with areas, worst cell and height of the contact surface, in a line each.
   std::string describe() const;
 
-  /// What makes such a mesh suspicious, in a sentence each.
+  /// Warnings of a suspicious mesh, in a sentence each.
   std::vector<std::string> warnings(const MeshOptions &mesh) const;
 
 private:

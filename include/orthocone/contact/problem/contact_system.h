@@ -9,7 +9,7 @@
 
 namespace orthocone
 {
-/// What is the same in all load steps: the compliance W of the n contact nodes (3 n x 3 n, mm/N), and the
+/// The data that all load steps share: the compliance W of the n contact nodes (3 n x 3 n, mm/N), and the
 /// friction law of each node.
 class ContactSystem
 {

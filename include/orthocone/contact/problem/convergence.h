@@ -7,7 +7,7 @@
 
 namespace orthocone
 {
-/// What a solver saw at one moment of a load step.
+/// Residual and force at one moment of a load step.
 struct TracePoint
 {
   unsigned int iterations; ///< done so far

@@ -25,7 +25,7 @@ public:
   /// C, 3 n x m, orthonormal: C y is the displacement of the nodes (mm).
   const Eigen::MatrixXd &columns() const { return columns_; }
 
-  /// What C^T r is in equilibrium: size m, N.
+  /// The value of C^T r in equilibrium: size m, N.
   const Eigen::VectorXd &balance() const { return balance_; }
 
   /// The m unknowns (mm) as motions (mm and rad), and back.

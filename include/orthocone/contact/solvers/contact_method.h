@@ -13,7 +13,7 @@ namespace orthocone
 class ContactSolver;
 class ContactSystem;
 
-/// What help texts say of a contact solver, and how it is made. Each solver's own file defines it.
+/// The help texts of a contact solver, and the function that makes it. Each solver's own file defines it.
 struct ContactMethod
 {
   std::string_view word; ///< of Contact solver/Method
