@@ -27,7 +27,8 @@ NodeVector step_displacement(const NodeVector &free, const NodeVector &previous)
 /// balance of the face.
 ///
 /// The unknowns are one vector of size n_unknowns() = 3 n + m: three forces a node (N), and behind them y
-/// (mm). Vectors of displacements have size 3 n. Sizes are asserted, not checked; nothing throws.
+/// (mm). Vectors of displacements have size 3 n. Sizes are asserted, not checked. It throws only what the
+/// compliance throws.
 class ContactStep
 {
 public:

@@ -6,10 +6,10 @@
 
 namespace orthocone
 {
-/// A rigid face that forces drive: m of its motions are not given; given is what the contact forces must
-/// balance (docs/theory.md, section 3, "Forces that drive the held face"). Its unknowns y (mm) are
-/// combinations of these motions that move the nodes by orthonormal columns, so that neither a unit nor a
-/// lever makes one of them dominate: rotations and translations move a far surface nearly alike.
+/// A rigid face that forces drive: instead of m of its motions, the forces and moments are given that the
+/// contact forces must balance (docs/theory.md, section 3, "Forces that drive the held face"). Its unknowns y
+/// (mm) are combinations of these motions that move the nodes by orthonormal columns, so that neither a unit
+/// nor a lever makes one of them dominate: rotations and translations move a far surface nearly alike.
 class FreeFace
 {
 public:

@@ -23,7 +23,7 @@ struct LawErrors
 };
 
 /// Errors of `unknowns` (ContactStep), with the displacement that they cause (3 n, mm), as the solution of
-/// `step`. Throws nothing.
+/// `step`. Throws only what the compliance throws.
 LawErrors law_errors(const ContactStep &step, const Eigen::VectorXd &unknowns,
                      const NodeVector &displacement);
 } // namespace orthocone

@@ -17,7 +17,7 @@ struct SolvedProblem
   Eigen::VectorXd unknowns; ///< size ContactStep::n_unknowns(), N and mm
 };
 
-/// A solver's report on one load step. All figures are recomputed from the final forces by make_report(), so
+/// A solver's report on one load step. All numbers are recomputed from the final forces by make_report(), so
 /// that no solver judges itself.
 struct SolverReport
 {
