@@ -13,7 +13,7 @@ import sys
 sys.dont_write_bytecode = True  # the source tree stays clean
 TOOLS = pathlib.Path(__file__).resolve().parent
 sys.path[:0] = [str(TOOLS / "report"), str(TOOLS / "plots")]
-MOST_RUNS = 8  # as many colours as the page can tell apart
+MOST_RUNS = 8  # as many colours as readers can distinguish on the page
 
 
 class ArgumentParser(argparse.ArgumentParser):

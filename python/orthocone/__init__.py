@@ -6,7 +6,7 @@
     project(force, mu), slip_direction(force, p), ...   the law of a node
     Run("output/case_b")    what a run of the program has written
 
-Lengths in mm, forces in N, as in the program; laws and solvers work in any other units that fit together, too.
+Lengths are in mm and forces in N, as in the program; laws and solvers also work in other consistent units.
 A node has local axes: the normal, then x and y, the axes of both ellipses. Forces act from the plane on the body."""
 from .run_folder import ContactFile, Run
 
@@ -16,7 +16,7 @@ __all__ = ["ContactFile", "Run", *_OF_CONTACT]
 
 
 def __getattr__(name):
-    """The compiled part is read when it is asked for: run folders can be read where it is not there."""
+    """Loads the compiled part when it is asked for: run folders can be read without it."""
     if name in _OF_CONTACT:
         from . import contact
         return getattr(contact, name)

@@ -1,11 +1,11 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 """Laws and solvers of contact on NumPy arrays. Source of the law: Feng, Hjiaj, de Saxce, Mroz, Int. J. Non-Linear Mech. 41
-(2006) 936-948; docs/theory.md.
+(2006) 936-948; docs/theory.md, section 1.
 
-Everywhere: mu are the semi-axes of the friction ellipse, a number, (2,) or (n, 2) for n nodes; 0 in both directions is no
-friction. p are those of the slip ellipse, in the same shapes; only their ratio matters. None is p = mu, the associated
-slip rule. Arrays that are no numbers, or have another shape, raise ValueError."""
+Everywhere mu are the semi-axes of the friction ellipse, without units: a number, (2,) or (n, 2) for n nodes; 0 in both
+directions is no friction. p are the semi-axes of the slip ellipse, in the same shapes; only their ratio matters. None is
+p = mu, the associated slip rule. Arrays that are no numbers, or have another shape, raise ValueError."""
 import dataclasses
 import enum
 
@@ -15,7 +15,7 @@ from . import _contact
 
 
 class Status(enum.IntEnum):
-    """What a node does; the numbers are those of the field `status` of a run."""
+    """The status of a node; the numbers are those of the field `status` of a run."""
     OPEN = 0
     STICK = 1
     SLIP = 2
@@ -23,11 +23,11 @@ class Status(enum.IntEnum):
 
 @dataclasses.dataclass(frozen=True)
 class Report:
-    """What is to be said of a solution, found from its forces alone.
+    """A report on a solution, computed from its forces alone.
 
     residual: of the natural map, relative to the forces. law_errors: the law in its own terms, relative: penetration,
     complementarity, friction_cone, slip_rule. verdict: converged, slow, rounding, cycling or diverged. trace: (k, 4), a row
-    for each residual that the solver looked at: iterations, residual, norm of the forces (N), seconds."""
+    for each residual that the solver has evaluated: iterations, residual, norm of the forces (N), seconds."""
     converged: bool
     iterations: int
     residual: float
@@ -47,7 +47,7 @@ class Solution:
 
 
 class NotConverged(RuntimeError):
-    """A solver did not reach the tolerance. `solution` is what it had at last."""
+    """A solver did not reach the tolerance. `solution` is its last state."""
 
     def __init__(self, message, solution):
         super().__init__(message)
@@ -55,7 +55,7 @@ class NotConverged(RuntimeError):
 
 
 def methods():
-    """{word: what it does} of the contact solvers, the one to work with first."""
+    """The contact solvers, {word: what it does}; the first one is the one to work with (docs/theory.md, section 3)."""
     return _contact.methods()
 
 
@@ -66,7 +66,7 @@ def solve(W, q, mu, p=None, *, method="newton", tolerance=1e-10, maximum_iterati
     (3 n,), mm: gap and slip that the nodes would have without forces. start: (n, 3), N, forces to start from.
     tolerance: of Report.residual. method: a word of methods().
 
-    Returns a Solution. Raises NotConverged, and ValueError for what is not as said here."""
+    Returns a Solution. Raises NotConverged, and ValueError for arguments of another form. docs/theory.md, section 3."""
     W = _matrix(W)
     n = W.shape[0] // 3
     q = _rows(q, 3, "q", n)
@@ -87,7 +87,7 @@ def solve(W, q, mu, p=None, *, method="newton", tolerance=1e-10, maximum_iterati
 
 
 def project(force, mu):
-    """Nearest points (n, 3) of the friction cone ||r_t||_m <= r_n. force: (n, 3) or (3,), N."""
+    """Nearest points (n, 3) of the friction cone ||r_t||_m <= r_n, N. force: (n, 3) or (3,), N."""
     return _of_nodes(_contact.project, force, 3, "force", mu, None)
 
 
@@ -109,8 +109,8 @@ def dual_norm(slip, mu):
 
 
 def slip_direction(force, p):
-    """Direction in which a node under a tangential force slips, -(r_x/p_x^2, r_y/p_y^2), not normalized. force: (n, 2) or
-    (2,), N."""
+    """Direction (n, 2) in which a node slips under a tangential force, -(r_x/p_x^2, r_y/p_y^2), not normalized. force:
+    (n, 2) or (2,), N."""
     return _of_nodes(_contact.slip_direction, force, 2, "force", 1., p)
 
 

@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""Reads the run folder of orthocone: what figures and reports know of a run, they know from here.
+"""Reads the run folder of orthocone. Figures and reports take all that they know of a run from here.
 
-Columns and fields have the names and units that docs/manual.md gives: mm, N, MPa, N mm."""
+Columns and fields have the names and units in docs/results.md: mm, N, MPa, N mm."""
 import csv
 import functools
 import json
@@ -33,8 +33,8 @@ def read_csv(path):
 class ContactFile:
     """Fields of a contact-NNNN.vtu file at its points, which are the contact nodes of the whole body; in older run
     folders each element has points of its own. points: (n, 3), mm. data: {field: (n,) or (n, 3)}; file["slip"] is one of
-    them. cells: (m, (degree + 1)^2) points of each element, in VTK's order of Lagrange cells. path: of the file, for
-    pyvista.read() and other readers. Raises ValueError for what is not such a file."""
+    them. cells: (m, (degree + 1)^2) points of each element, in VTK's order of Lagrange cells. path: the file, for
+    pyvista.read() and other readers. Raises ValueError if it is not such a file."""
 
     def __init__(self, path):
         self.path = pathlib.Path(path)
@@ -107,20 +107,23 @@ def _lattice(degree):
 
 class Run:
     """The files of one run. Tables are {column: (steps,) array, or list of words}, as pandas.DataFrame takes them. Raises
-    FileNotFoundError for what the run has not written."""
+    FileNotFoundError for files that the run has not written."""
 
     def __init__(self, path):
         self.path = pathlib.Path(path)
         self.history = read_csv(self.path / "history.csv")
 
     def probe_names(self):
+        """Names of the probes whose tables are in the folder, sorted."""
         return sorted(file.stem[len("probe-"):] for file in self.path.glob("probe-*.csv"))
 
     def probe(self, name):
+        """Table of a probe."""
         return read_csv(self.path / f"probe-{name}.csv")
 
     @functools.cached_property
     def timing(self):
+        """Wall times of every step, s."""
         return read_csv(self.path / "timing.csv")
 
     @functools.cached_property
@@ -137,7 +140,7 @@ class Run:
 
     @functools.cached_property
     def summary(self):
-        """What summary.json has."""
+        """The content of summary.json."""
         return json.loads((self.path / "summary.json").read_text())
 
     @functools.cached_property

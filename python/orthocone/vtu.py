@@ -14,7 +14,7 @@ _TYPES = {"Float32": "f4", "Float64": "f8", "Int32": "i4", "Int64": "i8", "UInt8
 
 class Vtu:
     """points: (n, 3), mm. fields: {name: (n,) or (n, k)}. blocks: [(VTK's number of the kind of cell, (m, points of a cell))],
-    in the order of the file. field_data: {name: array}. Raises ValueError for what is not such a file."""
+    in the order of the file. field_data: {name: array}. Raises ValueError if this is not such a file."""
 
     def __init__(self, path):
         try:

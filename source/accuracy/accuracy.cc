@@ -14,11 +14,11 @@ namespace orthocone
 {
 namespace
 {
-constexpr double best_ratio = 0.5;
+constexpr double best_ratio = 0.5; // of first order: docs/accuracy.md, "A number: `Load program/Accuracy`"
 constexpr double worst_ratio = 0.6;
-constexpr double least_share = 1. / 3; // of the difference before
+constexpr double least_share = 1. / 3; // of the difference before: docs/accuracy.md, "Load steps"
 
-/// What all differences behind the last one are likely to add up to; `before`: the one before, or 0.
+/// The likely sum of all differences behind the last one. `before` is the difference before it, or 0.
 double remaining_change(const double last, const double before)
 {
   const double difference = std::max(last, least_share * before);
@@ -47,7 +47,7 @@ Quantities relative_errors(const Quantities &absolute, const Quantities &values,
                            const double motion)
 {
   constexpr double percent = 100;
-  constexpr double least_share_of_area = 0.1, negligible = 1e-3;
+  constexpr double least_share_of_area = 0.1, negligible = 1e-3; // digits of less are not worth any effort
   Quantities least{};
   least[0] = negligible * motion;
   least[2] = least[loop_area_index] = negligible * values[1] * motion / 2;

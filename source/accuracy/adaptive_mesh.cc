@@ -59,14 +59,14 @@ public:
     const VectorXd elastic = scene_.body().elastic_displacement(state.force);
     squared_errors_ += squared_jumps(space_, scene_.body().with_motion({}, elastic));
     for (std::size_t face = 0; face < space_.contact_cells().size(); ++face)
-      if (space_.contact_cells()[face] < is_on_border_.size() && // of this process
+      if (space_.contact_cells()[face] < is_on_border_.size() && // in this process
           is_mixed(space_.contact_surface().faces[face], state.status))
         is_on_border_[space_.contact_cells()[face]] = true;
   }
 
   std::vector<CellRange> cells_to_halve() const override
   {
-    constexpr double share = 0.5;
+    constexpr double share = 0.5; // of the squared error: docs/accuracy.md, "Cells halved"
     const auto [errors, border] = of_all_cells();
     std::vector<bool> is_marked(errors.size());
     for (std::size_t i = 0; i < is_marked.size(); ++i)
@@ -86,7 +86,8 @@ public:
   }
 
 private:
-  /// By their numbers in Mesh/Refined cells: the squared errors, and 1 on the border. The same on all ranks.
+  /// For all cells, by their numbers in Mesh/Refined cells: the squared errors, and 1 on the border. The same
+  /// on all ranks.
   std::pair<VectorXd, VectorXd> of_all_cells() const
   {
     VectorXd errors = VectorXd::Zero(space_.size().cells), border = errors;
@@ -110,7 +111,8 @@ private:
     return false;
   }
 
-  /// Hanging nodes are between the others.
+  /// Whether the nodes of a face differ in status. Hanging nodes do not count, because they are between
+  /// others.
   static bool is_mixed(const std::vector<unsigned int> &places, const std::vector<NodeStatus> &status)
   {
     std::optional<NodeStatus> first;
@@ -126,7 +128,7 @@ private:
 
   const Scene &scene_;
   const DisplacementSpace<dim> &space_;
-  VectorXd squared_errors_; ///< by active cells; zero in those of other processes
+  VectorXd squared_errors_; ///< by active cells; zero in cells of other processes
   std::vector<bool> is_on_border_;
   bool ends_leg_ = false;
 };
@@ -145,7 +147,7 @@ std::unique_ptr<RefinementWatch> RefinementWatch::of(const Scene &scene)
       { return std::make_unique<WatchOfSpace<std::decay_t<decltype(space)>::dimension>>(scene, space); });
 }
 
-MeshOptions adapted_mesh(const Parameters &parameters, const ModelChoice &choice, const Teller &tell,
+MeshOptions adapted_mesh(const Parameters &parameters, const ModelChoice &choice, const Reporter &report,
                          const double gigabytes)
 {
   Parameters adapted = parameters;
@@ -166,10 +168,10 @@ MeshOptions adapted_mesh(const Parameters &parameters, const ModelChoice &choice
     const std::string line = "adaptive       round " + std::to_string(round) + ", " + size_of(scene);
     if (is_too_large(with_backend(finer), choice.symmetry, gigabytes))
     {
-      tell(line + "the next mesh would need more memory than this machine has");
+      report(line + "the next mesh would need more memory than this machine has");
       break;
     }
-    tell(line + std::to_string(Body(finer, choice.symmetry).unknowns().size().cells) + " cells follow");
+    report(line + std::to_string(Body(finer, choice.symmetry).unknowns().size().cells) + " cells follow");
     adapted = finer;
   }
   return adapted.mesh;

@@ -59,7 +59,7 @@ BackendChoice choose_backend(const Parameters &parameters, const ModelSymmetry &
   const std::string line = "backend        ";
   const std::string of_condensed = "condensed about " + described(condensed, seconds_condensed);
   const std::string of_multigrid = "multigrid about " + described(multigrid, seconds_multigrid);
-  // Without coarser meshes contact has nothing to start from: multigrid must be clearly faster.
+  // Without coarser meshes contact has no good start, so that multigrid must be clearly faster.
   const double margin = is_halved ? 1 : 2;
   if (fits && seconds_condensed <= margin * seconds_multigrid)
     return {BodyBackend::condensed, line + of_condensed + "; " + of_multigrid};

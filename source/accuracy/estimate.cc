@@ -19,9 +19,9 @@ namespace
 {
 constexpr double bytes_per_number = 8;
 constexpr double gigabyte = 1e9;
-constexpr double dense_matrices = 3;     // of the size of the compliance, at most at a time
-constexpr double of_counterbody = 1;     // more of them: its compliance, then the sum
-constexpr double bytes_per_step = 100;   // of the load program and the lists of files
+constexpr double dense_matrices = 3;     // at most at a time, each as large as the compliance
+constexpr double of_counterbody = 1;     // one more: its compliance, then the sum
+constexpr double bytes_per_step = 100;   // in the load program and the lists of files
 constexpr double memory_bandwidth = 8e9; // bytes/s that one core of a usual machine reads
 
 /// Floating point operations per second of a matrix product that fits into the cache.
@@ -66,7 +66,7 @@ double step_gigabytes(const LoadOptions &load, const double contact_nodes)
 {
   const double n_steps = n_solved_parts(load);
   const double starts = 2 * n_steps / std::max(1U, load.cycles) * 3 * contact_nodes * bytes_per_number;
-  // Kept, and once more as text of a checkpoint.
+  // The starts are kept, and take memory again in the text of a checkpoint.
   return (bytes_per_step * n_steps + 3 * std::min(starts, static_cast<double>(StartMemory::most_bytes))) /
          gigabyte;
 }
@@ -76,7 +76,7 @@ double volume_seconds_per_step(const OutputOptions &output, const double dofs)
   return seconds_per_value * dofs * fields_written_per_step(output.volume_interval);
 }
 
-/// The cells that refinements make, as if they were given.
+/// The mesh options with the cells that refinements make, as if these were given.
 static MeshOptions refined(MeshOptions mesh)
 {
   const unsigned int halves = 1U << mesh.refinements;
@@ -93,7 +93,7 @@ ModelSize model_size(const Parameters &parameters, const ModelSymmetry &symmetry
   const ModelSize size = make_shape(parameters.geometry, refined(parameters.mesh))->size(symmetry);
   if (parameters.mesh.refined_cells.empty())
     return size;
-  const Body body(parameters, symmetry); // whose cells nothing but meshing counts
+  const Body body(parameters, symmetry); // only meshing counts its cells
   const BodyUnknowns &unknowns = body.unknowns();
   const double dofs = unknowns.size().dofs;
   return {static_cast<double>(unknowns.size().cells),
@@ -101,14 +101,16 @@ ModelSize model_size(const Parameters &parameters, const ModelSymmetry &symmetry
           dofs / size.dofs * size.stiffness_entries};
 }
 
-/// What a factorization of this cost takes at so many operations/s, and the dense compliance that follows.
+/// The estimate for a factorization of this cost at `rate` operations/s, and for the dense compliance that
+/// follows.
 static Estimate of_factorization(const Parameters &parameters, const ModelSize &size,
                                  const ModelSymmetry &symmetry, const FactorizationCost &cost,
                                  const double rate)
 {
   const double n_contact = 3 * size.contact_nodes;
   Estimate result{};
-  // The program itself; the stiffness and CHOLMOD's copy of it, with their indices; the factor.
+  // The sum has the program itself, the stiffness and CHOLMOD's copy of it with their indices, and the
+  // factor.
   result.gigabytes =
       0.15 +
       (2 * 1.5 * size.stiffness_entries + cost.entries + dense_matrices * n_contact * n_contact) *
@@ -120,18 +122,18 @@ static Estimate of_factorization(const Parameters &parameters, const ModelSize &
   const double n_cell = dim * std::pow(parameters.mesh.degree + 1, dim);
   const double assembly =
       size.cells * std::pow(parameters.mesh.n_quadrature_points(), dim) * 2 * n_cell * n_cell;
-  // Factorizations reach half of the speed of large products; METIS takes about as long again on small
-  // models.
+  // Factorizations reach half the speed of large products; on small models METIS takes about as long as they
+  // do.
   result.set_up_seconds = 0.2 + 4 * assembly / rate + 3 * cost.flops / rate + 2 * cube(n_contact) / rate;
-  // Products with half of the compliance in single precision: a hundred and more where the start is far off,
-  // two in many steps.
+  // The contact solution takes products with half of the compliance in single precision: a hundred and more
+  // where the start is far off, two in many steps.
   const double contact = 20 * n_contact * n_contact * bytes_per_number / 4 / memory_bandwidth;
   const double checks = (2 * cost.entries + 3 * size.stiffness_entries) * bytes_per_number / memory_bandwidth;
   result.step_seconds = contact + checks;
   return result;
 }
 
-/// What the lower body adds to the estimate of the other one, all but the program and the load steps.
+/// Adds the lower body to the estimate of the upper one: everything but the program and the load steps.
 static void add_lower_body(const Parameters &parameters, const ModelSymmetry &symmetry, Estimate &sum)
 {
   Parameters lower = lower_parameters(parameters);
@@ -166,7 +168,7 @@ Estimate estimate(const Parameters &parameters, const Body &body, const ModelSym
 Estimate usual_estimate(const Parameters &parameters, const ModelSize &size, const ModelSymmetry &symmetry)
 {
   constexpr double rate = 5e10; // operations/s of one or two usual cores
-  // As factorization_cost() of cylinders with 1e4 to 1e5 unknowns, degrees 1 to 3, to a quarter.
+  // These fit factorization_cost() of cylinders with 1e4 to 1e5 unknowns and degrees 1 to 3 to a quarter.
   constexpr double entries = 28, flops = 28;
   const FactorizationCost cost{entries * std::pow(size.dofs, 4. / 3), flops * size.dofs * size.dofs};
   return of_factorization(parameters, size, symmetry, cost, rate);

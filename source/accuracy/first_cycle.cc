@@ -13,7 +13,7 @@ namespace orthocone
 {
 namespace
 {
-/// Number of the first step in which the top stands lowest.
+/// Number of the first step in which the top is lowest.
 unsigned int peak(const std::vector<LoadStep> &steps)
 {
   return std::min_element(steps.begin(), steps.end(),
@@ -64,7 +64,7 @@ private:
   unsigned int peak_step_;
   MarchObserver &also_;
   bool is_in_cycle_ = false;
-  double work_before_ = 0; ///< the cycle, N mm
+  double work_before_ = 0; ///< work before the cycle, N mm
   Quantities values_{};
   double motion_ = 0; ///< largest of the top along z, mm
 };

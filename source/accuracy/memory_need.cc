@@ -29,8 +29,8 @@ void require_countable(const ModelSize &size)
   throw TooLargeError(text.str());
 }
 
-/// What the model needs, or nothing where that is surely less than `gigabytes`. The estimate meshes the model
-/// and finds an order, so it is made only where the answer depends on it.
+/// The memory that the model needs, or nothing where this is certainly less than `gigabytes`. The estimate
+/// meshes the model and finds an order, so it is made only where the answer depends on it.
 static std::optional<double> needed_gigabytes(const Parameters &parameters, const ModelSymmetry &symmetry,
                                               const double gigabytes)
 {

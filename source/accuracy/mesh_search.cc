@@ -24,7 +24,7 @@ std::string line_of(const unsigned int level, const Scene &scene, const std::str
          std::to_string(scene.surface().nodes.size()) + " contact nodes: " + quantities;
 }
 
-/// Whether the mesh has reached its share.
+/// Whether the mesh has reached its share of the accuracy.
 bool is_fine_enough(AccuracyEstimate accuracy, const double most_steps_share)
 {
   for (double &steps_share : accuracy.steps_share)
@@ -32,8 +32,8 @@ bool is_fine_enough(AccuracyEstimate accuracy, const double most_steps_share)
   return accuracy.is_reached();
 }
 
-/// The meshes of a search, each finer than the one before: levels of the ladder; of a solid, from level 2 on,
-/// level 1 with rounds of refinement of single cells.
+/// The meshes of a search, each finer than the one before: levels of the ladder. For a solid, levels from 2
+/// on are level 1 with rounds of refinement of single cells.
 class MeshLevels
 {
 public:
@@ -50,7 +50,7 @@ public:
     return is_axisymmetric() ? n_ladder_levels(true) : n_graded + most_rounds;
   }
 
-  /// `to_halve`: what the mesh before asked for.
+  /// `to_halve` are the cells that the solution on the mesh before asked for.
   Parameters finer(const unsigned int level, const std::vector<CellRange> &to_halve)
   {
     Parameters finer = given_;
@@ -77,8 +77,8 @@ private:
   MeshOptions before_{};
 };
 
-/// Solves the first cycle on the mesh of `finer`, the model of which is kept, and adds its quantities. What
-/// they ask to be halved.
+/// Solves the first cycle on the mesh of `finer`, keeps the model, and adds its quantities. Returns the cells
+/// to halve.
 std::vector<CellRange> solve_level(const Parameters &finer, const ModelChoice &choice,
                                    std::vector<Quantities> &levels, ChosenModel &found,
                                    AccuracyEstimate &accuracy)
@@ -97,7 +97,7 @@ std::vector<CellRange> solve_level(const Parameters &finer, const ModelChoice &c
 }
 } // namespace
 
-ChosenModel find_mesh(const Parameters &parameters, const ModelChoice &choice, const Teller &tell,
+ChosenModel find_mesh(const Parameters &parameters, const ModelChoice &choice, const Reporter &report,
                       const double gigabytes, const Quantities &steps_share, const double most_steps_share)
 {
   constexpr std::size_t least_levels = 3;
@@ -112,32 +112,35 @@ ChosenModel find_mesh(const Parameters &parameters, const ModelChoice &choice, c
     const Parameters finer = meshes.finer(level, to_halve);
     if (level > 0 && is_too_large(finer, choice.symmetry, gigabytes))
     {
-      tell("accuracy       level " + std::to_string(level) + " would need more memory than this machine has");
+      report("accuracy       level " + std::to_string(level) +
+             " would need more memory than this machine has");
       break;
     }
     to_halve = solve_level(finer, choice, levels, found, accuracy);
-    tell(line_of(level, *found.scene, describe_quantities(accuracy)));
+    report(line_of(level, *found.scene, describe_quantities(accuracy)));
     if (levels.size() >= least_levels && is_fine_enough(accuracy, most_steps_share))
       break;
   }
   found.accuracy = accuracy;
   found.search_seconds = watch.seconds();
-  tell("accuracy       " + describe(accuracy));
+  report("accuracy       " + describe(accuracy));
   return found;
 }
 
 namespace
 {
-constexpr double share_of_steps = 0.3; ///< of the larger accuracy
+constexpr double share_of_steps = 0.3; ///< of the larger accuracy: docs/accuracy.md, "Load steps"
 
-/// What of an error of the steps is more than the larger accuracy leaves beside that of the mesh.
+/// The part of an error of the steps that exceeds what the larger accuracy leaves beside the error of the
+/// mesh.
 double beyond(const double error, const double larger, const double of_mesh)
 {
   return std::max(0., error - (larger - of_mesh));
 }
 
-/// The mesh that the parameters ask for. `steps`: errors of the steps, percent; `larger`: of both accuracies.
-ChosenModel choose_mesh(const Parameters &parameters, const ModelChoice &choice, const Teller &tell,
+/// The mesh that the parameters ask for. `steps` are errors of the steps, percent, and `larger` is the larger
+/// one of both accuracies.
+ChosenModel choose_mesh(const Parameters &parameters, const ModelChoice &choice, const Reporter &report,
                         const Quantities &steps, const double larger)
 {
   const double wanted = parameters.mesh.accuracy;
@@ -146,7 +149,7 @@ ChosenModel choose_mesh(const Parameters &parameters, const ModelChoice &choice,
   for (unsigned int i = 0; i < n_quantities; ++i)
     steps_share[i] = beyond(steps[i], larger, wanted);
   if (wanted != 0)
-    return find_mesh(parameters, choice, tell, gigabytes, steps_share,
+    return find_mesh(parameters, choice, report, gigabytes, steps_share,
                      beyond(share_of_steps * larger, larger, wanted));
   ChosenModel chosen{parameters, parameters};
   MeshOptions &mesh = chosen.parameters.mesh;
@@ -154,17 +157,17 @@ ChosenModel choose_mesh(const Parameters &parameters, const ModelChoice &choice,
   if (mesh.adaptive != 0)
   {
     const Stopwatch watch;
-    mesh = adapted_mesh(chosen.parameters, choice, tell, gigabytes);
+    mesh = adapted_mesh(chosen.parameters, choice, report, gigabytes);
     chosen.search_seconds = watch.seconds();
   }
   const BackendChoice backend = choose_backend(chosen.parameters, choice.symmetry, gigabytes);
   mesh.backend = backend.backend;
   if (!backend.reason.empty())
-    tell(backend.reason);
+    report(backend.reason);
   return chosen;
 }
 
-/// Numbers of cells mean those of one model.
+/// Fixes the model where cells are named, because their numbers belong to one model.
 ChosenModel with_model_of_cells(ChosenModel chosen, const ModelChoice &choice)
 {
   MeshOptions &mesh = chosen.parameters.mesh;
@@ -174,20 +177,20 @@ ChosenModel with_model_of_cells(ChosenModel chosen, const ModelChoice &choice)
 }
 } // namespace
 
-ChosenModel choose_mesh_and_steps(const Parameters &given, const ModelChoice &choice, const Teller &tell)
+ChosenModel choose_mesh_and_steps(const Parameters &given, const ModelChoice &choice, const Reporter &report)
 {
   if (given.load.accuracy == 0)
-    return with_model_of_cells(choose_mesh(given, choice, tell, {}, given.mesh.accuracy), choice);
+    return with_model_of_cells(choose_mesh(given, choice, report, {}, given.mesh.accuracy), choice);
   const Stopwatch watch;
   const double of_mesh = given.mesh.accuracy, of_steps = given.load.accuracy;
   const double larger = std::max(of_mesh, of_steps);
   const double wanted = of_mesh == 0 ? of_steps : std::min(of_steps, share_of_steps * larger);
-  const DividedSteps steps = find_steps(given, choice, wanted, tell);
+  const DividedSteps steps = find_steps(given, choice, wanted, report);
   const double step_seconds = watch.seconds();
   Parameters divided = given;
   divided.load = steps.load;
-  ChosenModel chosen =
-      with_model_of_cells(choose_mesh(divided, choice, tell, steps.accuracy.estimate.errors, larger), choice);
+  ChosenModel chosen = with_model_of_cells(
+      choose_mesh(divided, choice, report, steps.accuracy.estimate.errors, larger), choice);
   chosen.given = given;
   chosen.steps = steps.accuracy;
   chosen.search_seconds += step_seconds;

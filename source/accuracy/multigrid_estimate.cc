@@ -15,7 +15,7 @@ namespace
 {
 constexpr double bytes_per_gigabyte = 1e9;
 
-/// The mesh before all cells were halved.
+/// The parameters of the mesh before any cell was halved.
 Parameters on_coarsest(Parameters parameters)
 {
   parameters.mesh.refined_cells.clear();
@@ -23,7 +23,7 @@ Parameters on_coarsest(Parameters parameters)
   return parameters;
 }
 
-/// What trilinear elements on the coarsest mesh take: docs/performance.md, "Large coarsest meshes".
+/// The cost of trilinear elements on the coarsest mesh: docs/performance.md, "Large coarsest meshes".
 struct CoarsestCost
 {
   double gigabytes, set_up_seconds;
@@ -40,12 +40,12 @@ CoarsestCost cost_of_coarsest(const Parameters &coarsest, const ModelSymmetry &s
   if (MultigridBody::aggregates_coarsest(n, size.contact_nodes))
     return {7e3 * n / bytes_per_gigabyte, 2e-5 * n, 1.5e-5 * n, 9e-7 * n};
   const double contact = 3 * size.contact_nodes;
-  constexpr double dense = 5 * 8; // bytes: the compliance, and what contact makes of it
+  constexpr double dense = 5 * 8; // bytes: the compliance, and systems that contact makes of it
   return {(240 * entries + dense * contact * contact) / bytes_per_gigabyte, 6e-10 * n * n,
           1e-11 * contact * contact * contact, 1.8e-8 * entries};
 }
 
-/// Longest edge of a cell / its shortest one; 1 where meshing takes too long.
+/// Body::stretch(), or 1 where meshing takes too long.
 double stretch_of(const Parameters &coarsest, const ModelSymmetry &symmetry)
 {
   constexpr double most_cells = 2e5;
@@ -57,24 +57,24 @@ double stretch_of(const Parameters &coarsest, const ModelSymmetry &symmetry)
 
 double multigrid_gigabytes(const Parameters &parameters, const ModelSize &size, const ModelSymmetry &symmetry)
 {
-  constexpr double program = 0.17, bytes_per_unknown = 1200;
-  // Every level marches on its own, with a coarsest mesh of its own.
+  constexpr double program = 0.17, bytes_per_unknown = 1200; // docs/performance.md, "Multigrid"
+  // Every level has a march of its own, with a coarsest mesh of its own.
   const double n_levels =
       1. + parameters.mesh.refinements + static_cast<double>(parameters.mesh.refined_cells.size());
   const double of_each = program + n_levels * cost_of_coarsest(on_coarsest(parameters), symmetry).gigabytes +
                          step_gigabytes(parameters.load, size.contact_nodes);
-  // As if all processes ran on this machine.
+  // This counts all processes as if they ran on this machine.
   return n_ranks() * of_each + (bytes_per_unknown * size.dofs) / bytes_per_gigabyte;
 }
 
-/// docs/performance.md, "Multigrid".
+/// The numbers are from docs/performance.md, "Multigrid".
 Estimate multigrid_estimate(const Parameters &parameters, const ModelSize &size,
                             const ModelSymmetry &symmetry)
 {
   constexpr double set_up = 1.5e-5, v_cycle = 3e-7;          // s per unknown
   constexpr double in_first_cycle = 30, in_later_cycles = 9; // V-cycles of a step
   constexpr double in_iteration = 5;                         // V-cycles of an iteration of Newton's method
-  constexpr double even = 2.5;                               // stretch of cells that multigrid does not mind
+  constexpr double even = 2.5; // stretch of cells that does not slow multigrid down
   const Parameters coarsest = on_coarsest(parameters);
   const double cycles_per_step =
       (in_later_cycles + (in_first_cycle - in_later_cycles) / std::max(1U, parameters.load.cycles)) *

@@ -17,16 +17,16 @@ namespace orthocone
 namespace
 {
 constexpr const char *entry = "Load program/Accuracy";
-constexpr unsigned int most_parts = 64;
+constexpr unsigned int most_parts = 64; // of a step: docs/accuracy.md, "A number: `Load program/Accuracy`"
 
-/// A mesh on which load steps err as on that of the run, and that costs less if there is one: what they do is
-/// a matter of the path, not of the singular edges. A gap needs cells that resolve the contact.
+/// A mesh on which load steps cause the same errors as on the run's mesh, and which costs less if possible:
+/// these errors depend on the path, not on the singular edges. A gap needs cells that resolve the contact.
 MeshOptions search_mesh(const Parameters &parameters, const ModelChoice &choice)
 {
   const GeometryOptions &geometry = parameters.geometry;
   const bool is_axisymmetric = choice.symmetry.is_axisymmetric();
   const bool is_plain = parameters.obstacle.is_plane() && !parameters.friction.varies();
-  MeshOptions plain = parameters.mesh; // what a single mesh is given with, a ladder is not
+  MeshOptions plain = parameters.mesh; // without the entries that only a single mesh has
   plain.quadrature_points = plain.refinements = plain.adaptive = 0;
   plain.refined_cells.clear();
   plain.backend = BodyBackend::automatic;
@@ -48,7 +48,7 @@ MeshOptions search_mesh(const Parameters &parameters, const ModelChoice &choice)
   return given.mesh;
 }
 
-/// The legs of a program, those of the preload first.
+/// The legs of a program, beginning with the preload.
 std::vector<Leg *> legs_of(LoadOptions &load)
 {
   std::vector<Leg *> legs;
@@ -59,7 +59,7 @@ std::vector<Leg *> legs_of(LoadOptions &load)
   return legs;
 }
 
-/// What is known of a leg.
+/// The known errors of a leg.
 struct LegError
 {
   Quantities change{};        ///< what halving its parts changes
@@ -99,7 +99,8 @@ public:
     }
   }
 
-  /// Halves the parts of the legs that err most in what is not reached. Whether there is such a leg.
+  /// Halves the parts of the legs with the largest errors in quantities that are not reached. Returns whether
+  /// there is such a leg.
   bool divide()
   {
     bool has_divided = false;
@@ -114,7 +115,7 @@ public:
     return has_divided;
   }
 
-  /// What ten times the tolerance changes, percent.
+  /// Changes by ten times the tolerance, percent.
   Quantities solver_errors() const
   {
     constexpr double looser = 10, most = 0.1;
@@ -158,7 +159,7 @@ private:
     leg.error = relative_errors(error, estimate_.values, area_, motion_);
   }
 
-  /// Whether the program with all its cycles stays one that a parameter file may have.
+  /// Whether the program with all its cycles stays within the limits of a parameter file.
   bool may_halve(const std::size_t i) const
   {
     LoadOptions halved = load_;
@@ -170,7 +171,7 @@ private:
 
   bool is_to_halve(const LegError &leg) const
   {
-    constexpr double large = 0.5; // relative to the leg that errs most
+    constexpr double large = 0.5; // relative to the leg with the largest error
     for (unsigned int quantity = 0; quantity < n_quantities; ++quantity)
     {
       double most = 0;
@@ -203,7 +204,7 @@ std::string line_of(const StepSearch &search)
 } // namespace
 
 DividedSteps find_steps(const Parameters &parameters, const ModelChoice &choice, const double wanted,
-                        const Teller &tell)
+                        const Reporter &report)
 {
   Parameters searched = parameters;
   searched.mesh = search_mesh(parameters, choice);
@@ -212,12 +213,12 @@ DividedSteps find_steps(const Parameters &parameters, const ModelChoice &choice,
   do
   {
     search.measure();
-    tell(line_of(search));
+    report(line_of(search));
   } while (!search.estimate().is_reached() && search.divide());
   DividedSteps divided{search.load(), {search.estimate(), search.solver_errors()}};
   divided.load.cycles = parameters.load.cycles;
   divided.load.accuracy = 0;
-  tell("accuracy       of the steps " + describe(divided.accuracy.estimate));
+  report("accuracy       of the steps " + describe(divided.accuracy.estimate));
   return divided;
 }
 } // namespace orthocone

@@ -26,7 +26,7 @@ std::string input_name(const CommandLine &line)
   return is_json(line.parameter_file) ? "input.json" : "input.prm";
 }
 
-/// A path without detours such as a/../b, which would make the folder a on the way.
+/// A path without detours such as a/../b, which would create the folder a.
 fs::path without_detours(const fs::path &path)
 {
   const auto goes_back = [](const fs::path &part, const fs::path &next)
@@ -57,8 +57,8 @@ void keep_parameters(const RunFolder &folder, Assignment &task, const Parameters
   const std::string path = path_of(task.line);
   if (const auto earlier =
           folder.start_anew(complete_text(parameters), path, probe_files(parameters.output.probes)))
-    task.tell("warning: " + folder.path() + " held the results of another file, " + *earlier +
-              "; those of this run take their place (--output DIR keeps both)");
+    task.report("warning: " + folder.path() + " held the results of another file, " + *earlier +
+                "; those of this run take their place (--output DIR keeps both)");
   folder.write(input_name(task.line), task.file.text);
 }
 

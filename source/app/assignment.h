@@ -15,16 +15,16 @@
 
 namespace orthocone
 {
-/// What a run is asked for, and what it says before it has a log.
+/// The task of a run, and its messages before it has a log.
 struct Assignment
 {
   const CommandLine &line;
   const ParameterFile &file;
   const ModelChoice model;
   ThreadChooser threads;
-  std::string lines{}; ///< for log.txt, which begins when it is known that the run does
+  std::string lines{}; ///< for log.txt, which begins when the run is known to begin
 
-  void tell(const std::string &text)
+  void report(const std::string &text)
   {
     lines += text + "\n";
     if (!line.quiet)
@@ -32,13 +32,13 @@ struct Assignment
   }
 };
 
-/// Path of the parameter file, to tell it from others of its name.
+/// Path of the parameter file, which distinguishes it from others of the same name.
 std::string path_of(const CommandLine &line);
 
-/// Where the results go.
+/// The folder of the results.
 std::filesystem::path run_folder_of(const CommandLine &line);
 
-/// Puts the parameters into the run folder: as the user wrote them, and complete.
+/// Writes the parameters into the run folder: as the user wrote them, and complete. Throws FileError.
 void keep_parameters(const RunFolder &folder, Assignment &task, const Parameters &parameters);
 
 /// The same for a run that goes on, perhaps with more cycles, probes or fields than it began with.

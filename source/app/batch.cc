@@ -33,7 +33,7 @@ void on_interrupt(int)
   is_interrupted = 1;
 }
 
-/// The run that is going on gets the signal, too, and finishes its step; its answer is the last one.
+/// The present run gets the signal, too, and finishes its step; its answer is the last one.
 void end_on_interrupt()
 {
   struct sigaction action
@@ -68,7 +68,7 @@ std::optional<std::vector<std::string>> words_of(const std::string &line)
   return words;
 }
 
-/// A file without a name, in memory, that a child writes and its parent reads.
+/// A file in memory, without a name, that a child writes and its parent reads.
 class Scratch
 {
 public:
@@ -82,10 +82,10 @@ public:
 
   int file() const { return file_; }
 
-  /// All that was written, as far as anybody wants to read it.
+  /// The text that was written, cut to a length that somebody would read.
   std::string text() const
   {
-    constexpr std::size_t most = 1000000;
+    constexpr std::size_t most = 1000000; // bytes
     std::string text;
     std::array<char, 4096> buffer{};
     ::lseek(file_, 0, SEEK_SET);

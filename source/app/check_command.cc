@@ -32,7 +32,7 @@ void print_warnings(const Parameters &parameters, const std::string &lack)
     throw FileError("standard output: cannot be written");
 }
 
-/// The mesh is not chosen yet: it takes a search, which is a part of the run.
+/// Prints the model without its mesh, which a search will choose as a part of the run.
 void print_unknown_mesh(const Parameters &parameters, const ModelChoice &model)
 {
   std::cout << describe_model(model) << "mesh           is chosen by the run, for errors of "
@@ -42,8 +42,8 @@ void print_unknown_mesh(const Parameters &parameters, const ModelChoice &model)
   print_warnings(parameters, "");
 }
 
-/// That the memory does not hold it, and that a factorization cannot count it: a bigger machine would not
-/// help then.
+/// Says that the memory is too small for the model, and whether a factorization cannot count it: then a
+/// bigger machine would not help.
 std::string why_too_large(const ModelSize &size, const std::string &lack)
 {
   try
@@ -57,13 +57,13 @@ std::string why_too_large(const ModelSize &size, const std::string &lack)
   return lack;
 }
 
-/// Whether cycles may be left out, and take no time.
+/// Whether cycles may be left out, which then take no time.
 bool has_jumps(const Parameters &parameters)
 {
   return parameters.load.jump_when_periodic != 0 || parameters.wear.largest_jump != 0;
 }
 
-/// A mesh of so many unknowns that it takes longer than somebody who checks waits.
+/// Prints a model whose mesh has so many unknowns that making it takes too long for a check.
 void print_large_model(const Parameters &parameters, const ModelChoice &model, const ModelSize &size)
 {
   const auto n_steps = static_cast<unsigned int>(n_solved_parts(parameters.load));

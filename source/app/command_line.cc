@@ -72,7 +72,7 @@ CommandLine from(const po::variables_map &values)
 }
 } // namespace
 
-/// Whether an option that wants a value stands before another option.
+/// Whether an option that needs a value is followed by another option.
 static bool is_followed_by_option(const std::string &option, const int argc, const char *const *const argv)
 {
   for (int i = 1; i + 1 < argc; ++i)
@@ -90,7 +90,8 @@ CommandLine parse_command_line(const int argc, const char *const *const argv)
   po::variables_map values;
   try
   {
-    // No abbreviations: an option that is added later must not change what a script means.
+    // Abbreviations are not allowed, because an option that is added later must not change the meaning of a
+    // script.
     constexpr auto style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
     po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
               values);

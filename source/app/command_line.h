@@ -7,7 +7,7 @@
 
 namespace orthocone
 {
-/// What the command line asks for.
+/// The options of the command line.
 struct CommandLine
 {
   std::string parameter_file;
@@ -17,19 +17,19 @@ struct CommandLine
   bool batch = false;        ///< command lines come from standard input
   bool check = false;
   bool resume = false;
-  bool insist = false; ///< runs even where memory is likely not to suffice
+  bool insist = false; ///< runs even if memory is not likely to suffice
   bool quiet = false;
   bool defaults = false;
-  bool list = false;    ///< parameter files that come with the program
-  bool columns = false; ///< of the tables, and fields
+  bool list = false;    ///< prints the parameter files that come with the program
+  bool columns = false; ///< prints the columns of the tables, and the fields
   bool help = false;
   bool version = false;
 
-  /// Whether it asks for a text only.
+  /// Whether only a text is asked for.
   bool prints() const { return defaults || list || columns || help || version; }
 };
 
-/// Throws InputError for what is not understood.
+/// Throws InputError for words that are not understood.
 CommandLine parse_command_line(int argc, const char *const *argv);
 
 std::string usage();

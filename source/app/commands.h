@@ -10,15 +10,15 @@
 
 namespace orthocone
 {
-/// Tells the user why the program ends, on standard error. Returns the exit code.
+/// Prints on standard error why the program ends. Returns the exit code.
 int fail(ExitCode code, const std::string &message);
 
-/// Checks what entries have to do with each other; faults are told with the name of the file.
+/// Checks entries against each other. Throws InputError, which names the file.
 ModelChoice resolve(const CommandLine &line, const Parameters &parameters);
 
-/// --check: prints the resolved model and what it will cost. Returns the exit code.
+/// --check: prints the resolved model and its cost. Returns the exit code.
 int check(const CommandLine &line, const Parameters &parameters);
 
-/// The run itself. Returns the exit code.
+/// Runs the program. Returns the exit code.
 int run(const CommandLine &line, const ParameterFile &file);
 } // namespace orthocone

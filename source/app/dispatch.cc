@@ -43,7 +43,7 @@ void print_text(const CommandLine &line)
     throw FileError("standard output: cannot be written");
 }
 
-/// A command line of --batch, in a process of its own.
+/// Runs a command line of --batch, in a process of its own.
 int run_words(const std::vector<std::string> &words)
 {
   std::vector<const char *> argv{"orthocone"};

@@ -19,9 +19,9 @@ volatile std::sig_atomic_t was_interrupted = 0;
 volatile std::sig_atomic_t lets_steps_finish = 0;
 volatile std::sig_atomic_t speaks = 1;
 
-/// Nothing can be done about a failure here.
+/// Prints a text if this process reports; nothing can be done about a failure here.
 template<std::size_t size>
-void tell(const char (&text)[size])
+void print_signal_text(const char (&text)[size])
 {
   if (speaks == 0)
     return;
@@ -33,11 +33,11 @@ void on_signal(int)
   const int error = errno;
   if (lets_steps_finish == 0)
   {
-    tell("\northocone: interrupted during the set-up; the same command with --resume goes on\n");
+    print_signal_text("\northocone: interrupted during the set-up; the same command with --resume goes on\n");
     ::_exit(static_cast<int>(ExitCode::interrupted));
   }
   was_interrupted = 1;
-  tell("\northocone: stops after this step; the same signal again stops at once\n");
+  print_signal_text("\northocone: stops after this step; the same signal again stops at once\n");
   errno = error;
 }
 } // namespace
@@ -58,7 +58,7 @@ void catch_signals()
     {
     };
     sigaction(number, nullptr, &before);
-    if (before.sa_handler != SIG_IGN) // as nohup has it
+    if (before.sa_handler != SIG_IGN) // nohup ignores it
       sigaction(number, &action, nullptr);
   }
 }

@@ -4,9 +4,9 @@
 
 namespace orthocone
 {
-/// From here on SIGINT, SIGTERM and SIGHUP end the program with the exit code of an interruption: at once
-/// until let_steps_finish(). A file that grows beyond a limit of the system (SIGXFSZ) becomes a failed write,
-/// and a screen that is gone (SIGPIPE) is no reason to stop.
+/// From here on SIGINT, SIGTERM and SIGHUP end the program with the exit code of an interruption: at once,
+/// until let_steps_finish() is called. A file that grows beyond a limit of the system (SIGXFSZ) becomes a
+/// failed write. A screen that is gone (SIGPIPE) is no reason to stop.
 void catch_signals();
 
 /// From here on the first of these signals asks the program to stop after the present step; a second one ends

@@ -22,7 +22,7 @@ namespace orthocone
 {
 struct Launch::Mpi
 {
-  /// Takes what is written, and forgets it.
+  /// Discards what is written.
   class Nowhere : public std::streambuf
   {
     int_type overflow(const int_type character) override { return traits_type::not_eof(character); }
@@ -30,7 +30,7 @@ struct Launch::Mpi
 
   Mpi()
   {
-    int argc = 1; // other words are not for libraries
+    int argc = 1; // libraries must not read the other words
     char **argv = words.data();
     session = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc, argv, 1);
     if (!is_first_rank())

@@ -6,14 +6,14 @@
 
 namespace orthocone
 {
-/// What belongs to a process that mpirun has started with others. The first one speaks for all.
+/// The start and end of a process that mpirun has started with others. The first process prints for all.
 class Launch
 {
 public:
   Launch(int argc, const char *const *argv);
   ~Launch();
 
-  /// To be called when the exit code is known. Where a process fails, mpirun ends the others.
+  /// To be called when the exit code is known. If a process fails, mpirun ends the others.
   void end(int code);
 
 private:
@@ -23,6 +23,6 @@ private:
   std::unique_ptr<Mpi> mpi_;
 };
 
-/// Lets the first process say first why all fail, and end them.
+/// Waits, so that the first process can say why all fail, and end them.
 void leave_word_to_first_rank();
 } // namespace orthocone

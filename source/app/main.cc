@@ -13,6 +13,6 @@ int main(const int argc, const char *const *const argv)
   const int code = orthocone::guarded_dispatch(argc, argv);
   std::cout.flush();
   launch.end(code);
-  // No file is open any more. Without memory OpenBLAS, told to end, would wait for its threads for ever.
+  // No file is open any more. OpenBLAS, asked to end without memory, would wait for its threads for ever.
   ::_exit(code);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// What the program does around each step of its march: checks, tables, cycles, checkpoints.
+// The work of the program around each step of its march: checks, tables, cycles, checkpoints.
 #include "interrupt.h"
 #include "quasi_static_problem.h"
 #include "step_messages.h"
@@ -58,10 +58,10 @@ void QuasiStaticProblem::failed(const LoadStep &step, const SolverReport &report
 
 std::string QuasiStaticProblem::failure_text(const LoadStep &step, const SolverReport &report) const
 {
-  const LoadStep told = step.resolved(solver_.leg_begin(state_, step));
+  const LoadStep reported = step.resolved(solver_.leg_begin(state_, step));
   if (report.verdict == Verdict::unbalanced)
-    return no_equilibrium_text(told, steps_, solver_.carried_share(state_, step));
-  return unsolved_step_text(told, steps_, parameters_.contact_solver, report, scene_);
+    return no_equilibrium_text(reported, steps_, solver_.carried_share(state_, step));
+  return unsolved_step_text(reported, steps_, parameters_.contact_solver, report, scene_);
 }
 
 void QuasiStaticProblem::write(const SolvedStep &solved)
@@ -74,7 +74,7 @@ void QuasiStaticProblem::write(const SolvedStep &solved)
         });
 }
 
-/// Checks and writes a step. One that fails a check is neither accepted nor written.
+/// Checks and writes a step. A step that fails a check is neither accepted nor written.
 bool QuasiStaticProblem::accepts(const MarchedStep &marched)
 {
   const ContactState &next = marched.after;
@@ -86,10 +86,10 @@ bool QuasiStaticProblem::accepts(const MarchedStep &marched)
                                     return checker_.check({marched.before, totals_}, {next, totals},
                                                           marched.report, record_.largest_energy);
                                   });
-  const LoadStep told = marched.step.resolved(next.leg_begin);
+  const LoadStep reported = marched.step.resolved(next.leg_begin);
   if (const auto which = checker_.violation(checks))
   {
-    outcome_ = {ExitCode::unsolved_step, wrong_step_text(told, steps_, *which)};
+    outcome_ = {ExitCode::unsolved_step, wrong_step_text(reported, steps_, *which)};
     return false;
   }
   const SolvedStep solved{next,
@@ -98,7 +98,7 @@ bool QuasiStaticProblem::accepts(const MarchedStep &marched)
                           marched.report,
                           checks,
                           marched.seconds,
-                          told,
+                          reported,
                           parameters_.contact_solver.method,
                           marched.step.driven(scene_.symmetry(), parameters_.geometry.top_face)};
   write(solved);
@@ -119,7 +119,7 @@ void QuasiStaticProblem::accepted(ContactState &state)
     save_checkpoint();
 }
 
-/// Tells of a cycle, and ends the run or jumps the next cycles if these would be like it.
+/// Reports a cycle, and ends the run or jumps the next cycles if these would be like it.
 void QuasiStaticProblem::end_cycle(const CycleRow &row, ContactState &state)
 {
   output_.write(row);

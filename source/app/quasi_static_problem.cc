@@ -69,7 +69,7 @@ ChosenModel QuasiStaticProblem::with_scene(ChosenModel chosen, const ModelChoice
   return chosen;
 }
 
-/// Tells what is going to be computed, and with what, before the long work begins.
+/// Reports what is going to be computed, and with what, before the long work begins.
 void QuasiStaticProblem::announce(const ModelChoice &choice, const Body &body) const
 {
   log_.line(describe_model(parameters_, choice, body.unknowns()));
@@ -77,7 +77,7 @@ void QuasiStaticProblem::announce(const ModelChoice &choice, const Body &body) c
     log_.line("processes      " + std::to_string(n_ranks()));
   const ThreadChoice &threads = threads_.choose(body.unknowns().size().dofs);
   log_.line("threads        " + std::to_string(threads.number) + " (" + threads.reason + ")");
-  tell_versions_and_warnings(parameters_, log_);
+  report_versions_and_warnings(parameters_, log_);
 }
 
 CriticalFrictionRecord QuasiStaticProblem::critical_friction_of_model() const
@@ -90,7 +90,7 @@ CriticalFrictionRecord QuasiStaticProblem::critical_friction_of_model() const
 QuasiStaticProblem::Outcome QuasiStaticProblem::run(const std::optional<Checkpoint> &checkpoint,
                                                     const std::function<void()> &on_resumed)
 {
-  const BlasThreads threads(state_.force.size()); // also for what a resumed run computes again
+  const BlasThreads threads(state_.force.size()); // also for the parts that a resumed run computes again
   begin(checkpoint);
   if (checkpoint && on_resumed)
     on_resumed();
@@ -112,7 +112,7 @@ QuasiStaticProblem::Outcome QuasiStaticProblem::run(const std::optional<Checkpoi
   }
 }
 
-/// The failure before is the one to tell; a disk that is full is likely to be so for the summary, too.
+/// The earlier failure is the one to report; a disk that is full is likely to be full for the summary, too.
 void QuasiStaticProblem::finish_if_possible(const Outcome &outcome)
 {
   try
@@ -164,7 +164,7 @@ void QuasiStaticProblem::take_stock()
   record_.n_v_cycles = v_cycles_before_ + scene_.body().n_v_cycles();
 }
 
-/// Saves the state before the step that failed; what is told first is why it failed.
+/// Saves the state before the step that failed; the message begins with why it failed.
 QuasiStaticProblem::Outcome QuasiStaticProblem::with_checkpoint(Outcome outcome)
 {
   try
@@ -204,7 +204,7 @@ void QuasiStaticProblem::finish(const Outcome &outcome)
                                               static_cast<unsigned int>(steps_.size()),
                                               state_.step - cycles_.memory().n_jumped_steps(),
                                               totals_.total_dissipation, record_, cycles_.memory()}));
-  // Those of the parameters and of the model were told at the beginning.
+  // The warnings of the parameters and of the model were reported at the beginning.
   const auto warnings = all_warnings(parameters_, record_);
   for (std::size_t i = parameter_warnings(parameters_).size() + model_warnings(record_).size();
        i < warnings.size(); ++i)

@@ -13,25 +13,25 @@
 
 namespace orthocone
 {
-/// A body on the rigid plane through a load program, step after step. Owns every module by value; the member
-/// list is the wiring diagram of the program.
+/// Takes a body on an obstacle through a load program, step after step. It owns every module by value; the
+/// member list is the wiring diagram of the program.
 class QuasiStaticProblem : private MarchObserver
 {
 public:
-  /// What came of a run; `message` tells the user why it did not come to its end.
+  /// How a run ended; `message` says why it did not come to its end.
   struct Outcome
   {
     ExitCode code = ExitCode::done;
     std::string message{};
   };
 
-  /// Builds, factorizes and condenses the body, unless `chosen` brings it; nothing is written but the log.
-  /// Throws InputError or FileError. `folder`, `log` and `threads` must outlive the problem.
+  /// Builds, factorizes and condenses the body, unless `chosen` has it already; writes only the log. Throws
+  /// InputError or FileError. `folder`, `log` and `threads` must outlive the problem.
   QuasiStaticProblem(ChosenModel chosen, const ModelChoice &choice, const RunFolder &folder, Log &log,
                      ThreadChooser &threads);
 
   /// Solves all steps and writes the run folder, from the start or from a checkpoint on. The files of solved
-  /// steps stay if one fails. `on_resumed` is called once the files are what they were at the checkpoint.
+  /// steps stay if one fails. `on_resumed` is called once the files have their content at the checkpoint.
   Outcome run(const std::optional<Checkpoint> &checkpoint, const std::function<void()> &on_resumed = {});
 
 private:
@@ -71,7 +71,7 @@ private:
   CycleWatch cycles_;
   RunOutput output_;
   Outcome outcome_{};                     ///< why the march did not go on
-  std::optional<CycleRow> ended_cycle_{}; ///< by the last step
+  std::optional<CycleRow> ended_cycle_{}; ///< a cycle that the last step has ended
   Stopwatch since_checkpoint_;
   const std::uint32_t gap_file_;      ///< input_files_checksum()
   double checkpoint_pause_;           ///< least seconds to the next one

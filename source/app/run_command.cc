@@ -28,7 +28,7 @@ namespace fs = std::filesystem;
 void require_memory_for(const Assignment &task)
 {
   Parameters parameters = task.file.parameters;
-  if (task.line.insist || parameters.mesh.accuracy != 0) // a search looks at the memory itself
+  if (task.line.insist || parameters.mesh.accuracy != 0) // a search checks the memory itself
     return;
   parameters.mesh =
       resolved_mesh(parameters.geometry, parameters.mesh, task.model.symmetry.is_axisymmetric());
@@ -49,13 +49,13 @@ void require_memory_for(const Assignment &task)
   }
 }
 
-/// Whether a mesh or the parts of load steps are to be found before the run.
+/// Whether a search for the mesh or for parts of load steps comes before the run.
 bool searches(const Parameters &given)
 {
   return given.mesh.accuracy != 0 || given.mesh.adaptive != 0 || given.load.accuracy != 0;
 }
 
-/// Unknowns of the finest mesh that a search usually comes to.
+/// Unknowns of the finest mesh that a search usually reaches.
 double unknowns_of_search(const Assignment &task)
 {
   constexpr unsigned int level = 2;
@@ -67,7 +67,7 @@ double unknowns_of_search(const Assignment &task)
   return model_size(parameters, task.model.symmetry).dofs;
 }
 
-/// The first process reads it for all.
+/// The checkpoint from which the run goes on. The first process reads it for all.
 std::optional<Checkpoint> checkpoint_to_resume(const Assignment &task, const RunFolder &folder)
 {
   std::optional<Checkpoint> checkpoint;
@@ -82,7 +82,8 @@ std::optional<Checkpoint> checkpoint_to_resume(const Assignment &task, const Run
   return checkpoint;
 }
 
-/// Throws InputError for a run of one process that several cannot go on with.
+/// Prepares the task to go on. Throws InputError for a run of one process that several processes cannot
+/// continue.
 void go_on(Assignment &task, const Checkpoint &checkpoint)
 {
   if (checkpoint.n_ranks == n_ranks())
@@ -93,7 +94,7 @@ void go_on(Assignment &task, const Checkpoint &checkpoint)
                      " processes: allowed for --resume is one process");
 }
 
-/// The mesh, the folder, and the steps. Throws what the libraries throw.
+/// Chooses the mesh, prepares the folder, and solves the steps. Throws what the libraries throw.
 QuasiStaticProblem::Outcome solve(Assignment &task, const RunFolder &folder)
 {
   const Parameters &given = task.file.parameters;
@@ -101,17 +102,18 @@ QuasiStaticProblem::Outcome solve(Assignment &task, const RunFolder &folder)
   const auto checkpoint = checkpoint_to_resume(task, folder);
   if (checkpoint)
     go_on(task, *checkpoint);
-  // A search may take minutes: what is wrong with the folder is told before, and an older run in it is no
-  // longer there to be resumed.
+  // A search may take minutes: what is wrong with the folder is reported before it, and an older run in the
+  // folder can no longer be resumed.
   if (searches(given) && !checkpoint)
   {
     if (!task.line.resume)
       keep_parameters(folder, task, given);
     task.threads.choose(unknowns_of_search(task));
   }
-  ChosenModel chosen = checkpoint ? ChosenModel{given, chosen_by(*checkpoint, given)}
-                                  : choose_mesh_and_steps(given, task.model,
-                                                          [&](const std::string &text) { task.tell(text); });
+  ChosenModel chosen =
+      checkpoint
+          ? ChosenModel{given, chosen_by(*checkpoint, given)}
+          : choose_mesh_and_steps(given, task.model, [&](const std::string &text) { task.report(text); });
   const Parameters parameters = chosen.parameters;
   if (task.line.resume && !checkpoint)
     require_nothing_to_lose(folder, parameters);
@@ -128,7 +130,7 @@ QuasiStaticProblem::Outcome solve(Assignment &task, const RunFolder &folder)
   return problem.run(checkpoint, [&] { update_parameters(folder, task, parameters); });
 }
 
-/// The summary of a run that could not go on to its first step; that of the steps before an interruption
+/// Writes the summary of a run that could not reach its first step. A summary of steps before an interruption
 /// keeps all but its status.
 void keep_failure(const RunFolder &folder, const Assignment &task, const std::string &message)
 {
@@ -144,9 +146,9 @@ QuasiStaticProblem::Outcome out_of_memory()
   return {ExitCode::unsolved_step, "memory runs out; a coarser mesh or a reduced Mesh/Model needs less"};
 }
 
-/// Tells of what was not done. Where the march has ended, all processes know it, and the first one tells.
+/// Reports what was not done. Where the march has ended, all processes know it, and the first one reports it.
 /// Returns the exit code.
-int tell_end(const QuasiStaticProblem::Outcome &outcome, const RunFolder &folder, const bool is_thrown)
+int report_end(const QuasiStaticProblem::Outcome &outcome, const RunFolder &folder, const bool is_thrown)
 {
   if (outcome.code == ExitCode::done || (!is_thrown && !is_first_rank()))
     return static_cast<int>(outcome.code);
@@ -194,7 +196,7 @@ int run(const CommandLine &line, const ParameterFile &file)
   }
   if (is_thrown)
     keep_failure(folder, task, outcome.message);
-  const int code = tell_end(outcome, folder, is_thrown);
+  const int code = report_end(outcome, folder, is_thrown);
   if (!is_thrown)
     wait_for_all_ranks(); // the first one to fail ends all, perhaps while another writes
   return code;

@@ -28,11 +28,11 @@ void require_same_for_all(const CommandLine &line, const Parameters &parameters)
 {
   if (n_ranks() == 1)
     return;
-  std::ostringstream told;
-  write_parameters(parameters, told);
-  told << input_files_checksum(parameters) << line.output_folder << line.threads << line.check << line.resume
-       << line.insist;
-  if (any_rank(told.str() != of_first_rank(told.str())))
+  std::ostringstream of_this_rank;
+  write_parameters(parameters, of_this_rank);
+  of_this_rank << input_files_checksum(parameters) << line.output_folder << line.threads << line.check
+               << line.resume << line.insist;
+  if (any_rank(of_this_rank.str() != of_first_rank(of_this_rank.str())))
     throw InputError(shown_path(line.parameter_file) + ": not all of the " + std::to_string(n_ranks()) +
                      " processes have the same entries and options: allowed is one command for all");
 }

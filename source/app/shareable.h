@@ -11,8 +11,9 @@
 
 namespace orthocone
 {
-/// Several processes read the same file, each for itself. Throw InputError for one that they cannot all read
-/// from its beginning, such as a pipe, and where they have been told different things.
+/// Several processes read the same file, each for itself. Both throw InputError: the first one if they cannot
+/// all read the file from its beginning (a pipe, for instance), the second one if their entries or options
+/// differ.
 void require_file_for_all(const std::string &path);
 void require_same_for_all(const CommandLine &line, const Parameters &parameters);
 

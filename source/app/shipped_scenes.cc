@@ -18,7 +18,7 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/// First sentence of the first comment that is no licence.
+/// First sentence of the first comment that is not the licence.
 std::string first_sentence(const fs::path &file)
 {
   std::ifstream in(file);
@@ -37,7 +37,7 @@ std::string first_sentence(const fs::path &file)
   return text.substr(0, (text + " ").find(". "));
 }
 
-/// As users would type it: from where they are, if the file lies below that.
+/// The path as users would type it: from their present folder if the file is below it.
 std::string typed(const fs::path &file)
 {
   const fs::path relative = fs::proximate(file);

@@ -9,11 +9,11 @@
 
 namespace orthocone
 {
-/// Where they are beside the running program: in its source tree, or where it is installed. Throws FileError
-/// if in neither.
+/// Their folder beside the running program: in its source tree, or where it is installed. Throws FileError if
+/// there is neither.
 std::filesystem::path folder_of_shipped_scenes();
 
-/// A line for each parameter file of a folder and its subfolders: the path, to be run as it stands, and the
-/// first sentence of the comment at its head. Throws FileError for a file that cannot be read.
+/// A line for each parameter file of a folder and its subfolders: the path, which can be run as it is, and
+/// the first sentence of the comment at its head. Throws FileError for a file that cannot be read.
 std::string shipped_scenes(const std::filesystem::path &folder);
 } // namespace orthocone

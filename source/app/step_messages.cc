@@ -63,7 +63,7 @@ std::string wrong_step_text(const LoadStep &step, const std::vector<LoadStep> &s
          ".\nThe files of the steps before stay; section Checks has the bounds.";
 }
 
-void tell_versions_and_warnings(const Parameters &parameters, Log &log)
+void report_versions_and_warnings(const Parameters &parameters, Log &log)
 {
   for (const auto &[name, version] : versions())
     log.line(name + " " + version);

@@ -11,7 +11,8 @@
 
 namespace orthocone
 {
-/// Decides once how many threads a run computes with. From its construction on it watches what others do.
+/// Decides once how many threads a run computes with. From its construction on it measures the load by
+/// others.
 class ThreadChooser
 {
 public:
@@ -20,13 +21,13 @@ public:
   {
   }
 
-  /// To be called before choose() if the run goes on with the bytes of an earlier one.
+  /// To be called before choose() if the run must go on with the same bytes as an earlier one.
   void go_on_with(unsigned int n_threads) { of_run_before_ = n_threads; }
 
-  /// The first call decides and tells the libraries. `unknowns`: of the model.
+  /// The first call decides and sets the threads of the libraries. `unknowns`: their number in the model.
   const ThreadChoice &choose(double unknowns);
 
-  /// What was chosen.
+  /// The choice. Throws std::bad_optional_access before choose().
   const ThreadChoice &chosen() const { return chosen_.value(); }
 
 private:

@@ -34,7 +34,7 @@ double least_in_control_groups(const std::string &controller,
       continue;
     const std::string root = is_unified ? "/sys/fs/cgroup" : "/sys/fs/cgroup/" + controller;
     std::string path = line.substr(line.rfind(':') + 1);
-    // Within a container the path may be that of the host, and the root is the container's own group.
+    // Within a container the path may be the host's, and the root is the container's own group.
     for (;; path.erase(path.rfind('/')))
     {
       limit = std::min(limit, limit_in(root + path, is_unified));

@@ -39,7 +39,7 @@ double last_share(const unsigned int n, const double grading)
 
 double thinnest_share(const unsigned int n, const double grading)
 {
-  // Backwards, the same intervals shrink.
+  // Read backwards, intervals that grow shrink.
   return last_share(n, grading < 1 ? grading : 1 / grading);
 }
 

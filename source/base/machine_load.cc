@@ -19,8 +19,8 @@ namespace orthocone
 {
 namespace
 {
-/// Seconds that the cores of this process' affinity were busy since the machine was started, or all of them
-/// where a container has given them other numbers; negative where nothing is known.
+/// Seconds that the cores of this process' affinity have been busy since the machine was started; of all
+/// cores where a container has given them other numbers; negative where nothing is known.
 double busy_seconds()
 {
   cpu_set_t mask;

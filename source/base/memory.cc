@@ -24,7 +24,7 @@ constexpr double infinity = std::numeric_limits<double>::infinity();
 /// Address space beyond the libraries' that every run needs: buffers of OpenBLAS and stacks of threads.
 constexpr double least_address_space = 0.4e9;
 
-/// What estimates count for the program, which is mapped already.
+/// The part of an estimate that stands for the program itself, which is mapped already.
 constexpr double program = 0.15e9;
 
 double page_size()
@@ -32,7 +32,7 @@ double page_size()
   return static_cast<double>(sysconf(_SC_PAGE_SIZE));
 }
 
-/// The number that a file begins with; infinite without one, as "max".
+/// The number at the beginning of a file; infinite if there is none, as in "max".
 double number_in(const std::string &file)
 {
   std::ifstream stream(file);
@@ -46,7 +46,7 @@ double memory_of_group(const std::string &folder, const bool is_unified)
   return number_in(folder + (is_unified ? "/memory.max" : "/memory.limit_in_bytes"));
 }
 
-/// What is left of the address space, bytes.
+/// The rest of the address space, bytes.
 double free_address_space()
 {
   rlimit limit{};

@@ -36,7 +36,7 @@ constexpr int tag = 0;
 
 bool is_launched()
 {
-  // Of Open MPI, of MPICH and its descendants, and of srun.
+  // Open MPI sets the first one, MPICH and its descendants the second one, srun the third one.
   const char *const names[] = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE", "PMIX_RANK"};
   return std::any_of(std::begin(names), std::end(names),
                      [](const char *const name) { return std::getenv(name) != nullptr; });

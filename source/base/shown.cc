@@ -8,9 +8,9 @@ namespace orthocone
 {
 namespace
 {
-constexpr std::size_t most_bytes = 200;
+constexpr std::size_t most_bytes = 200; // a few lines of a terminal
 
-/// The first bytes of `text`, at most `most`, without a part of a UTF-8 character at the end.
+/// The first bytes of `text`, at most `most`, which do not end within a UTF-8 character.
 std::string beginning(const std::string &text, const std::size_t most)
 {
   constexpr std::size_t longest_character = 4;
@@ -49,7 +49,7 @@ bool is_control(const std::string &character)
   return character.size() == 3 && ((is_mark && byte(2) <= 0xae) || turns);
 }
 
-/// As in C and JSON.
+/// Escapes as in C and JSON.
 std::string escape(const std::string &bytes)
 {
   constexpr const char *digits = "0123456789abcdef";
@@ -75,7 +75,7 @@ std::string escaped(const std::string &text)
   return result;
 }
 
-/// The last bytes of `text`, at most `most`, without a part of a UTF-8 character at the beginning.
+/// The last bytes of `text`, at most `most`, which do not begin within a UTF-8 character.
 std::string ending(const std::string &text, const std::size_t most)
 {
   std::size_t first = text.size() - most;

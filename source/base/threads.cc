@@ -18,8 +18,8 @@ namespace orthocone
 {
 namespace
 {
-/// Cores' worth of time that a control group allows in "quota period" or, in version 1, in two files;
-/// infinite for "max" and -1.
+/// How many cores' time a control group allows. Its file has "quota period"; in version 1 these are two
+/// files. Infinite for "max" and -1.
 double cores_of_group(const std::string &folder, const bool is_unified)
 {
   double quota = -1, period = 0;

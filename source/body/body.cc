@@ -56,7 +56,7 @@ void Body::make_pattern(dealii::SparsityPattern &pattern) const
 
 Stiffness Body::stiffness(const Materials &materials) const
 {
-  // A stiffness cannot be moved, as std::visit might.
+  // A stiffness cannot be moved, which std::visit might do.
   if (const auto *const solid = std::get_if<Solid>(&shape_))
     return Stiffness(solid->discretization, materials);
   return Stiffness(std::get<Section>(shape_).discretization, materials);

@@ -8,12 +8,12 @@
 
 namespace orthocone
 {
-// A mirrored node's w_nn is that of all its images, so it would not do here.
+// W would not do here: w_nn of a mirrored node belongs to all its images.
 Eigen::VectorXd node_compliance(const ContactSurface &surface, const ModelSymmetry &symmetry,
                                 const MaterialOptions &given)
 {
   const MaterialOptions material = given.isotropic();
-  constexpr double square = 0.7;
+  constexpr double square = 0.7; // docs/theory.md, section 4
   const double nu = material.poisson_ratio;
   const Eigen::VectorXd shares = symmetry.force_shares(surface);
   Eigen::VectorXd compliance(shares.size());
@@ -24,7 +24,7 @@ Eigen::VectorXd node_compliance(const ContactSurface &surface, const ModelSymmet
     const bool is_ring = symmetry.is_axisymmetric() && radius > 0;
     const double width = is_ring ? node.area / (2 * pi * radius) : 0;
     const double side = is_ring ? width : std::sqrt(node.area / shares[i]);
-    // Of a force that a ring carries, its square of side h has h^2 / area.
+    // Of the force on a ring, a square of side h carries the share h^2 / area.
     const double share = is_ring ? node.area / (width * width) : shares[i];
     compliance[i] = (1 - nu * nu) / (square * material.young_modulus * side) / share;
   }

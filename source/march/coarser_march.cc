@@ -22,7 +22,7 @@ std::unique_ptr<CoarserMarch> CoarserMarch::of(const Scene &finer)
 {
   const MeshOptions &mesh = finer.parameters().mesh;
   if (finer.parameters().wear.law != WearKind::none)
-    return nullptr; // it would wear by itself, and knows nothing of jumps
+    return nullptr; // it would have wear of its own, without the jumps
   if (mesh.backend != BodyBackend::multigrid || finer.body().mesh().n_levels() == 1)
     return nullptr;
   return std::make_unique<CoarserMarch>(coarser(finer.parameters()), finer.choice());

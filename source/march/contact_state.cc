@@ -27,8 +27,8 @@ ContactState::ContactState(const NodeVector &gaps)
 
 namespace
 {
-/// Share of the step in which a node that ends with a gap touched the plane, if its normal force fell evenly
-/// from `before` to what would pull the gap shut.
+/// Share of the step in which a node that ends with a gap touched the plane, if its normal force fell
+/// linearly from `before` to the force that would pull the gap shut (docs/theory.md, section 4).
 double share_in_contact(const double before, const double gap, const double compliance)
 {
   return before > 0 ? before / (before + std::max(gap, 0.) / compliance) : 0;
@@ -46,10 +46,10 @@ void remember_stick(ContactState &state, const Index node, const Vector2d &chang
 }
 } // namespace
 
-// The mean of the forces before and after is exact while
-// they are proportional. Where the old force drives the slip, this reverses within the step and all of it is
-// against the force that the law gives at the end, unless the old force is small against that. Continuous in
-// both forces: which case it is must not depend on rounding.
+// The mean of the forces before and after is exact while they are proportional. Where the old force drives
+// the slip, the slip reverses within the step: then all of it counts against the force that the law gives at
+// the end, unless the old force is small against that. The result is continuous in both forces, because
+// rounding must not decide on the case.
 double dissipation(const Vector2d &before, const Vector2d &after, const Vector2d &change)
 {
   const double old_work = -before.dot(change);
@@ -74,7 +74,7 @@ void advance(ContactState &state, const ContactStep &step, const VectorXd &openi
              const RigidMotion &motion, const WearLaw &wear)
 {
   state.found_depth = state.wear_depth;
-  // Relative to the last step, the displacement is (gap, change of slip).
+  // The displacement is (gap, change of slip), relative to the last step.
   const NodeVector d = step.displacement(unknowns);
   const NodeVector force = unknowns.head(d.size());
   const std::vector<NodeStatus> statuses = step.statuses(unknowns, d);
@@ -87,7 +87,7 @@ void advance(ContactState &state, const ContactStep &step, const VectorXd &openi
     if (!was_open || !is_open)
       state.accumulated_slip[node] += change.norm();
     const double share = is_open ? share_in_contact(state.force[3 * node], d[3 * node], opening[node]) : 1;
-    // A node that sticks has no slip: what the solver's tolerance leaves of one may have any direction.
+    // A node that sticks has no slip: what the solver's tolerance leaves may have any direction.
     if (state.status[node] != NodeStatus::stick)
     {
       const double dissipated =

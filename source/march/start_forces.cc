@@ -18,7 +18,7 @@ NodeVector with_motion(const ContactState &state)
   return all;
 }
 
-/// Such a vector as unknowns of a step whose face has these components.
+/// Turns such a vector into unknowns of a step whose face has these components.
 VectorXd unknowns_of(const NodeVector &all, const ContactStep &problem,
                      const std::vector<unsigned int> &components)
 {
@@ -32,14 +32,15 @@ VectorXd unknowns_of(const NodeVector &all, const ContactStep &problem,
 }
 } // namespace
 
-/// The likeliest first.
+/// The most likely candidate comes first.
 std::vector<StartForces::Candidate> StartForces::candidates_for(const ContactState &state,
                                                                 const LoadStep &step) const
 {
   const NodeVector present = with_motion(state);
   std::vector<Candidate> candidates;
   if (const auto last_cycle = memory_.of_phase.find(step.phase);
-      step.cycle > 0 && last_cycle != memory_.of_phase.end()) // in the first cycle: of the search for a mesh
+      step.cycle > 0 &&
+      last_cycle != memory_.of_phase.end()) // in the first cycle they come from the search for a mesh
   {
     candidates.push_back({last_cycle->second, true});
     if (const auto drift = memory_.drift.find(step.phase); drift != memory_.drift.end())
@@ -72,8 +73,8 @@ VectorXd StartForces::best(const ContactStep &problem, const std::vector<unsigne
   }
   if (least > tolerance)
     return best;
-  // This is the solution then. A sum of forces leaves the cone by rounding, which the residual does not see
-  // where friction is next to nothing.
+  // This is the solution then. Rounding moves a sum of forces out of the cone, which the residual does not
+  // notice where friction is tiny.
   VectorXd inside = problem.admissible(best);
   return problem.residual(inside) <= tolerance ? inside : best;
 }

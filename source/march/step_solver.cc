@@ -15,7 +15,7 @@ using Eigen::VectorXd;
 
 namespace
 {
-/// A share of the way from a state to a target.
+/// The target at a share of the way from a state.
 FaceTarget on_the_way(const FaceState &from, const FaceTarget &target, const double share)
 {
   FaceTarget middle = target;
@@ -24,7 +24,7 @@ FaceTarget on_the_way(const FaceState &from, const FaceTarget &target, const dou
   return middle;
 }
 
-/// Adds what solving a part before told to the report of the one behind it.
+/// Adds the report on an earlier part of the step to the report on the part behind it.
 void add_earlier(SolverReport &report, const SolverReport &earlier)
 {
   report.iterations += earlier.iterations;
@@ -39,7 +39,7 @@ std::shared_ptr<const SolvedProblem> solved(const ContactStep &problem, const Ve
   return std::make_shared<const SolvedProblem>(SolvedProblem{problem, unknowns});
 }
 
-/// The least motion along the normal that leaves no node under pressure, where nothing presses.
+/// The least motion along the normal that leaves no node under pressure, mm.
 double opening_motion(const NodeVector &free_gap)
 {
   double motion = -free_gap[0];
@@ -67,7 +67,7 @@ StepSolver::StepSolver(const Scene &scene, const ContactSolverOptions &options)
 StepSolver::StepSolver(StepSolver &&other) noexcept = default;
 StepSolver::~StepSolver() = default;
 
-/// Scene::free_displacement() with the room that wear has made before the step.
+/// Scene::free_displacement() plus the room that wear has made before the step.
 NodeVector StepSolver::free_displacement_with_wear(const ContactState &state, const FaceTarget &target) const
 {
   NodeVector displacement = scene_.free_displacement(target);
@@ -127,10 +127,10 @@ SolverReport StepSolver::solve_in_one(ContactState &state, const LoadStep &step)
   return report;
 }
 
-/// What is known of the past, or what the step changes on a coarser mesh where that is far off.
+/// The best start from the past, or the change of the step on a coarser mesh where that start is far off.
 VectorXd StepSolver::start_of(const Attempt &attempt, const ContactState &state, const LoadStep &step) const
 {
-  constexpr double good = 1e-3; // what a coarser mesh tells is hardly better
+  constexpr double good = 1e-3; // what a coarser mesh finds is hardly better
   VectorXd start = starts_.best(attempt.problem, attempt.components, state, step, tolerance_);
   if (coarser_ == nullptr)
     return start;
@@ -231,7 +231,7 @@ void StepSolver::accept_unknowns(ContactState &state, const Attempt &attempt, co
   RigidMotion motion = attempt.target.motion;
   for (unsigned int i = 0; i < n_rigid_components; ++i)
     if (attempt.target.by_force[i])
-      motion[i] = state.motion[i]; // of those that symmetry holds: zero
+      motion[i] = state.motion[i]; // zero where symmetry holds the component
   for (std::size_t j = 0; j < attempt.components.size(); ++j)
     motion[attempt.components[j]] = motions[static_cast<Index>(j)];
   const Wrench before = scene_.held_wrench(state.force);
@@ -273,8 +273,8 @@ SolverReport StepSolver::solve_halves(ContactState &state, const FaceTarget &tar
   return report;
 }
 
-/// Nothing presses: there are no contact forces. The motion is not determined then; it is the first on the
-/// way at which they vanish.
+/// Nothing presses, so that there are no contact forces. This leaves the motion undetermined; taken is the
+/// first one on the way at which the forces vanish (docs/theory.md, section 3).
 SolverReport StepSolver::release(ContactState &state, const Attempt &attempt) const
 {
   constexpr unsigned int normal = 2;

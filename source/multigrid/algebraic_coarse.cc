@@ -22,8 +22,8 @@ AlgebraicCoarse::AlgebraicCoarse(const Discretization &space, const MaterialOpti
                      "from cubes make it so, or a Poisson ratio next to 0.5");
 }
 
-/// Whether ML found a hierarchy. The same random numbers every time: a run that goes on must find the same
-/// one.
+/// Returns whether ML found a hierarchy. The random numbers are the same every time, because a resumed run
+/// must find the same hierarchy.
 bool AlgebraicCoarse::aggregate(Hierarchy &hierarchy, const NodeStiffness::Matrix &matrix) const
 {
   Teuchos::ParameterList options;
@@ -48,8 +48,8 @@ bool AlgebraicCoarse::aggregate(Hierarchy &hierarchy, const NodeStiffness::Matri
   return ml != nullptr && ml->IsPreconditionerComputed();
 }
 
-/// Where nothing can be aggregated with what contact holds, the aggregates of the free body must do: they
-/// only precondition.
+/// If ML finds no hierarchy with the relations of contact, the aggregates of the free body serve: they only
+/// precondition.
 void AlgebraicCoarse::hold(const std::vector<NodeRelation> &relations)
 {
   is_held_ = std::any_of(relations.begin(), relations.end(),

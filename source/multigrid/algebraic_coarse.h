@@ -11,12 +11,12 @@
 
 namespace orthocone
 {
-/// A coarsest mesh that is large: one V-cycle of smoothed aggregation (Trilinos ML) on its assembled
-/// stiffness with what contact holds. Aggregates know all six rigid motions.
+/// Solver for a coarsest mesh that is large: one V-cycle of smoothed aggregation (Trilinos ML) on its
+/// assembled stiffness with the relations of contact. Aggregates know all six rigid motions.
 class AlgebraicCoarse : public CoarseSolver
 {
 public:
-  /// `space` must outlive this. Throws SolveError if ML finds no hierarchy.
+  /// `space` must outlive the solver. Throws SolveError if ML finds no hierarchy.
   AlgebraicCoarse(const Discretization &space, const MaterialOptions &material);
 
   void hold(const std::vector<NodeRelation> &relations) override;
@@ -28,7 +28,7 @@ private:
   bool aggregate(Hierarchy &hierarchy, const NodeStiffness::Matrix &matrix) const;
 
   NodeStiffness stiffness_;
-  std::vector<double> rigid_motions_; ///< one after the other, of all rows
+  std::vector<double> rigid_motions_; ///< one after the other, each with all rows
   NodeStiffness::Matrix held_;
   Hierarchy of_free_, of_held_;
   bool is_held_ = false;

@@ -7,14 +7,14 @@
 
 #include <algorithm>
 
-// The processor chooses among what is compiled for it. Sanitizers do not know of such functions.
+// These functions are compiled for several processors, and chosen at run time. Sanitizers cannot handle this.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) &&     \
     !defined(__SANITIZE_THREAD__)
 #define ORTHOCONE_FOR_EVERY_PROCESSOR __attribute__((target_clones("avx512f", "fma", "default")))
 #else
 #define ORTHOCONE_FOR_EVERY_PROCESSOR
 #endif
-// What is inlined is compiled for each of them, and for each number of nodes.
+// Inlined functions are compiled for each processor, and for each number of nodes.
 #define ORTHOCONE_INLINE __attribute__((always_inline)) inline
 #define ORTHOCONE_INLINE_LAMBDA __attribute__((always_inline))
 
@@ -22,7 +22,7 @@ namespace orthocone
 {
 namespace
 {
-/// A matrix by rows, or its transpose.
+/// A matrix stored by rows, or its transpose.
 template<typename Number>
 struct LineMatrix
 {
@@ -89,7 +89,7 @@ ORTHOCONE_INLINE void apply_law(const CellBatches<Number> &cells, const Lanes<Nu
                                             stress[c][2] * geometry[3 * d + 2].values;
 }
 
-/// Where the products of a batch are computed.
+/// Workspace for the products of a batch.
 template<typename Number>
 struct Workspace
 {
@@ -141,7 +141,7 @@ ORTHOCONE_INLINE void multiply(const CellBatches<Number> &cells, const unsigned 
   }
 }
 
-/// With n and q known to the compiler where they are usual. `use` is given both.
+/// Calls `use` with the numbers of nodes n and points q, as constants of the compiler where they are usual.
 template<typename Number, typename Use>
 ORTHOCONE_INLINE void with_sizes(const CellBatches<Number> &cells, const Use &use)
 {
@@ -156,8 +156,8 @@ ORTHOCONE_INLINE void with_sizes(const CellBatches<Number> &cells, const Use &us
     use(n, q);
 }
 
-/// `use` is given the degrees of freedom of each batch, and what turns work.cell from displacements to
-/// forces.
+/// Calls `use` with the degrees of freedom of each batch, and with the function that turns work.cell from
+/// displacements into forces.
 template<typename Number, typename Use>
 ORTHOCONE_INLINE void for_each_batch(const CellBatches<Number> &cells, const unsigned int n,
                                      const unsigned int q, Workspace<Number> &work, const Use &use)
@@ -190,7 +190,7 @@ ORTHOCONE_INLINE void add_all_products(const CellBatches<Number> &cells, const u
                  });
 }
 
-/// A cell's forces at the node that alone moves, node by node.
+/// The diagonal of a cell, node by node: the force at a node that is the only one to move.
 template<typename Number>
 ORTHOCONE_INLINE void add_all_diagonals(const CellBatches<Number> &cells, const unsigned int n,
                                         const unsigned int q, Number *diagonal)

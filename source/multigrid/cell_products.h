@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// Products of the stiffness of cells with their displacements, many cells at a time: one in every lane of a
-// register. Debian's deal.II has kernels for one lane only.
+// Products of the stiffness of cells with their displacements, for many cells at a time: one in each lane of
+// a register. Debian's deal.II has kernels for one lane only.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +10,9 @@
 
 namespace orthocone
 {
-constexpr std::size_t bytes_of_lanes = 64; // the longest registers that there are
+constexpr std::size_t bytes_of_lanes = 64; // of the longest registers
 
-/// One number of each of several cells.
+/// A number for each of several cells.
 template<typename Number>
 struct alignas(bytes_of_lanes) Lanes // which the vectors alone are not in a template
 {
@@ -25,13 +25,13 @@ struct alignas(bytes_of_lanes) Lanes // which the vectors alone are not in a tem
 template<typename Number>
 struct CellBatches
 {
-  /// Of inverse Jacobian (row by row, 1/mm) and weight (mm^3) of a point.
+  /// Numbers of a point: inverse Jacobian (row by row, 1/mm) and weight (mm^3).
   static constexpr unsigned int n_geometry = 10;
 
   unsigned int n_nodes;             ///< in every direction
-  unsigned int n_points;            ///< of Gauss, in every direction; not fewer than nodes
-  std::vector<Number> values;       ///< n_points x n_nodes: of the shape functions of a line at its points
-  std::vector<Number> derivatives;  ///< n_points x n_points: at the points, of the polynomials through them
+  unsigned int n_points;            ///< Gauss points in every direction; not fewer than nodes
+  std::vector<Number> values;       ///< n_points x n_nodes: shape functions of a line at its points
+  std::vector<Number> derivatives;  ///< n_points x n_points: of the polynomials through the points, there
   Number lambda;                    ///< MPa
   Number mu;                        ///< MPa
   std::vector<unsigned int> dofs{}; ///< batches x 3 components x nodes x lanes

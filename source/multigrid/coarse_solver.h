@@ -13,17 +13,17 @@
 
 namespace orthocone
 {
-/// The coarsest mesh of a V-cycle with what contact holds of its nodes.
+/// Solver for the coarsest mesh of a V-cycle, with the relations of its contact nodes.
 class CoarseSolver
 {
 public:
   virtual ~CoarseSolver() = default;
 
-  /// One relation a contact node; none at all: contact holds nothing.
+  /// `relations` has one relation for each contact node; if it is empty, contact holds nothing.
   virtual void hold(const std::vector<NodeRelation> &relations) = 0;
 
-  /// Displacement of the free degrees of freedom by forces on them (mm, N), exact or close to it. Forces on
-  /// directions that contact holds count by what friction makes of them, the relations' coupling.
+  /// Displacement (mm) of the free degrees of freedom by forces (N) on them, exact or close to it. Forces in
+  /// directions that contact holds count through friction, by the relations' coupling.
   virtual Eigen::VectorXd solve(Eigen::VectorXd forces) const = 0;
 };
 

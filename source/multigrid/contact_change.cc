@@ -18,7 +18,7 @@ ContactChange contact_change(const ContactFrame &frame, const BodyVector<double>
   const auto n = static_cast<Index>(frame.n_free());
   ContactChange change;
   change.body = {VectorXd(n), rest.size() == 0 ? VectorXd(VectorXd::Zero(n)) : VectorXd(-rest)};
-  // Of all forces K u those that the body already lacks, first; then the contact forces are taken out.
+  // First this is K u less the forces that the body lacks already; then the contact forces are taken out.
   VectorXd &left = change.body.rest;
   for (Index i = 0; i < n; ++i)
   {

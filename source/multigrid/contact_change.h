@@ -8,9 +8,9 @@
 
 namespace orthocone
 {
-/// Forces and displacements of the contact nodes under a displacement of the body, whose own forces are
-/// `forces`, where it lacked `rest` (free degrees of freedom, or nothing) of its equilibrium before. Contact
-/// forces are what its own forces ask for, so that only the rest of the body lacks equilibrium.
+/// Forces (N) and displacements (mm) of the contact nodes under a displacement of the body with the forces K
+/// u = `forces`. Before, the body lacked `rest` of its equilibrium (free degrees of freedom, or empty). The
+/// contact forces are those that K u requires, so that only the rest of the body lacks equilibrium.
 ContactChange contact_change(const ContactFrame &frame, const BodyVector<double> &displacement,
                              const BodyVector<double> &forces, const Eigen::VectorXd &rest);
 } // namespace orthocone

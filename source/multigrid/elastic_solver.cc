@@ -20,8 +20,8 @@ ElasticSolver::ElasticSolver(const MatrixFreeStiffness<double> &stiffness, VCycl
 {
 }
 
-/// The multiple of one of the known whose forces are nearest to these in energy, then the combination of all
-/// that is nearest to the rest: among almost equal ones it would not find the one.
+/// Takes the multiple of one known solution whose forces are nearest to these in energy, then the combination
+/// of all that is nearest to the rest. The combination alone would not find this one among almost equal ones.
 ElasticSolver::Vector ElasticSolver::best_start(const Vector &forces) const
 {
   Vector start = stiffness_.make_vector();
@@ -39,7 +39,7 @@ ElasticSolver::Vector ElasticSolver::best_start(const Vector &forces) const
   return start;
 }
 
-/// Of forces and each of the known displacements.
+/// Works of the forces on each of the known displacements.
 Eigen::VectorXd ElasticSolver::works_with(const Vector &forces) const
 {
   Eigen::VectorXd works(known_.size());
@@ -48,8 +48,8 @@ Eigen::VectorXd ElasticSolver::works_with(const Vector &forces) const
   return works;
 }
 
-/// Shares of the known that do these works on each of them; directions that only rounding tells apart are
-/// left out.
+/// Shares of the known solutions that do these works on each of them. Directions that differ by rounding only
+/// are left out.
 Eigen::VectorXd ElasticSolver::combination(const Eigen::VectorXd &works) const
 {
   constexpr double independent = 1e-12; // of the energies, scaled to 1
@@ -73,7 +73,7 @@ NearSolution ElasticSolver::near(const Vector &forces) const
 ElasticSolver::Vector ElasticSolver::solve(const Vector &forces, const double accuracy) const
 {
   constexpr unsigned int most_iterations = 200;
-  constexpr double margin = 0.3; // so that the same forces find their displacement accurate the next time
+  constexpr double margin = 0.3; // so that the displacement is accurate enough for the same forces next time
   const double bound = accuracy * forces.l2_norm();
   // The same forces get the same displacement, to the last bit.
   Vector difference = forces;
@@ -111,7 +111,7 @@ ElasticSolver::Vector ElasticSolver::solve(const Vector &forces, const double ac
 
 const std::vector<Eigen::VectorXd> &ElasticSolver::settle(const Vector &forces, const double accuracy) const
 {
-  constexpr std::size_t most_settled = 2; // what the next one is extrapolated from
+  constexpr std::size_t most_settled = 2; // the next one is extrapolated from these
   if (forces.l2_norm() > 0)
   {
     const Vector displacement = solve(forces, accuracy);
@@ -126,7 +126,7 @@ const std::vector<Eigen::VectorXd> &ElasticSolver::settle(const Vector &forces, 
 
 void ElasticSolver::restore(const std::vector<Eigen::VectorXd> &settled) const
 {
-  // Those of another division of the body are no use.
+  // Displacements of another division of the body are of no use.
   Vector displacement = stiffness_.make_vector(), forces = stiffness_.make_vector();
   const auto fits = [n = displacement.locally_owned_size()](const Eigen::VectorXd &state)
   { return static_cast<std::size_t>(state.size()) == n; };
@@ -162,7 +162,7 @@ void ElasticSolver::learn(const Vector &displacement, const Vector &forces) cons
   known_.push_back({displacement, forces});
 }
 
-/// Drops one of the known, if it is one.
+/// Drops one of the known solutions, if `which` is one.
 void ElasticSolver::forget(const std::size_t which, Eigen::VectorXd &with_known) const
 {
   if (which >= known_.size())

@@ -8,27 +8,28 @@
 
 namespace orthocone
 {
-/// A displacement, and what the forces are more than its own.
+/// A displacement (mm), and the forces that remain beside its own K u (N).
 struct NearSolution
 {
   BodyVector<double> displacement, rest;
 };
 
-/// Displacements of a body by forces: conjugate gradients with one V-cycle an iteration, from the best that
-/// earlier solutions can tell (P. F. Fischer, Projection techniques for iterative solution of Ax = b with
-/// successive right-hand sides, 1998).
+/// Displacements of a body by forces: conjugate gradients with one V-cycle an iteration, from the best
+/// combination of earlier solutions (P. F. Fischer, Projection techniques for iterative solution of Ax = b
+/// with successive right-hand sides, 1998).
 class ElasticSolver
 {
 public:
   using Vector = BodyVector<double>;
 
-  /// What is referred to must outlive this.
+  /// All arguments must outlive the solver.
   ElasticSolver(const MatrixFreeStiffness<double> &stiffness, VCycle &cycle);
 
-  /// Until ||K u - forces|| <= accuracy ||forces||. Throws SolveError if that is out of reach.
+  /// The displacement u with ||K u - forces|| <= accuracy ||forces||. Throws SolveError if that is out of
+  /// reach.
   Vector solve(const Vector &forces, double accuracy) const;
 
-  /// The best that earlier solutions can tell, for one product with K.
+  /// The best combination of earlier solutions, for one product with K.
   NearSolution near(const Vector &forces) const;
 
   /// Compliance::settle() and restore().
@@ -49,12 +50,12 @@ private:
   Eigen::VectorXd combination(const Eigen::VectorXd &works) const;
   void forget(std::size_t which, Eigen::VectorXd &with_known) const;
 
-  static constexpr std::size_t most_known = 5; // the last states, and what they might have become
+  static constexpr std::size_t most_known = 5; // the last states, and trials after them
 
   const MatrixFreeStiffness<double> &stiffness_;
   VCycle &cycle_;
   mutable std::vector<Eigen::VectorXd> settled_; ///< displacements of the last accepted states, mm
   mutable std::vector<Known> known_;             ///< the oldest first
-  mutable Eigen::MatrixXd energies_;             ///< displacement times forces of each two of them, N mm
+  mutable Eigen::MatrixXd energies_;             ///< displacement times forces of each pair, N mm
 };
 } // namespace orthocone

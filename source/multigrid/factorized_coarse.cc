@@ -12,7 +12,7 @@ using Eigen::VectorXd;
 
 namespace
 {
-/// The equations of the forces with which contact answers.
+/// The equations of the forces with which contact reacts.
 struct Answers
 {
   std::vector<unsigned int> dofs;
@@ -32,8 +32,8 @@ std::vector<unsigned int> answering_dofs(const std::vector<ContactNode> &nodes,
   return dofs;
 }
 
-/// Held: the displacement is zero, in units of force, so that all equations are of one size. Else: friction
-/// resists, f_t + coupling f_z + robin u_t = 0.
+/// In held directions the displacement is zero, in units of force, so that all equations have one size. In
+/// the others friction resists: f_t + coupling f_z + robin u_t = 0.
 Answers answers_of(const std::vector<ContactNode> &nodes, const std::vector<NodeRelation> &relations,
                    const VectorXd &stiffness)
 {
@@ -93,7 +93,7 @@ VectorXd FactorizedCoarse::solve(VectorXd forces) const
   const auto n = static_cast<Index>(answering_.size());
   if (n == 0)
     return factor_.solve(forces);
-  // Before contact answers, then with its answer.
+  // The displacement without the reaction of contact, then with it.
   const VectorXd free = factor_.solve(forces);
   VectorXd moved(n);
   for (Index i = 0; i < n; ++i)

@@ -11,12 +11,12 @@
 
 namespace orthocone
 {
-/// A coarsest mesh that is small, solved exactly: the stiffness is factorized once, and what is held is a
-/// small dense system in its compliance.
+/// Solver for a coarsest mesh that is small. It is exact: the stiffness is factorized once, and held
+/// directions are a small dense system in its compliance.
 class FactorizedCoarse : public CoarseSolver
 {
 public:
-  /// `space` must outlive this. Throws as StiffnessFactor.
+  /// `space` must outlive the solver. Throws as StiffnessFactor does.
   FactorizedCoarse(const Discretization &space, const MaterialOptions &material);
 
   void hold(const std::vector<NodeRelation> &relations) override;
@@ -26,7 +26,7 @@ private:
   const Discretization &space_;
   StiffnessFactor factor_;
   Eigen::MatrixXd compliance_; ///< of the contact unknowns, mm/N
-  // Contact answers with forces f at these degrees of freedom, such that of_force f + of_displacement u = 0.
+  // Contact reacts with forces f at these degrees of freedom, such that of_force f + of_displacement u = 0.
   std::vector<unsigned int> answering_;
   Eigen::MatrixXd of_displacement_;
   Eigen::PartialPivLU<Eigen::MatrixXd> system_;

@@ -25,7 +25,7 @@ void HeldStiffness::vmult(Vector &result, const Vector &free) const
   test(result);
 }
 
-/// Forces as the equations of the relations see them.
+/// Turns forces into the left sides of the relations' equations.
 void HeldStiffness::test(Vector &forces) const
 {
   for (std::size_t i = 0; i < nodes_.size(); ++i)

@@ -9,14 +9,15 @@
 
 namespace orthocone
 {
-/// The stiffness of a body with the relations of its contact nodes, in full precision: forces by free
-/// displacements y, where u = y but for u_z = -follows . y_t at nodes that are held along their normal.
+/// The stiffness of a body with the relations of its contact nodes, in double precision. It maps free
+/// displacements y to forces; u = y except for u_z = -follows . y_t at nodes that are held along their
+/// normal.
 class HeldStiffness
 {
 public:
   using Vector = BodyVector<double>;
 
-  /// What is referred to must outlive this.
+  /// All arguments must outlive this object.
   HeldStiffness(const MatrixFreeStiffness<double> &stiffness, const std::vector<ContactNode> &nodes,
                 const std::vector<NodeRelation> &relations)
       : stiffness_(stiffness),
@@ -30,11 +31,11 @@ public:
   /// The displacement that contact gives where y = 0.
   Vector given() const;
 
-  /// What y must be balanced with when the displacement is given() and the body lacks `rest` (free degrees
-  /// of freedom, or nothing) of its equilibrium. `forces`: of given().
+  /// The forces (N) that y must balance when the displacement is given() and the body lacks `rest` (free
+  /// degrees of freedom, or empty) of its equilibrium. `forces` are K given().
   Vector right_side(const Vector &forces, const Eigen::VectorXd &rest) const;
 
-  /// Adds u of y.
+  /// Adds the displacement u of y.
   void add_displacement(Vector &displacement, const Vector &free) const;
 
 private:

@@ -23,7 +23,7 @@ Level::Level(const Discretization &space, const MaterialOptions &material)
   options.eig_cg_n_iterations = 15;
   options.preconditioner = std::make_shared<Jacobi>(*this);
   smoother_.initialize(*this, options);
-  smoother_.estimate_eigenvalues(make_vector()); // those of the body that nothing touches
+  smoother_.estimate_eigenvalues(make_vector()); // eigenvalues of the body without contact
 }
 
 void Level::hold(std::vector<NodeRelation> relations)

@@ -16,9 +16,9 @@ namespace orthocone
 /// One mesh of the hierarchy with what contact holds of its nodes: the operator
 ///   rows of free nodes: K u;  of a node that is held along its normal: (K u)_t + coupling (K u)_z + robin
 ///   u_t;
-/// without the directions that are held, and a Chebyshev smoother of it. In single precision: it
-/// preconditions. The relations' right sides and `follows`, which vanishes at the solution, have no part in
-/// it.
+/// without the directions that are held, and a Chebyshev smoother of it. Single precision is enough, because
+/// it preconditions. It does without the relations' right sides, and without `follows`, whose part vanishes
+/// at the solution.
 class Level : public dealii::Subscriptor
 {
 public:
@@ -32,7 +32,7 @@ public:
   const Discretization &space() const { return space_; }
   Vector make_vector() const { return stiffness_.make_vector(); }
 
-  /// One relation a contact node; none at all: contact holds nothing.
+  /// `relations` has one relation for each contact node; if it is empty, contact holds nothing.
   void hold(std::vector<NodeRelation> relations);
   const std::vector<NodeRelation> &relations() const { return relations_; }
 
@@ -42,12 +42,12 @@ public:
   /// Sets held directions to zero.
   void clear_held(Vector &vector) const;
 
-  /// From zero, and from `solution`.
+  /// Smooths from zero, and from `solution`.
   void smooth_from_zero(Vector &solution, const Vector &right_side) const;
   void smooth(Vector &solution, const Vector &right_side) const;
 
 private:
-  /// Inverse of the diagonal of K, and of the 2 x 2 blocks of nodes that are held along their normal.
+  /// The inverse of the diagonal of K, and of the 2 x 2 blocks of nodes that are held along their normal.
   class Jacobi
   {
   public:

@@ -15,7 +15,7 @@ namespace orthocone
 {
 namespace
 {
-/// Of the polynomials through `nodes`, at `points` (rows): the values, or the first derivatives.
+/// Values, or first derivatives, of the polynomials through `nodes` (columns) at `points` (rows).
 template<typename Number>
 std::vector<Number> line_table(const std::vector<dealii::Point<1>> &nodes,
                                const std::vector<dealii::Point<1>> &points, const unsigned int derivative)
@@ -89,7 +89,7 @@ private:
 
   unsigned int n_geometry() const { return CellBatches<Number>::n_geometry * values_.n_quadrature_points; }
 
-  /// Lanes without a cell stay as they are here: no volume, and some degree of freedom.
+  /// Lanes without a cell keep the values from here: no volume, and any degree of freedom.
   void add_batch()
   {
     batches_.dofs.resize(batches_.dofs.size() + of_cell_.size() * lanes, space_.n_dofs() - 1);

@@ -15,19 +15,19 @@ namespace orthocone
 template<typename Number>
 using BodyVector = dealii::LinearAlgebra::distributed::Vector<Number>;
 
-/// Products with the stiffness of a body without its entries, cell by cell. Vectors hold all degrees of
-/// freedom that this process owns, mm or N; those of the held and of the hanging ones are zero.
+/// Products with the stiffness of a body, cell by cell and without its entries. Vectors (mm or N) have all
+/// degrees of freedom that this process owns; held and hanging ones are zero.
 template<typename Number>
 class MatrixFreeStiffness
 {
 public:
-  /// `space` must outlive this.
+  /// `space` must outlive this object.
   MatrixFreeStiffness(const Discretization &space, const MaterialOptions &material);
 
   BodyVector<Number> make_vector() const { return BodyVector<Number>(space_.partitioner()); }
   void vmult(BodyVector<Number> &forces, const BodyVector<Number> &displacement) const;
 
-  /// N/mm; 0 at held and at hanging degrees of freedom.
+  /// The diagonal, N/mm; 0 at held and at hanging degrees of freedom.
   BodyVector<Number> diagonal() const;
 
 private:
@@ -36,6 +36,6 @@ private:
   const Discretization &space_;
   MaterialOptions material_;
   CellBatches<Number> cells_;
-  mutable std::vector<Number> with_hanging_; ///< displacement, where nodes hang
+  mutable std::vector<Number> with_hanging_; ///< displacement with hanging nodes, if there are any
 };
 } // namespace orthocone

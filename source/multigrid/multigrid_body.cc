@@ -18,7 +18,8 @@ using Eigen::VectorXd;
 
 namespace
 {
-/// Well below the tolerance of the contact solver and what Checks/Equilibrium allows, and above rounding.
+/// Accuracy of solutions: well below the tolerance of the contact solver and the bound Checks/Equilibrium,
+/// and above rounding.
 double accuracy_of(const Parameters &parameters)
 {
   constexpr double share = 1e-3, share_of_check = 0.1, least = 1e-12;
@@ -65,7 +66,7 @@ MultigridBody::MultigridBody(const Parameters &parameters, const ModelSymmetry &
 
 MultigridBody::~MultigridBody() = default;
 
-/// docs/performance.md, "Large coarsest meshes".
+/// The limits are from docs/performance.md, "Large coarsest meshes".
 bool MultigridBody::aggregates_coarsest(const double n_dofs, const double n_contact_nodes)
 {
   constexpr double most_dofs = 1.5e5, most_contact_nodes = 1500;

@@ -85,7 +85,7 @@ void MultigridCompliance::learn(const NodeVector &force, const BodyPart &body) c
   learned_ = {force, {}, of_nodes(displacement, force), body};
 }
 
-/// A direction that symmetry holds has a compliance of its own.
+/// Displacement of the contact nodes. A direction that symmetry holds has a compliance of its own.
 NodeVector MultigridCompliance::of_nodes(const BodyVector<double> &body, const NodeVector &force) const
 {
   NodeVector displacement = NodeVector::Zero(force.size());
@@ -137,7 +137,8 @@ double MultigridCompliance::norm(const VectorXd &rest) const
   return std::sqrt(sum_over_ranks(rest.squaredNorm()));
 }
 
-/// A scale: it need not be accurate, and solutions are dear. One V-cycle is close to one.
+/// This is a scale that need not be accurate, and solutions are expensive: one V-cycle is close to a
+/// solution.
 double MultigridCompliance::softness() const
 {
   constexpr double settled = 1e-2;

@@ -9,12 +9,12 @@
 
 namespace orthocone
 {
-/// The compliance of a body that has no matrix: every product is a solution of the body.
+/// The compliance of a body without a dense W: every product is a solution of the body.
 class MultigridCompliance : public Compliance
 {
 public:
-  /// `of_nodes`: node_compliance(). `accuracy`: relative, of the equilibrium behind a product. What is
-  /// referred to must outlive this.
+  /// `of_nodes` is node_compliance(). `accuracy` is the relative error of equilibrium of a product. All that
+  /// is passed by reference must outlive the compliance.
   MultigridCompliance(const ContactFrame &frame, const MatrixFreeStiffness<double> &stiffness, VCycle &cycle,
                       Eigen::VectorXd of_nodes, double accuracy);
 
@@ -30,7 +30,7 @@ public:
   std::unique_ptr<ConditionSolver> condition_solver(double softness) const override;
   double softness() const override;
 
-  /// Of the free degrees of freedom, mm.
+  /// Displacement of the free degrees of freedom, mm.
   Eigen::VectorXd body_displacement(const NodeVector &force) const;
 
 private:
@@ -48,6 +48,6 @@ private:
   ElasticSolver elastic_;
   Eigen::VectorXd of_nodes_; ///< mm/N
   double accuracy_;
-  mutable ContactChange learned_; ///< what learn() was told last
+  mutable ContactChange learned_; ///< what learn() was given last
 };
 } // namespace orthocone

@@ -12,10 +12,10 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 
 /// With x_0 along the ray and x_1 across it, f = fixed + ray x_0 + side x_1. The first equation gives u_z,
-/// the second x_1; x_0 is what the plane answers, and drops out of f_t + coupling f_z.
+/// the second one x_1. x_0 is the reaction of the plane, and drops out of f_t + coupling f_z.
 NodeRelation mixed_relation(const NodeCondition &condition, const Eigen::Matrix3d &global_in_local)
 {
-  constexpr double least_softness = 1e-9; // of the natural map across the ray, of 1
+  constexpr double least_softness = 1e-9; // of the natural map across the ray, relative to 1
   const Vector3d ray = global_in_local * condition.basis.col(0),
                  side = global_in_local * condition.basis.col(1);
   const Vector3d along = global_in_local * condition.rows.col(0);
@@ -60,7 +60,7 @@ NodeRelation relation_of(const NodeCondition &condition, const Eigen::Matrix3d &
 
 Eigen::Matrix2d bounded_robin(const NodeRelation &relation, const double stiffness)
 {
-  constexpr double most = 1e4;
+  constexpr double most = 1e4; // single precision has seven digits
   const double size = relation.robin.cwiseAbs().maxCoeff();
   return size <= most * stiffness ? relation.robin : most * stiffness / size * relation.robin;
 }

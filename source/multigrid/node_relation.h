@@ -7,7 +7,7 @@
 
 namespace orthocone
 {
-/// What contact holds of a node.
+/// The directions of a node that contact holds.
 enum class Hold : unsigned char
 {
   nothing, ///< its force is given
@@ -15,8 +15,8 @@ enum class Hold : unsigned char
   all,     ///< its displacement is given
 };
 
-/// A NodeCondition as the whole body sees it, in global axes. With the tangential part t = (x, y) of the
-/// change of displacement u and of the change of force f:
+/// A NodeCondition for the whole body, in global axes. With the tangential part t = (x, y) of the change of
+/// displacement u and of the change of force f:
 ///   nothing: f = force
 ///   normal:  u_z = displacement_z - follows . u_t,  f_t + coupling f_z + robin u_t = force_t
 ///   all:     u = displacement
@@ -30,11 +30,12 @@ struct NodeRelation
   Eigen::Matrix2d robin = Eigen::Matrix2d::Zero(); ///< N/mm
 };
 
-/// `global_in_local`: LocalAxes::global_in_local() of the node. Directions that symmetry holds drop out.
+/// The relation of a condition. `global_in_local` is LocalAxes::global_in_local() of the node. Directions
+/// that symmetry holds drop out.
 NodeRelation relation_of(const NodeCondition &condition, const Eigen::Matrix3d &global_in_local,
                          const ContactNode &node);
 
-/// How friction resists, where a direction of the body is as stiff as `stiffness` (N/mm): more than 10^4
-/// times that is as good as held, and preconditioners in single precision do not bear it.
+/// The relation's `robin`, bounded at nodes whose directions are as stiff as `stiffness` (N/mm): more than
+/// 10^4 times that is as good as held, and too much for preconditioners in single precision.
 Eigen::Matrix2d bounded_robin(const NodeRelation &relation, double stiffness);
 } // namespace orthocone

@@ -14,7 +14,7 @@ namespace orthocone
 {
 namespace
 {
-/// Of every degree of freedom, in the order of cells.
+/// The row of every degree of freedom, in the order of cells.
 std::vector<unsigned int> rows_by_node(const Discretization &space)
 {
   constexpr unsigned int none = std::numeric_limits<unsigned int>::max();
@@ -27,7 +27,7 @@ std::vector<unsigned int> rows_by_node(const Discretization &space)
   return row_of_dof;
 }
 
-/// Both triangles of the stiffness. What does not move is as stiff as what moves.
+/// Rows with both triangles of the stiffness. Directions that do not move are as stiff as those that move.
 std::vector<MatrixRow> both_triangles(const dealii::SparseMatrix<double> &lower,
                                       const std::vector<unsigned int> &row_of_dof)
 {
@@ -72,7 +72,7 @@ NodeStiffness::NodeStiffness(const Discretization &space, const MaterialOptions 
 {
 }
 
-/// Contact changes the rows of its nodes, and the entries of their columns.
+/// Contact changes the rows of its nodes, and the entries in their columns.
 NodeStiffness::NodeStiffness(const Discretization &space, std::vector<unsigned int> row_of_dof,
                              const std::vector<MatrixRow> &rows)
     : space_(space),
@@ -92,7 +92,7 @@ std::size_t MatrixRow::place(const Column column) const
   return static_cast<std::size_t>(found - columns.begin());
 }
 
-/// Of a node that is held along its normal: friction resists.
+/// The row of a direction in which friction resists, at a node that is held along its normal.
 MatrixRow NodeStiffness::tangential_row(const unsigned int direction, const ContactNode &node,
                                         const NodeRelation &relation) const
 {
@@ -108,7 +108,7 @@ MatrixRow NodeStiffness::tangential_row(const unsigned int direction, const Cont
   return row;
 }
 
-/// Rows of directions in which friction resists; which ones are held is noted on the way.
+/// Rows of directions in which friction resists. It also notes which rows are held.
 std::map<unsigned int, MatrixRow> NodeStiffness::resisting_rows(const std::vector<NodeRelation> &relations)
 {
   is_held_.assign(n_rows(), false);

@@ -24,7 +24,7 @@ struct MatrixRow
     columns.push_back(column);
     values.push_back(value);
   }
-  /// Of an entry that is there.
+  /// The place of an entry that exists.
   std::size_t place(Column column) const;
   double &in(const Column column) { return values[place(column)]; }
   double in(const Column column) const { return values[place(column)]; }
@@ -33,39 +33,39 @@ struct MatrixRow
   std::vector<double> values;
 };
 
-/// The assembled stiffness of a solid with three rows a node, x, y and z, as algebraic multigrid wants it.
-/// Rows of directions that do not move have just a diagonal entry.
+/// The assembled stiffness of a solid, with three rows (x, y, z) for each node, as algebraic multigrid
+/// requires. Rows of directions that do not move have only a diagonal entry.
 class NodeStiffness
 {
 public:
   using Matrix = dealii::TrilinosWrappers::SparseMatrix;
 
-  /// `space` must outlive this.
+  /// `space` must outlive this object.
   NodeStiffness(const Discretization &space, const MaterialOptions &material);
 
   unsigned int n_rows() const { return static_cast<unsigned int>(row_of_dof_.size()); }
   unsigned int row(const Eigen::Index dof) const { return row_of_dof_[static_cast<std::size_t>(dof)]; }
 
-  /// Where contact holds nothing, N/mm.
+  /// The stiffness without contact, N/mm.
   const Matrix &free() const { return free_; }
 
-  /// Makes `matrix` that of Level::vmult(), with the relations of the contact nodes. It is empty, or was made
-  /// here.
+  /// Makes `matrix` the operator of Level::vmult(), with the relations of the contact nodes. It must be
+  /// empty, or come from an earlier call.
   void hold(const std::vector<NodeRelation> &relations, Matrix &matrix);
 
-  /// Forces as the equations of the relations that were held last see them, as HeldStiffness::test().
+  /// Turns forces into the left sides of the equations of the last relations, as HeldStiffness::test() does.
   void test(dealii::Vector<double> &forces) const;
 
-  /// Sets the directions to zero that contact held the last time.
+  /// Sets the directions that the last relations hold to zero.
   void clear_held(dealii::Vector<double> &vector) const;
 
   static constexpr int n_rigid_motions = 6;
 
-  /// Three translations and three rotations, each of all rows.
+  /// Three translations and three rotations, each with all rows.
   std::vector<double> rigid_motions() const;
 
 private:
-  /// What a force on one row counts on another one.
+  /// The factor with which a force on one row counts on another one.
   struct Coupling
   {
     unsigned int tangential, normal; ///< rows
@@ -85,8 +85,8 @@ private:
   const Discretization &space_;
   std::vector<unsigned int> row_of_dof_;
   Matrix free_;
-  std::map<unsigned int, MatrixRow> near_contact_; ///< rows that contact changes, where it holds nothing
-  std::vector<bool> is_held_;                      ///< of rows
+  std::map<unsigned int, MatrixRow> near_contact_; ///< rows that contact changes, without contact
+  std::vector<bool> is_held_;                      ///< by rows
   std::vector<Coupling> couplings_;
 };
 } // namespace orthocone

@@ -18,7 +18,7 @@ Eigen::Matrix<Number, 2, 1> tangential(const BodyVector<Number> &vector, const C
           node.is_free[1] ? vector.local_element(node.dofs[1]) : 0};
 }
 
-/// Sets them, but for those that symmetry holds.
+/// Sets these entries, except those that symmetry holds.
 template<typename Number>
 void set_tangential(BodyVector<Number> &vector, const ContactNode &node,
                     const Eigen::Matrix<Number, 2, 1> &value)

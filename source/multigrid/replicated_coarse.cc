@@ -20,7 +20,7 @@ ReplicatedCoarse::ReplicatedCoarse(const Discretization &shared, const MeshOptio
   number(shared);
 }
 
-/// The same cell has the same degrees of freedom in the same order.
+/// Relates the numbers of both spaces: the same cell has the same degrees of freedom in the same order.
 void ReplicatedCoarse::number(const Discretization &shared)
 {
   whole_dof_.resize(shared.n_free());

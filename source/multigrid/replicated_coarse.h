@@ -9,12 +9,12 @@
 
 namespace orthocone
 {
-/// The coarsest mesh of several processes, solved by each of them on its own: forces are summed over all, so
-/// that nobody waits for the answer.
+/// Solver for the coarsest mesh of several processes. Forces are summed over all processes, and each one
+/// solves the whole mesh on its own, so that none waits for the answer of another.
 class ReplicatedCoarse : public CoarseSolver
 {
 public:
-  /// `shared`: of this process and others; its mesh has no halved cells.
+  /// `shared` belongs to this process and others; its mesh has no halved cells.
   ReplicatedCoarse(const Discretization &shared, const MeshOptions &mesh, const GeometryOptions &geometry,
                    const MaterialOptions &material, CoarseMethod method);
 
@@ -27,6 +27,6 @@ private:
   dealii::Triangulation<3> triangulation_;
   std::unique_ptr<const Discretization> whole_;
   std::unique_ptr<CoarseSolver> solver_;
-  std::vector<unsigned int> whole_dof_; ///< of the free degrees of freedom that this process owns
+  std::vector<unsigned int> whole_dof_; ///< for the free degrees of freedom that this process owns
 };
 } // namespace orthocone

@@ -18,7 +18,7 @@ namespace orthocone
 {
 namespace
 {
-/// Elements of a mesh that is given, of another degree than the finest.
+/// Options of a mesh that exists already, with another degree than the finest one's.
 MeshOptions with_degree(MeshOptions mesh, const unsigned int degree)
 {
   mesh.degree = degree;
@@ -26,7 +26,7 @@ MeshOptions with_degree(MeshOptions mesh, const unsigned int degree)
   return mesh;
 }
 
-/// Of every node of `coarse` the nearest one of `fine`.
+/// For every node of `coarse` the nearest one of `fine`.
 std::vector<std::size_t> nearest_nodes(const std::vector<ContactNode> &coarse,
                                        const std::vector<ContactNode> &fine)
 {
@@ -50,7 +50,7 @@ dealii::AffineConstraints<float> constraints_of(const Discretization &space)
   return constraints;
 }
 
-/// deal.II's transfer between meshes asks MPI who owns what, also where there is one process.
+/// deal.II's transfer between meshes asks MPI for the owners, even if there is one process.
 void start_mpi()
 {
   int is_started = 0;
@@ -122,7 +122,7 @@ void VCycle::connect(const std::size_t level)
   nearest_.push_back(nearest_nodes(coarse.contact_surface().nodes, fine.contact_surface().nodes));
 }
 
-/// Friction resists per area.
+/// The relations of the next coarser level. The resistance of friction is proportional to the area of a node.
 std::vector<NodeRelation> VCycle::coarser(const std::size_t level,
                                           const std::vector<NodeRelation> &fine) const
 {
@@ -201,7 +201,7 @@ Eigen::VectorXd VCycle::prolonged(const Eigen::VectorXd &coarser) const
   return result;
 }
 
-/// In units of the forces: single precision has a small range.
+/// The cycle is in units of the forces, because single precision has a small range.
 void VCycle::vmult(BodyVector<double> &displacement, const BodyVector<double> &forces) const
 {
   ++n_cycles_;

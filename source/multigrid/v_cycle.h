@@ -12,26 +12,29 @@
 
 namespace orthocone
 {
-/// One V-cycle over the meshes of which the mesh of a body is the refinement, and trilinear elements on the
-/// coarsest of them: close to the inverse of the stiffness with what contact holds, on every level.
+/// One V-cycle over the mesh of a body and the meshes before its refinements, with trilinear elements on the
+/// coarsest of them. It is close to the inverse of the stiffness with the relations of contact, which every
+/// level has.
 class VCycle
 {
 public:
-  /// `space` must outlive this.
+  /// `space` must outlive this object.
   VCycle(const Discretization &space, const MeshOptions &mesh, const GeometryOptions &geometry,
          const MaterialOptions &material, CoarseMethod on_coarsest = CoarseMethod::by_size);
   ~VCycle();
   VCycle(const VCycle &) = delete; // levels refer to their spaces
   VCycle &operator=(const VCycle &) = delete;
 
-  /// What contact holds of the nodes of the finest level. Coarser nodes are held as the nearest finer ones.
+  /// Sets the relations of the contact nodes of the finest level. Coarser nodes are held as the nearest finer
+  /// ones.
   void hold(const std::vector<NodeRelation> &relations);
   void release() { hold({}); }
 
-  /// Displacement by forces, both of all degrees of freedom, zero where they are held.
+  /// Displacement (mm) by forces (N), both of all degrees of freedom, and zero where they are held.
   void vmult(BodyVector<double> &displacement, const BodyVector<double> &forces) const;
 
-  /// Displacements of the free degrees of freedom of the level below the finest, on the finest.
+  /// Displacements of the free degrees of freedom of the level below the finest one, interpolated to the
+  /// finest one.
   Eigen::VectorXd prolonged(const Eigen::VectorXd &coarser) const;
 
   /// How often vmult() was called.
@@ -48,18 +51,19 @@ private:
   void solve(std::size_t level, Vector &displacement, const Vector &forces) const;
   void solve_coarsest(Vector &displacement, const Vector &forces) const;
 
-  /// What the levels work in.
+  /// Vectors of the levels.
   struct Workspace
   {
     Vector forces, displacement, rest;
   };
 
   const Discretization &finest_;
-  std::vector<std::unique_ptr<const Mesh>> meshes_;  ///< all levels but the finest, from the coarsest on
+  std::vector<std::unique_ptr<const Mesh>> meshes_;  ///< of all levels but the finest, from the coarsest on
   std::unique_ptr<CoarseSolver> coarsest_;           ///< level 0
   std::vector<std::unique_ptr<Level>> levels_;       ///< from level 1 on
   std::vector<std::unique_ptr<Transfer>> transfers_; ///< from the level below, from level 1 on
-  std::vector<std::vector<std::size_t>> nearest_;    ///< of every node of level l that of level l + 1
+  std::vector<std::vector<std::size_t>>
+      nearest_; ///< for every node of level l the nearest one of level l + 1
   mutable std::vector<Workspace> work_;
   mutable unsigned long n_cycles_ = 0;
 };

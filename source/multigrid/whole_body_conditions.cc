@@ -37,7 +37,7 @@ WholeBodyConditions::relations_of(const std::vector<NodeCondition> &conditions) 
   return relations;
 }
 
-/// What the conditions ask for, N: an inexact Newton step must leave no more than a share of it.
+/// Size of what the conditions require, N: an inexact Newton step must leave no more than a share of it.
 static double size_of(const ContactConditions &conditions)
 {
   double sum = sum_over_ranks(conditions.rest.squaredNorm()) + conditions.face_right_side.squaredNorm();
@@ -46,7 +46,7 @@ static double size_of(const ContactConditions &conditions)
   return std::sqrt(sum);
 }
 
-/// What the nodes' equations feel of a motion of the face by 1.
+/// The relations of the nodes under a motion of the face by 1.
 std::vector<NodeRelation> WholeBodyConditions::relations_of_column(const ContactConditions &conditions,
                                                                    const Index column) const
 {
@@ -69,7 +69,7 @@ ContactChange WholeBodyConditions::solve_nodes(const std::vector<NodeRelation> &
   stiffness_.vmult(forces, displacement);
   const BodyVector<double> right_side = held.right_side(forces, rest);
   BodyVector<double> free = stiffness_.make_vector();
-  // Not more than asked for, and what has been reached where that is too much: Newton's method mends it.
+  // The solution is as accurate as asked for, or as far as the iterations come: Newton's method corrects it.
   dealii::IterationNumberControl control(most_iterations, bound, false, false);
   dealii::SolverFGMRES<BodyVector<double>> gmres(
       control, dealii::SolverFGMRES<BodyVector<double>>::AdditionalData(most_iterations));
@@ -80,7 +80,7 @@ ContactChange WholeBodyConditions::solve_nodes(const std::vector<NodeRelation> &
   return contact_change(frame_, displacement, forces, rest);
 }
 
-/// The face is eliminated: its columns are as many solves more.
+/// Eliminates the face, which takes one more solution for each of its columns.
 ContactChange WholeBodyConditions::solve(const ContactConditions &conditions, const double accuracy) const
 {
   const std::vector<NodeRelation> relations = relations_of(conditions.nodes);

@@ -14,7 +14,7 @@ namespace orthocone
 class WholeBodyConditions : public ConditionSolver
 {
 public:
-  /// What is referred to must outlive this.
+  /// All arguments must outlive this object.
   WholeBodyConditions(const ContactFrame &frame, const MatrixFreeStiffness<double> &stiffness, VCycle &cycle);
 
   ContactChange solve(const ContactConditions &conditions, double accuracy) const override;

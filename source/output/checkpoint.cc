@@ -20,8 +20,8 @@ namespace
 {
 constexpr const char *file_name = "checkpoint/state";
 
-/// Whether a run may go on with another value of an entry: what steps are still to come, what is written, how
-/// a step is solved and judged, but not what was computed.
+/// Whether a run may go on with another value of an entry. It may concern steps to come, output, and how a
+/// step is solved and judged, but not what was computed.
 bool may_change(const std::string &entry)
 {
   static const std::set<std::string> free_entries{"Contact solver/Maximum iterations",
@@ -39,7 +39,7 @@ bool may_change(const std::string &entry)
   return entry.compare(0, 7, "Checks/") == 0 || free_entries.count(entry) > 0;
 }
 
-/// Probes may be added to those that are there.
+/// Whether all earlier probes are among those now: probes may be added.
 bool has_all_probes(const std::string &now, const std::string &earlier)
 {
   const auto probes = split(now, ';');

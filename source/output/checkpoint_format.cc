@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// Bytes of a checkpoint. CBOR keeps doubles to the last bit.
+// The bytes of a checkpoint. CBOR keeps doubles to the last bit.
 #include "checkpoint_json.h"
 
 #include <boost/crc.hpp>
@@ -31,7 +31,7 @@ Json row_json(const CycleRow &row)
           {"work", row.work},         {"iterations", row.iterations}};
 }
 
-/// What adds up in a cycle; the rest of the row is known at its end.
+/// The values that add up in a cycle; the rest of the row is known only at its end.
 CycleRow row_from(const Json &json)
 {
   CycleRow row;

@@ -81,7 +81,7 @@ Json steps_json(const std::vector<unsigned int> &steps)
 
 std::vector<unsigned int> steps_from(const Json &json)
 {
-  constexpr std::size_t most = 1000000; // of a load program
+  constexpr std::size_t most = 1000000; // steps of a load program
   std::vector<unsigned int> steps;
   for (const Json &part : json)
   {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// Values of a checkpoint in CBOR. A checksum tells damage, not malice or a mistake of another program: what
-// is read is bounded and checked. Everything throws CheckpointError.
+// Values of a checkpoint in CBOR. A checksum shows damage, but neither malice nor a mistake of another
+// program: what is read is bounded and checked. All functions throw CheckpointError.
 #pragma once
 
 #include <orthocone/output/checkpoint.h>
@@ -13,7 +13,7 @@ namespace orthocone::checkpoint_json
 {
 using Json = nlohmann::json;
 
-/// A count, which the library would cut to 32 bits without a word.
+/// A count, which the library would silently cut to 32 bits.
 unsigned int count_from(const Json &json);
 
 /// A finite number.
@@ -26,14 +26,14 @@ Eigen::VectorXd array_from(const Json &json, Eigen::Index size);
 Json tables_json(const TableMarks &tables);
 TableMarks tables_from(const Json &json);
 
-/// Steps in rising order; those at equal distances are one entry: first, distance, number.
+/// Steps in rising order. Steps at equal distances are one entry: first, distance, number.
 Json steps_json(const std::vector<unsigned int> &steps);
 std::vector<unsigned int> steps_from(const Json &json);
 
 Json state_json(const ContactState &state);
 ContactState state_from(const Json &json);
 
-/// Of a march that has reached `state`.
+/// The starts of a march that has reached `state`.
 Json starts_json(const StartMemory &starts);
 StartMemory starts_from(const Json &json, const ContactState &state);
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// A march as a checkpoint keeps it: its state, and what later steps start from.
+// A march as a checkpoint stores it: its state, and the starts of later steps.
 #include "checkpoint_json.h"
 
 namespace orthocone::checkpoint_json

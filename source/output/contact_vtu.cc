@@ -18,8 +18,8 @@ std::vector<QuadrilateralSurface::Field> empty_fields(const Eigen::Index n_point
   return all;
 }
 
-/// The faces cut at their nodes. A cell of VTK with more points would be smooth, but VTK does not find the
-/// place in it where a sample is asked for: it interpolates elsewhere, or finds nothing.
+/// The faces, cut at their nodes. A cell of VTK with more points would be smooth, but VTK does not find the
+/// place of a sample in it: it interpolates elsewhere, or finds nothing.
 std::vector<std::array<std::int32_t, 4>> quadrilaterals(const WholeSurface &whole, const unsigned int degree)
 {
   std::vector<std::array<std::int32_t, 4>> all;

@@ -27,14 +27,14 @@ std::string field_file(const std::string &kind, const unsigned int step, const s
 
 namespace
 {
-/// The field file of a step as it has been written.
+/// The name of the field file of a step as it was written.
 std::string written_file(const RunFolder &folder, const std::string &kind, const unsigned int step)
 {
   const std::string of_pieces = field_file(kind, step, "pvtu");
   return folder.has(of_pieces) ? of_pieces : field_file(kind, step);
 }
 
-/// The file, and the pieces that it names.
+/// The file and the pieces that it names.
 std::vector<std::string> with_pieces(const RunFolder &folder, const std::string &file)
 {
   std::vector<std::string> files{file};
@@ -89,7 +89,7 @@ void FieldList::add(const unsigned int step, const std::function<std::string()> 
   {
     pending_ = std::async(std::launch::async, make);
   }
-  catch (const std::system_error &) // no thread to be had
+  catch (const std::system_error &) // no thread is available
   {
     pending_ = std::async(std::launch::deferred, make);
   }

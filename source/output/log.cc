@@ -24,7 +24,7 @@ std::string fitted(const std::string &text)
   return is_known ? text.substr(0, size.ws_col - 1) : text;
 }
 
-/// "[#####---------------] ", as much of it as is done.
+/// "[#####---------------] " with the share of `n_done` in `n_all`.
 std::string bar(const unsigned int n_done, const unsigned int n_all)
 {
   constexpr unsigned int width = 20;
@@ -36,7 +36,8 @@ std::string bar(const unsigned int n_done, const unsigned int n_all)
 Log::Log(const RunFolder &folder, const bool is_quiet)
     : folder_(folder),
       is_quiet_(is_quiet),
-      is_terminal_(isatty(STDOUT_FILENO) == 1 && !is_launched()) // mpirun makes a terminal of every file
+      is_terminal_(isatty(STDOUT_FILENO) == 1 &&
+                   !is_launched()) // under mpirun every file looks like a terminal
 {
 }
 

@@ -15,7 +15,7 @@ namespace
 constexpr unsigned int along_z = 2;
 constexpr unsigned int first_rotation = 3;
 
-/// What forces are on the way is computed: its last digits tell nothing.
+/// Forces on the way are computed: their last digits mean nothing.
 std::string rounded(const double value)
 {
   std::ostringstream text;
@@ -23,7 +23,7 @@ std::string rounded(const double value)
   return text.str();
 }
 
-/// Name and value of a component, as users wrote them.
+/// Name and value of a component, as users write them.
 std::string text_of(const LoadStep &step, const unsigned int component, const std::string &between)
 {
   const bool turns = component >= first_rotation;

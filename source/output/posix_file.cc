@@ -21,7 +21,7 @@ namespace orthocone::posix
 {
 namespace
 {
-constexpr mode_t readable_by_all = 0666; // but for the user's umask
+constexpr mode_t readable_by_all = 0666; // reduced by the user's umask
 
 [[noreturn]] void fail(const std::filesystem::path &file, const char *const task, const int cause)
 {
@@ -57,7 +57,7 @@ public:
     }
   }
 
-  /// Some file systems tell only here that the disk is full.
+  /// Some file systems report a full disk only here.
   void close()
   {
     const int descriptor = descriptor_;
@@ -182,12 +182,13 @@ Identity identity(const std::filesystem::path &file)
 void synchronize(const std::filesystem::path &file)
 {
   const Descriptor descriptor(file, O_RDONLY, "cannot be written");
-  // Some file systems have nothing to do for folders and say so by EINVAL.
+  // Some file systems have nothing to do for folders and answer EINVAL.
   if (::fsync(descriptor.number()) != 0 && errno != EINVAL)
     fail(file, "cannot be written", errno);
 }
 
-/// Network file systems lock only what is open for writing, and so no folders.
+/// Locks a file in the folder instead: network file systems lock only what is open for writing, and so no
+/// folders.
 static FolderLock lock_file(const std::filesystem::path &file)
 {
   const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, readable_by_all);

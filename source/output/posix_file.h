@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// What the standard library cannot do with files: write with the cause of a failure, to the disk, under a
-// lock. Everything throws FileError, naming file and cause.
+// Operations on files that the standard library lacks: writing with the cause of a failure, to the disk,
+// under a lock. All functions throw FileError, which names file and cause.
 #pragma once
 
 #include <orthocone/output/run_folder.h>
@@ -15,17 +15,18 @@
 
 namespace orthocone::posix
 {
-/// Creates a file, in place of another one if there is. A symbolic link is replaced, not followed.
+/// Creates a file, or replaces one. A symbolic link is replaced, not followed.
 void write(const std::filesystem::path &file, const std::string &content);
 
-/// Appends, and returns the size after it; on failure the file is cut back to what it was. `size`: what the
-/// file must have before; without it the file is created if need be. A symbolic link is not followed.
+/// Appends, and returns the new size; on failure the file is cut back to its old content. `size` is the size
+/// (bytes) that the file must have before; without it the file is created if necessary. A symbolic link is
+/// not followed.
 std::uintmax_t append(const std::filesystem::path &file, const std::string &content,
                       std::optional<std::uintmax_t> size);
 
 std::string read(const std::filesystem::path &file);
 
-/// Hands the first `size` bytes to `use`, in pieces. Returns whether there were as many.
+/// Passes the first `size` bytes to `use`, in pieces. Returns whether the file has so many.
 bool read_pieces(const std::filesystem::path &file, std::uintmax_t size,
                  const std::function<void(const char *piece, std::size_t n)> &use);
 
@@ -39,7 +40,7 @@ void rename(const std::filesystem::path &from, const std::filesystem::path &to);
 
 void cut(const std::filesystem::path &file, std::uintmax_t size);
 
-/// Of a file or folder; nothing's where there is none.
+/// The identity of a file or folder; a default one where it does not exist.
 Identity identity(const std::filesystem::path &file);
 
 /// Returns when the content of a file, or the names in a folder, are on the disk.
@@ -49,7 +50,7 @@ void synchronize(const std::filesystem::path &file);
 struct FolderLock
 {
   int descriptor;
-  bool is_taken; ///< by another process; false where the file system has no locks
+  bool is_taken; ///< whether another process has it; false where the file system has no locks
 };
 FolderLock lock_folder(const std::filesystem::path &folder);
 

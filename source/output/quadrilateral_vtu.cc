@@ -18,7 +18,7 @@ using Bytes = std::vector<unsigned char>;
 constexpr unsigned char vtk_triangle = 5;
 constexpr unsigned char vtk_quad = 9;
 
-/// Base64 text of zlib's compression in one block, after the sizes that VTK wants to know. Compressed fast,
+/// Base64 text of zlib's compression in one block, after the sizes that VTK requires. It is compressed fast,
 /// as the volume files are.
 std::string encoded(const void *const data, const std::size_t n_bytes)
 {
@@ -57,7 +57,8 @@ std::string data_array(const std::string &attributes, const std::vector<Number> 
   return data_array(attributes, values.data(), values.size() * sizeof(Number));
 }
 
-/// VTK finds no place in a quadrilateral with two coinciding points, but in a triangle it does.
+/// The cells as VTK's. It finds no place in a quadrilateral with two coinciding points, but it does in a
+/// triangle.
 std::string cells(const std::vector<std::array<std::int32_t, 4>> &quadrilaterals)
 {
   std::vector<std::int32_t> connectivity;

@@ -17,7 +17,7 @@ struct QuadrilateralSurface
   struct Field
   {
     std::string name;
-    Eigen::MatrixXf values; ///< a column a point, a row a component
+    Eigen::MatrixXf values; ///< a column for each point, a row for each component
   };
 
   unsigned int degree = 1; ///< of the elements; degree^2 consecutive quadrilaterals make one
@@ -27,6 +27,6 @@ struct QuadrilateralSurface
   std::vector<Field> fields;
 };
 
-/// VTU text of a surface. deal.II gives every cell points of its own, so that the file is written here.
+/// VTU text of a surface. It is written here because deal.II gives every cell points of its own.
 std::string quadrilateral_vtu(const QuadrilateralSurface &surface);
 } // namespace orthocone

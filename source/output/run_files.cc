@@ -18,7 +18,7 @@ bool is_step_number(const std::string &text)
          text.find_first_not_of("0123456789") == std::string::npos;
 }
 
-/// What stands in a name for the first placeholder of a pattern; nothing where the rest differs.
+/// The part of a name in place of the first placeholder of a pattern; nothing where the rest differs.
 std::optional<std::string> filled_in(const std::string &pattern, const std::string &name)
 {
   const std::size_t place = pattern.find_first_of(placeholders);

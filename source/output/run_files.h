@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// The manifest of a run folder: what a run writes. RunFolder writes nothing else, and removes nothing else.
+// The manifest of a run folder: the files that a run writes. RunFolder writes nothing else, and removes
+// nothing else.
 #pragma once
 
 #include <optional>
@@ -12,10 +13,10 @@ namespace orthocone::run_folder
 {
 enum class FileKind
 {
-  table,       ///< grows by a row a step or cycle
-  probe_table, ///< the same; the marker names those of the run
+  table,       ///< grows by a row in each step or cycle
+  probe_table, ///< the same; the marker names the run's own ones
   file,
-  checkpoint, ///< worth nothing without the other files
+  checkpoint, ///< useless without the other files
   marker,     ///< stays when another run begins
 };
 
@@ -30,10 +31,10 @@ struct RunFile
   bool fits(const std::string &name) const;
 };
 
-/// All that a run writes.
+/// All files that a run writes.
 const std::vector<RunFile> &run_files();
 
-/// The entry of a file, or of the file that a name with ".part" is to become; null for files of others.
+/// The entry of a file, or of the file that a name with ".part" will become; null for other files.
 const RunFile *run_file(const std::string &name);
 
 /// Names of the files of a kind whose names do not vary.

@@ -33,7 +33,7 @@ RunFolder::RunFolder(const std::optional<fs::path> &path)
   identity_ = posix::identity(path_);
 }
 
-/// A folder may be moved while a run writes there, and another one take its name.
+/// Throws FileError if the folder was moved while the run writes there, and another one has taken its name.
 void RunFolder::require_same_folder() const
 {
   if (posix::identity(path_) != identity_)
@@ -64,14 +64,14 @@ void RunFolder::remove_fields_after(const unsigned int step) const
       remove(name);
 }
 
-/// What the manifest lacks would neither be removed by the next run nor be safe from it.
+/// Requires the manifest to list a file: the next run would neither remove another one, nor be safe for it.
 static void require_listed(const std::string &name)
 {
   if (run_folder::run_file(name) == nullptr)
     throw std::logic_error(name + ": is not in the list of the files of a run");
 }
 
-/// The new content beside the file; nothing stays if it cannot be written.
+/// Writes the new content beside the file; nothing is left if this fails.
 fs::path RunFolder::write_part(const std::string &name, const std::string &content, const bool durably) const
 {
   require_listed(name);
@@ -149,7 +149,7 @@ void RunFolder::append(const std::string &name, const std::string &content) cons
   auto known = growing_.find(name);
   if (known == growing_.end())
   {
-    // Where a run goes on, log.txt is there.
+    // In a resumed run log.txt exists.
     const auto size = posix::append(path_ / name, content, std::nullopt);
     known = growing_.emplace(name, Growing()).first;
     known->second.size = size;

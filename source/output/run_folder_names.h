@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// What the two halves of RunFolder share: writing (run_folder.cc) and whose files are whose
+// Functions that the two halves of RunFolder share: writing (run_folder.cc), and the owners of files
 // (run_folder_owner.cc).
 #pragma once
 

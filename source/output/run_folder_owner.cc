@@ -42,8 +42,8 @@ using run_folder::RunFile;
 
 namespace
 {
-/// Tells a folder of a run from others: a name and a first line that nobody else writes. `parameters.prm`
-/// would not do, as users of deal.II call their own files so.
+/// The mark of a run's folder: a name and a first line that nobody else writes. `parameters.prm` would not
+/// do, as users of deal.II call their own files so.
 constexpr const char *marker = "orthocone-run.txt";
 constexpr const char *marker_line = "orthocone run folder: parameter file and tables of probes";
 constexpr const char *identity = "parameters.prm";
@@ -79,7 +79,7 @@ bool RunFolder::is_of_a_run() const
   return starts_with(marker, marker_line) || starts_with(checkpoint_file, checkpoint_start);
 }
 
-/// What the marker has behind its first line: the parameter file, and tables of probes.
+/// The marker's lines behind its first one: the parameter file, and tables of probes.
 std::vector<std::string> RunFolder::marked_lines() const
 {
   std::vector<std::string> lines;
@@ -100,7 +100,7 @@ void RunFolder::mark(const std::string &parameter_file, const std::vector<std::s
     replace(marker, text, false);
 }
 
-/// Names that the tables of the folder's run have.
+/// Names of the tables of the folder's run.
 std::vector<std::string> RunFolder::own_tables() const
 {
   std::vector<std::string> names = run_folder::fixed_names(FileKind::table);
@@ -111,7 +111,8 @@ std::vector<std::string> RunFolder::own_tables() const
   return names;
 }
 
-/// All that the folder's run has left, the checkpoint first: without its other files it is worth nothing.
+/// All files that the folder's run has left. The checkpoint is the first one, because it is useless without
+/// the others.
 std::vector<std::string> RunFolder::files() const
 {
   std::vector<std::string> names;
@@ -169,7 +170,7 @@ std::optional<std::string> RunFolder::start_anew(const std::string &parameters,
   for (const std::string &name : old)
     if (begins_with(name, checkpoint_folder))
       remove(name);
-  // From here on the folder is that of the new run, which has not come to a checkpoint yet.
+  // From here on the folder belongs to the new run, which has no checkpoint yet.
   posix::rename(part, path_ / identity);
   for (const std::string &name : old)
     if (name != identity)

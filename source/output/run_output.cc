@@ -67,7 +67,7 @@ void RunOutput::write_fields(const ContactState &state, const Eigen::VectorXd &v
   }
 }
 
-/// The pieces of other processes come to the first one, which alone writes.
+/// The first process collects the pieces of the others, because it alone writes.
 void RunOutput::write_volume(const ContactState &state, const Eigen::VectorXd &volume)
 {
   const auto make = [this, u = scene_.body().with_motion(state.motion, volume)]

@@ -6,7 +6,7 @@
 
 #include <stdexcept>
 
-// Only a program that is built with FCLIB finds this header.
+// Only a program that is built with FCLIB has this header.
 #if __has_include(<orthocone/problems/problem_file.h>)
 #define ORTHOCONE_WRITES_PROBLEMS
 #include <orthocone/problems/problem_file.h>

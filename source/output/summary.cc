@@ -69,7 +69,7 @@ std::vector<std::string> model_warnings(const RunRecord &record)
         describe(record.critical_friction) +
         ": a node can wedge there, and a load step may have several solutions, or none that a solver finds; "
         "compare runs with other steps and methods before a result is trusted");
-  constexpr double most_stretch = 10;
+  constexpr double most_stretch = 10; // docs/performance.md, "Multigrid"
   if (record.stretch > most_stretch)
     warnings.push_back("Mesh: the longest edge of a cell is " + to_text(std::round(record.stretch)) +
                        " times its shortest one, and multigrid takes V-cycles in proportion; "
@@ -78,10 +78,11 @@ std::vector<std::string> model_warnings(const RunRecord &record)
 }
 
 /// Wear is explicit: a node that wears deeper than it was flattened carries nothing in the next step, and its
-/// neighbours all. The bound is that of a force from node to node on a half-space.
+/// neighbours carry all. The bound holds for forces that alternate from node to node on a half-space
+/// (docs/theory.md, section 3, "Wear").
 static void warn_of_fast_wear(const RunRecord &record, std::vector<std::string> &warnings)
 {
-  constexpr double most_of_flattening = 0.9;
+  constexpr double most_of_flattening = 0.9; // docs/theory.md, section 3, "Wear"
   if (record.wear_of_flattening.first > most_of_flattening)
     warnings.push_back(
         "load step " + std::to_string(record.wear_of_flattening.second) + ": wears a node " +
@@ -92,7 +93,7 @@ static void warn_of_fast_wear(const RunRecord &record, std::vector<std::string> 
 
 std::vector<std::string> all_warnings(const Parameters &parameters, const RunRecord &record)
 {
-  constexpr double large = 0.05;
+  constexpr double large = 0.05; // docs/theory.md, section 5, "Energy defect"
   constexpr double percent = 100;
   std::vector<std::string> warnings = parameter_warnings(parameters);
   for (std::string &warning : model_warnings(record))
@@ -103,7 +104,7 @@ std::vector<std::string> all_warnings(const Parameters &parameters, const RunRec
                        to_text(std::round(percent * record.energy_defect.first)) +
                        " % of the largest energy; loops and dissipation need more steps in this leg");
   warn_of_fast_wear(record, warnings);
-  constexpr double most_of_change = 0.1;
+  constexpr double most_of_change = 0.1; // docs/theory.md, section 3, "Gaps and friction that varies"
   if (record.slip_of_change.first > most_of_change)
     warnings.push_back("load step " + std::to_string(record.slip_of_change.second) + ": a node slips by " +
                        to_text(std::round(percent * record.slip_of_change.first)) +
@@ -144,7 +145,7 @@ std::string describe_energy(const RunRecord &record)
   return text.str();
 }
 
-/// What gives way below; nothing where it is rigid.
+/// The line on an obstacle that deforms; empty for a rigid one.
 static std::string describe_counterbody(const Parameters &parameters)
 {
   const auto constants = [](const MaterialOptions &material)
@@ -172,7 +173,7 @@ static std::string describe_counterbody(const Parameters &parameters)
   return {};
 }
 
-/// A line only where it is not the rigid plane z = 0.
+/// The line is empty for the rigid plane z = 0.
 std::string describe_obstacle(const Parameters &parameters)
 {
   const ObstacleOptions &obstacle = parameters.obstacle;

@@ -68,7 +68,7 @@ OrderedJson accuracy_json(const AccuracyEstimate &accuracy)
   return json;
 }
 
-/// Errors of each quantity by what makes them; null where nothing is known.
+/// Errors of each quantity, by their causes; null where nothing is known.
 OrderedJson errors_json(const RunRecord &record)
 {
   OrderedJson json;
@@ -90,7 +90,7 @@ std::string entry_of(const Parameters &parameters, const std::string &name)
   return {};
 }
 
-/// Numbers are those of the centre where friction varies; the expressions stand beside them.
+/// Where friction varies, the numbers are those at the centre, and the expressions are beside them.
 OrderedJson friction_json(const Parameters &parameters)
 {
   const FrictionOptions &friction = parameters.friction;
@@ -134,7 +134,7 @@ OrderedJson counterface_json(const Parameters &parameters)
   return json;
 }
 
-/// What is pressed on the plane, and how it moves, so that nobody need guess it from the other files.
+/// The body on the plane and its motion, so that nobody need guess them from the other files.
 OrderedJson scene_json(const Summary &summary)
 {
   const Parameters &parameters = summary.parameters;

@@ -29,11 +29,11 @@ PointFields mirrored(PointFields point)
   point.place[2] = -point.place[2];
   point.displacement[2] = -point.displacement[2];
   for (const unsigned int d : {0, 1})
-    point.stress[d][2] = -point.stress[d][2]; // and with it its transposed one
+    point.stress[d][2] = -point.stress[d][2]; // the tensor is symmetric: this sets the transposed entry, too
   return point;
 }
 
-/// The points of a cell that is mirrored, in an order that leaves it right-handed.
+/// The points of a mirrored cell, in an order that leaves it right-handed.
 std::vector<PointFields> mirrored(const std::vector<PointFields> &points, const unsigned int degree)
 {
   const std::size_t n = degree + 1;
@@ -43,7 +43,7 @@ std::vector<PointFields> mirrored(const std::vector<PointFields> &points, const 
   return images;
 }
 
-/// Fields of a point, followed by its place.
+/// Fills a column with the fields of a point, and its place behind them.
 void fill_column(const PointFields &point, const unsigned int column, dealii::Table<2, float> &data)
 {
   unsigned int row = 0;
@@ -118,7 +118,7 @@ std::string volume_vtu(const DisplacementSpace<dim> &space, const Materials &mat
   if (patches.empty())
     return {};
   std::ostringstream text;
-  // The section has rectangles, which Lagrange cells draw without loss.
+  // The section has rectangles, which Lagrange cells show without loss.
   dealii::DataOutBase::write_vtu(patches, row_names(), row_ranges(),
                                  dim == 2 ? lagrange_vtu_flags(degree) : vtu_flags(), text);
   return text.str();

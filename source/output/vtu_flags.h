@@ -6,10 +6,10 @@
 
 namespace orthocone
 {
-/// How deal.II writes VTU files: without a date, so that the same run gives the same bytes; compressed fast,
-/// because best compression would cost more time than the whole computation; linear cells between all points,
-/// because VTK does not find the place in a curved Lagrange cell where a sample is asked for: it interpolates
-/// elsewhere, or finds nothing.
+/// How deal.II writes VTU files. They have no date, so that the same run gives the same bytes. They are
+/// compressed fast, because the best compression would take more time than the whole computation. Cells
+/// between all points are linear, because VTK does not find the place of a sample in a curved Lagrange cell:
+/// it interpolates elsewhere, or finds nothing.
 inline dealii::DataOutBase::VtkFlags vtu_flags()
 {
   dealii::DataOutBase::VtkFlags flags;
@@ -18,7 +18,8 @@ inline dealii::DataOutBase::VtkFlags vtu_flags()
   return flags;
 }
 
-/// For cells that are parallelograms, where VTK's Lagrange cells interpolate the polynomials exactly.
+/// The flags for cells that are parallelograms, in which VTK's Lagrange cells interpolate the polynomials
+/// exactly.
 inline dealii::DataOutBase::VtkFlags lagrange_vtu_flags(const unsigned int degree)
 {
   dealii::DataOutBase::VtkFlags flags = vtu_flags();

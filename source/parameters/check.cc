@@ -15,7 +15,7 @@ namespace orthocone
 {
 namespace
 {
-/// The first mesh entry that a resolution or an accuracy would choose, but that was set beside it; or "".
+/// The first mesh entry that was set although a resolution or an accuracy chooses it, or "".
 std::string changed_mesh_entry(const MeshOptions &mesh)
 {
   Parameters given;
@@ -34,7 +34,7 @@ std::string changed_mesh_entry(const MeshOptions &mesh)
   return {};
 }
 
-/// One choice of the mesh at a time: an accuracy, a resolution, or the single entries.
+/// Requires one choice of the mesh at a time: an accuracy, a resolution, or the single entries.
 void check_mesh_choice(const MeshOptions &mesh)
 {
   const bool is_custom = mesh.resolution == MeshResolution::custom;
@@ -50,7 +50,7 @@ void check_mesh_choice(const MeshOptions &mesh)
                      (is_custom ? "Accuracy = 0" : "Resolution = custom"));
 }
 
-/// What a body without a dense compliance can do.
+/// Refuses what a body without a dense compliance cannot do.
 void check_backend(const Parameters &parameters)
 {
   if (parameters.mesh.backend != BodyBackend::multigrid)
@@ -127,7 +127,7 @@ void check_wear(const WearOptions &wear, const LoadOptions &load)
 void check_compression(const LoadOptions &load, const GeometryOptions &geometry)
 {
   if (geometry.is_from_file())
-    return; // which has not been meshed yet
+    return; // the mesh does not exist yet
   for (const auto *const legs : {&load.preload, &load.legs})
     for (const Leg &leg : *legs)
       if (const auto u_z = leg.motion(2); u_z && *u_z <= -geometry.held_height())

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// Binding of option structs to the table of entries: name, default, range and help of an entry stand together
-// in one call.
+// Binds option structs to the table of entries: one call has name, default, range and help of an entry.
 #pragma once
 
 #include "entries.h"

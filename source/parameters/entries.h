@@ -13,13 +13,13 @@
 
 namespace orthocone
 {
-/// Which texts an entry takes: a test, and a description that goes on after "allowed is".
+/// Which texts an entry accepts: a test, and a description that follows "allowed is".
 struct Allowed
 {
   using Test = std::function<bool(const std::string &)>;
   using Description = std::function<std::string(const std::string &)>;
 
-  /// `of_value`: the description for somebody who gave a value, where that differs.
+  /// `of_value` describes what is allowed to a user who gave a value, where this description differs.
   Allowed(const std::string &general, Test of_text, const Description &of_value = {})
       : description(general),
         test(std::move(of_text)),
@@ -37,7 +37,7 @@ struct Entry
 {
   std::string name; ///< "Section/Entry"
   std::string text; ///< of the value
-  std::string help; ///< ends with what is allowed
+  std::string help; ///< ends with the allowed values
   Allowed allowed;
   std::function<void(const std::string &)> assign;
 
@@ -49,10 +49,10 @@ struct Entry
 class EntryTable
 {
 public:
-  /// Entries that follow belong to this section.
+  /// Makes entries that follow belong to this section.
   void enter(const std::string &section) { section_ = section; }
 
-  /// Declares an entry whose accepted texts are handed to `assign`.
+  /// Declares an entry. `assign` receives the texts that it accepts.
   void add(const std::string &name, const std::string &text, const Allowed &allowed, const std::string &help,
            const std::function<void(const std::string &)> &assign)
   {
@@ -62,13 +62,13 @@ public:
 
   const std::vector<Entry> &entries() const { return entries_; }
 
-  /// The entry "Section/Entry", if there is one.
+  /// The entry "Section/Entry", or null.
   const Entry *find(const std::string &name) const;
 
-  /// The file that the next values are in; it need not exist.
+  /// Sets the file of the next values; it need not exist.
   void read_from(const std::string &file_name) { file_ = file_name; }
 
-  /// The absolute path of what that file, or the command line without one, calls `path`.
+  /// The absolute path of `path`, which is relative to that file, or to the working directory without one.
   std::string path_of(const std::string &path) const;
 
 private:
@@ -80,7 +80,7 @@ private:
 
 namespace orthocone::entries
 {
-/// Interval of numbers, open at both ends unless said otherwise, and how to tell users of it.
+/// Interval of numbers, open at both ends unless said otherwise, and how messages describe it.
 struct Range
 {
   double lower = -1e300;
@@ -89,9 +89,9 @@ struct Range
   bool includes_upper = false;
 
   bool contains(double value) const;
-  std::string describe() const; ///< "> 0 and < 1"; of what no scene comes near to, nothing
+  std::string describe() const; ///< "> 0 and < 1", without limits that no scene reaches
 
-  /// The same with the limits that no scene comes near to, if `value` is beyond.
+  /// The same, with a limit that no scene reaches if `value` is beyond it.
   std::string describe_for(const std::string &value) const;
 };
 
@@ -105,7 +105,7 @@ void add_number(EntryTable &table, const std::string &name, double &value, const
 void add_percentage(EntryTable &table, const std::string &name, double &value, const Range &range,
                     const std::string &help);
 
-/// Semi-axes of the friction ellipse, numbers or expressions: both positive, or none at all.
+/// Semi-axes of the friction ellipse, numbers or expressions: both positive, or both 0.
 void add_coefficients(EntryTable &table, const std::string &name, FrictionOptions &friction,
                       const std::string &help);
 
@@ -134,7 +134,8 @@ void add_sizes(EntryTable &table, const std::string &name, std::array<double, 3>
 void add_triple(EntryTable &table, const std::string &name, std::array<double, 3> &value,
                 const std::string &help);
 
-/// Name or number of a physical group of a mesh, or nothing; the other: several, separated by commas.
+/// Name or number of a physical group of a mesh, or nothing. The second function takes several, separated by
+/// commas.
 void add_group(EntryTable &table, const std::string &name, std::string &value, const std::string &help);
 void add_groups(EntryTable &table, const std::string &name, std::vector<std::string> &value,
                 const std::string &help);
@@ -147,7 +148,7 @@ void add_regions(EntryTable &table, const std::string &name, std::vector<Materia
 void add_cells(EntryTable &table, const std::string &name, std::array<unsigned int, 3> &value,
                unsigned int most, const std::string &help);
 
-/// Rounds of cells to be halved.
+/// Rounds of cells that are halved.
 void add_refined_cells(EntryTable &table, const std::string &name, std::vector<std::vector<CellRange>> &value,
                        const std::string &help);
 

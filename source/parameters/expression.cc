@@ -20,7 +20,7 @@ namespace orthocone
 {
 namespace
 {
-/// Keeps what the library says on the screen away from there: messages are told by us.
+/// Keeps what the library prints off the screen: the program words its own messages.
 class SilentErrors
 {
 public:
@@ -37,16 +37,16 @@ private:
   std::streambuf *before_;
 };
 
-/// Whether the text has one of these words, which stand for themselves.
+/// Whether the text has one of these words, not as a part of a longer word.
 bool has_word(const std::string &text, const std::string &words)
 {
   return std::regex_search(text, std::regex("(^|[^A-Za-z0-9_.])(" + words + ")([^A-Za-z0-9_]|$)"));
 }
 
-/// What the library would take, but users do not mean.
+/// Refuses what the library would accept, but users do not mean.
 void check_form(const std::string &text)
 {
-  constexpr std::size_t longest = 1000; // it is searched for words by recursion
+  constexpr std::size_t longest = 1000; // the search for words is recursive
   if (text.empty())
     throw InputError("it is empty");
   if (text.size() > longest)
@@ -67,7 +67,7 @@ void check_form(const std::string &text)
   }
 }
 
-/// The library's message in our words; what it quotes is a part of the expression.
+/// The library's message in the words of this program; what it quotes is a part of the expression.
 std::string in_our_words(const std::string &message)
 {
   static const std::array<std::pair<const char *, const char *>, 11> words{
@@ -97,7 +97,7 @@ std::shared_ptr<const dealii::FunctionParser<2>> parser_of(const std::string &te
   try
   {
     parser->initialize("x,y", text, {{"pi", pi}}, false);
-    parser->value(dealii::Point<2>()); // some faults are found only then
+    parser->value(dealii::Point<2>()); // only this finds some faults
   }
   catch (const dealii::ExceptionBase &error)
   {

@@ -15,7 +15,7 @@ using Pair = std::array<Expression, 2>;
 constexpr const char *associated = "associated";
 constexpr const char *collinear = "collinear";
 
-/// Pieces between the commas that stand outside of parentheses.
+/// The pieces between commas outside parentheses.
 std::vector<std::string> arguments(const std::string &text)
 {
   std::vector<std::string> pieces(1);
@@ -32,7 +32,7 @@ std::vector<std::string> arguments(const std::string &text)
   return pieces;
 }
 
-/// What is wrong in the first of these texts that is no expression, or "".
+/// The fault in the first of these texts that is no expression, or "".
 std::string fault_in(const std::vector<std::string> &texts)
 {
   for (const std::string &text : texts)
@@ -47,7 +47,7 @@ std::string fault_in(const std::vector<std::string> &texts)
   return {};
 }
 
-/// Two expressions; those that are constant are > 0, or both 0 if there may be none.
+/// Reads two expressions. Constant ones must be > 0, or both 0 if `may_be_none`.
 std::optional<Pair> parse_pair(const std::string &text, const bool may_be_none)
 {
   const auto pieces = arguments(text);
@@ -62,7 +62,8 @@ std::optional<Pair> parse_pair(const std::string &text, const bool may_be_none)
   return is_allowed ? std::optional<Pair>(pair) : std::nullopt;
 }
 
-/// The limit that no scene comes near to, if a number of the text is beyond, and what is wrong in the text.
+/// Describes the limit that no scene reaches, if a number of the text is beyond it, and the fault in the
+/// text.
 std::string describe_pair(const std::string &text, const std::string &behind_range)
 {
   const auto pieces = arguments(text);

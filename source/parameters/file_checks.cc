@@ -10,7 +10,7 @@ namespace orthocone
 {
 namespace
 {
-/// The physical surface that an entry names; each is to be named once.
+/// Checks the physical surfaces that entries name; no surface may be named twice.
 class SurfaceCheck
 {
 public:

@@ -6,7 +6,7 @@
 
 namespace orthocone
 {
-/// The mesh file that the options name, and its surfaces. Throws InputError, or FileError if it cannot be
-/// read.
+/// Checks the mesh file that the options name, and its surfaces. Throws InputError, or FileError if it cannot
+/// be read.
 void check_mesh_file(const GeometryOptions &geometry);
 } // namespace orthocone

@@ -19,14 +19,14 @@ namespace
 {
 constexpr const char *head_form = "'x0 dx nx y0 dy ny' (mm, mm, at least 2; the same of y)";
 
-/// A line that is more than a comment.
+/// A line with more than a comment.
 struct Row
 {
   std::vector<std::string> words;
   std::string place; ///< "file:line"
 };
 
-/// The next such line, or none at the end.
+/// Reads the next such line. Returns false at the end.
 bool next_row(std::istream &stream, const std::string &name, unsigned int &line, Row &row)
 {
   for (std::string text; std::getline(stream, text);)
@@ -71,7 +71,7 @@ void append(const Row &row, GapGrid &grid)
                        "': allowed is a finite number (mm), a grid has no holes");
 }
 
-/// The interval that a place is in and its share of it, between 0 and 1.
+/// The interval of a place, and the place's share of it, between 0 and 1.
 std::pair<std::size_t, double> locate(const double place, const double first, const double spacing,
                                       const std::size_t n)
 {

@@ -16,7 +16,7 @@ namespace
 {
 using Sections = std::map<std::string, std::string>;
 
-/// Numbers of nodes of Gmsh's elements of type 1 on; from the eighth on all but the point are of second
+/// Numbers of nodes of Gmsh's elements, from type 1 on. From the eighth on all but the point are of second
 /// order.
 constexpr std::array<unsigned int, 19> n_nodes_of{
     {2, 3, 4, 4, 8, 6, 5, 3, 6, 9, 10, 27, 18, 14, 1, 8, 20, 15, 13}};
@@ -31,7 +31,7 @@ enum ElementType : unsigned int
   single_point = 15,
 };
 
-/// How many elements there are of each type and group.
+/// Counts the elements of each type and group.
 class ElementCounts
 {
 public:
@@ -98,7 +98,7 @@ unsigned int element_type(SectionReader &reader, const std::string &path)
   return static_cast<unsigned int>(type);
 }
 
-/// The body of a section, which must be there.
+/// A reader of the body of a section, which must be there.
 SectionReader reader_of(const std::string &path, const Sections &sections, const std::string &name)
 {
   const auto found = sections.find(name);
@@ -123,7 +123,7 @@ void read_names(const Sections &sections, GmshFile &file)
   reader.require_end();
 }
 
-/// Physical group of every entity (dimension, number) of format 4.1: the first one.
+/// The first physical group of every entity (dimension, number) of format 4.1.
 std::map<std::pair<std::size_t, long>, long> read_entities(const std::string &path, const Sections &sections)
 {
   std::map<std::pair<std::size_t, long>, long> groups;
@@ -137,7 +137,7 @@ std::map<std::pair<std::size_t, long>, long> read_entities(const std::string &pa
     for (std::size_t i = 0; i < n_entities[dimension]; ++i)
     {
       const long number = reader.whole();
-      reader.skip(dimension == 0 ? 3 : 6); // a place, or a box around
+      reader.skip(dimension == 0 ? 3 : 6); // a place, or a box
       for (std::size_t n = reader.count(), first = n; n > 0; --n)
         if (const long group = reader.whole(); n == first)
           groups[{dimension, number}] = group;
@@ -207,7 +207,7 @@ void read_elements(const Sections &sections, const bool in_blocks, GmshFile &fil
   counts.require_hexahedra();
 }
 
-/// Whether it is format 4.1, in blocks, rather than 2.2.
+/// Whether the format is 4.1, in blocks, and not 2.2. Throws InputError for any other.
 bool is_in_blocks(const std::string &path, const Sections &sections)
 {
   SectionReader reader = reader_of(path, sections, "$MeshFormat");

@@ -12,11 +12,12 @@
 
 namespace orthocone
 {
-/// Words of a section of a mesh file, one after the other. All faults are an InputError with the file's path.
+/// Reads words of a section of a mesh file, one after the other. All faults throw InputError with the file's
+/// path.
 class SectionReader
 {
 public:
-  /// `path` and `section` are how messages call it.
+  /// `path` and `section` are the names in messages.
   SectionReader(std::string path, std::string section, const std::string &text)
       : path_(std::move(path)),
         section_(std::move(section)),
@@ -61,7 +62,7 @@ public:
       number();
   }
 
-  /// What stands between the next two quotation marks.
+  /// The text between the next two quotation marks.
   std::string quoted()
   {
     const std::size_t first = text_.find('"', place_), last = text_.find('"', first + 1);
@@ -102,6 +103,6 @@ private:
 };
 
 /// The sections of a mesh file by their names, such as "$Nodes", without their first and last lines. Throws
-/// InputError for what does not begin with $MeshFormat, or has a section without end, or twice.
+/// InputError if the text does not begin with $MeshFormat, or has a section without end, or one twice.
 std::map<std::string, std::string> sections_of(const std::string &path, const std::string &text);
 } // namespace orthocone

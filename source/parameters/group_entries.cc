@@ -8,7 +8,7 @@ namespace orthocone::entries
 {
 namespace
 {
-/// No character that separates names or begins a comment.
+/// Whether a name has no character that separates names or begins a comment.
 bool is_group(const std::string &text)
 {
   return std::none_of(text.begin(), text.end(),
@@ -46,7 +46,7 @@ std::optional<MaterialRegion> parse_region(const std::string &text)
   return MaterialRegion{parts[0], (*constants)[0], (*constants)[1]};
 }
 
-/// Nothing if malformed, or if a volume is named twice.
+/// Reads regions. Returns nothing if the text is malformed, or if it names a volume twice.
 std::optional<std::vector<MaterialRegion>> parse_regions(const std::string &text)
 {
   std::vector<MaterialRegion> regions;

@@ -40,7 +40,7 @@ std::string unknown(const std::string &name)
          (nearest.empty() ? "" : ", is " + nearest + " meant?");
 }
 
-/// What is wrong with a component that is named again.
+/// The fault of a component that is named again.
 std::string named_twice(const std::string &name, const std::size_t component, const Drive &earlier)
 {
   const std::string before = (earlier.by_force ? wrench_names : motion_names)[component];
@@ -85,7 +85,7 @@ std::string parse_targets(const std::string &text, Leg &leg)
   return {};
 }
 
-/// Reads "steps" or "steps * parts", neither of them 0. Returns whether that is what the text says.
+/// Reads "steps" or "steps * parts", neither of them 0. Returns whether the text has this form.
 bool parse_steps(const std::string &text, Leg &leg)
 {
   const std::size_t times = text.find('*');
@@ -108,7 +108,7 @@ std::string parse_leg(const std::string &text, Leg &leg)
   return parse_targets(halves[0], leg);
 }
 
-/// Whether the leg is one of three plain numbers.
+/// Whether the leg consists of three plain numbers.
 bool is_translation(const Leg &leg)
 {
   const auto has_motion = [&](const unsigned int i) { return leg.motion(i).has_value(); };

@@ -38,7 +38,7 @@ std::string with_lower_sections(const std::string &sentence)
 
 namespace
 {
-/// What refines cells by what a run finds knows of one body.
+/// Refuses refinement by what a run finds, which knows one body only.
 void check_one_mesh(const MeshOptions &mesh)
 {
   const std::string with = " with Obstacle/Kind = body: allowed is ";

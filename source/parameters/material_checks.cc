@@ -13,7 +13,8 @@ namespace orthocone
 {
 namespace
 {
-/// The leading minors of the compliance, each times the moduli of its axes, must be positive.
+/// Requires the leading minors of the compliance, each times the moduli of its axes, to be positive
+/// (docs/theory.md, section 2, "Materials").
 void check_orthotropic(const MaterialOptions &material)
 {
   const auto &[e_x, e_y, e_z] = material.young_moduli;

@@ -6,6 +6,6 @@
 
 namespace orthocone
 {
-/// Constants that store energy under every strain; regions that there are. Throws InputError.
+/// Throws InputError unless the constants store energy under every strain, and the regions exist.
 void check_material(const Parameters &parameters);
 } // namespace orthocone

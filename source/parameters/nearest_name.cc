@@ -25,14 +25,14 @@ std::string own_part(const std::string &name)
   return name.substr(name.rfind('/') + 1);
 }
 
-/// The part before it, or "".
+/// The part before the last '/', or "".
 std::string section_of(const std::string &name)
 {
   return name.substr(0, name.size() - own_part(name).size());
 }
 
-/// Letters to insert, delete, exchange or swap with their neighbour to make `a` of `b` (the restricted
-/// Damerau-Levenshtein distance).
+/// How many letters must be inserted, deleted, exchanged or swapped with their neighbour to turn `b` into `a`
+/// (the restricted Damerau-Levenshtein distance).
 std::size_t distance(const std::string &a, const std::string &b)
 {
   std::vector<std::size_t> before_last, last(b.size() + 1), row(b.size() + 1);
@@ -68,7 +68,7 @@ std::string nearest_in_letters(const std::string &name, const std::vector<std::s
   for (const std::string &candidate : candidates)
   {
     const std::size_t d = distance(own, own_part(candidate));
-    // An entry that is right but for its section counts as one wrong letter.
+    // An entry with only its section wrong counts as one wrong letter.
     const std::size_t all = d + (section_of(name) == section_of(candidate) ? 0 : 1);
     if (d <= most && all < least)
     {
@@ -85,7 +85,7 @@ std::set<std::string> words_of(const std::string &name)
   return {std::istream_iterator<std::string>(stream), {}};
 }
 
-/// In the same section, or in any if `name` has none.
+/// Searches the same section, or all of them if `name` has none.
 std::string nearest_in_words(const std::string &name, const std::vector<std::string> &candidates)
 {
   const auto words = words_of(own_part(name));
@@ -103,7 +103,7 @@ std::string nearest_in_words(const std::string &name, const std::vector<std::str
 
 std::string nearest_name(const std::string &name, const std::vector<std::string> &candidates)
 {
-  constexpr std::size_t longest = 100;
+  constexpr std::size_t longest = 100; // letters; the distance takes their square
   if (name.size() > longest)
     return {};
   std::vector<std::string> in_lower_case;

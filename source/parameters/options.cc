@@ -26,7 +26,7 @@ MaterialOptions MaterialOptions::isotropic() const
   MaterialOptions same;
   same.young_modulus =
       is_orthotropic() ? std::cbrt(young_moduli[0] * young_moduli[1] * young_moduli[2]) : young_modulus;
-  same.poisson_ratio = is_orthotropic() ? 0.3 : poisson_ratio; // what it makes of an estimate is small
+  same.poisson_ratio = is_orthotropic() ? 0.3 : poisson_ratio; // its effect on an estimate is small
   return same;
 }
 

@@ -21,8 +21,8 @@ constexpr const char *json_form = "{\"Section\": {\"Entry\": value}}";
 
 constexpr unsigned int deepest = 10;
 
-/// Looks over the text before it is read: the library's reader keeps the last of several values of one name
-/// without a word.
+/// Checks the text before it is read, because the library's reader silently keeps the last of several values
+/// with one name.
 class JsonCheck : public JsonWalk<Json>
 {
 public:
@@ -70,7 +70,7 @@ bool JsonCheck::close()
 
 bool JsonCheck::key(string_t &name)
 {
-  constexpr unsigned int most = 1000; // the tree that is made of them finds a name by going through all
+  constexpr unsigned int most = 1000; // the library's tree searches all names for one
   if (++n_names_ > most)
     throw InputError(name_ + ": has more than " + std::to_string(most) + " names; allowed is " + json_form);
   const bool is_first = levels_.back().names.insert(name).second;
@@ -84,7 +84,8 @@ bool JsonCheck::key(string_t &name)
   throw InputError(name_ + ": " + shown(path) + " is given twice");
 }
 
-/// `position` counts the bytes up to and with the one that does not fit, which may be the end of the text.
+/// `position` counts the bytes up to the one that does not fit, including it, which may be the end of the
+/// text.
 bool JsonCheck::parse_error(const std::size_t position, const std::string &,
                             const nlohmann::detail::exception &)
 {
@@ -101,7 +102,7 @@ bool JsonCheck::parse_error(const std::size_t position, const std::string &,
                    std::to_string(column) + "; allowed is " + json_form);
 }
 
-/// What is wrong with something at the top that is not a section with entries.
+/// The fault of a value at the top that is not a section with entries.
 std::string wrong_section(const std::string &name, const Json &value)
 {
   const std::string given = shown(value.dump());

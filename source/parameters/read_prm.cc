@@ -19,7 +19,7 @@ std::string quoted(const Statement &subsection)
   return "'subsection " + shown(subsection.name) + "'";
 }
 
-/// No section has sections of its own; `open` is the section that the statement is in, if any.
+/// Checks that no section has sections of its own; `open` is the section of the statement, or null.
 void check_subsection(const Statement &statement, const Statement *const open)
 {
   if (!open && !is_section(statement.name))
@@ -31,10 +31,10 @@ void check_subsection(const Statement &statement, const Statement *const open)
     throw InputError(statement.place + ": " + not_a_section(open->name + "/" + statement.name));
 }
 
-/// The settings of the section that is open, to find those that are given twice.
+/// The settings of the open section, in which those that are given twice are found.
 using Settings = std::map<std::string, const Statement *>;
 
-/// An entry may be given again in another file, to override that of an included one, but not in the same.
+/// An entry may be given again in another file, which overrides an included one, but not in the same file.
 void check_repetition(const Statement &statement, const Settings &settings)
 {
   const auto earlier = settings.find(statement.name);

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// The two kinds of parameter files. All readers throw InputError for what is wrong and FileError for what
-// cannot be read.
+// The two kinds of parameter files. All readers throw InputError for faults of the content, and FileError for
+// files that cannot be read.
 #pragma once
 
 #include "entries.h"
@@ -18,10 +18,10 @@ std::string read_prm(const std::string &file_name, EntryTable &table);
 /// Returns the text.
 std::string read_json(const std::string &file_name, EntryTable &table);
 
-/// Sets the entry `name` ("Section/Entry"); `place` tells users where it was given ("file:line: ").
+/// Sets the entry `name` ("Section/Entry"); `place` says where it was given ("file:line: ").
 void set_entry(const std::string &place, const std::string &name, const std::string &value,
                EntryTable &table);
 
-/// The fault of a file without any setting.
+/// The message on a file without any setting.
 std::string sets_no_entry(const std::string &file_name);
 } // namespace orthocone

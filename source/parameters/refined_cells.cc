@@ -25,7 +25,7 @@ std::string rounds_text(const Rounds &rounds)
   return text;
 }
 
-/// A number, or two of them with a minus between.
+/// Reads a number, or two of them with a minus sign between.
 std::optional<CellRange> parse_range(const std::string &text)
 {
   const std::size_t minus = text.find('-');

@@ -87,7 +87,7 @@ void check_probes(const GeometryOptions &geometry, const std::vector<Probe> &pro
                        base_in_words(geometry));
 }
 
-/// Size of the largest elements at the rim of the base relative to the radius, or of a box to half its
+/// Size of the largest elements at the rim of the base, relative to the radius, or for a box to half its
 /// shorter side.
 double rim_size(const GeometryOptions &geometry, const MeshOptions &mesh)
 {
@@ -119,7 +119,7 @@ void warn_of_coarse_rim(const GeometryOptions &geometry, const MeshOptions &mesh
                      " and Layer grading < 1");
 }
 
-/// Entries that only other shapes have, if they are set to anything but their default.
+/// Warns of entries of other shapes that are set.
 void warn_of_other_shape(const Parameters &parameters, std::vector<std::string> &warnings)
 {
   static const std::vector<std::string> of_cylinders{"Geometry/Radius", "Geometry/Height", "Mesh/Core cells",
@@ -188,7 +188,7 @@ void check_shape(const Parameters &parameters)
   check_probes(parameters.geometry, parameters.output.probes);
 }
 
-/// How far the program of legs moves the top down, mm. None where a force presses.
+/// How far the load program moves the top down, mm; nothing where a force presses.
 static std::optional<double> way_down(const LoadOptions &load)
 {
   constexpr unsigned int along_z = 2;
@@ -203,7 +203,8 @@ static std::optional<double> way_down(const LoadOptions &load)
   return depth;
 }
 
-/// Whether the gap keeps the rim of a cylinder open: it is nowhere less there than what the top moves down.
+/// Whether the gap keeps the rim of a cylinder open: everywhere at the rim it is at least as large as the
+/// motion of the top down.
 static bool rim_stays_open(const Parameters &parameters)
 {
   constexpr unsigned int n_places = 32;

@@ -9,17 +9,16 @@
 
 namespace orthocone
 {
-/// The entry that says how high the body is, as messages name it.
+/// The entry of the height of the body, as messages name it.
 std::string height_entry(const GeometryOptions &geometry);
 
-/// Refuses what would choose the mesh of another shape. Throws InputError.
+/// Throws InputError for entries that would choose the mesh of another shape.
 void check_mesh_choice_of_shape(const Parameters &parameters);
 
-/// Throws InputError unless Gauss points give every deformation of a cell a stiffness.
+/// Throws InputError unless the Gauss points give every deformation of a cell a stiffness.
 void check_quadrature(const MeshOptions &mesh);
 
-/// Conditions between entries that depend on the shape: gradings, probes. Throws
-/// InputError.
+/// Checks conditions between entries that depend on the shape: gradings, probes. Throws InputError.
 void check_shape(const Parameters &parameters);
 
 /// Warns where elements at the rim of the base are too coarse, or an entry belongs to another shape.

@@ -8,7 +8,7 @@ namespace orthocone::entries
 {
 namespace
 {
-/// "WORD, WHAT ; WORD, WHAT" of the methods that `is_chosen` takes and `clause` says something of.
+/// "WORD, WHAT ; WORD, WHAT" for the methods that `is_chosen` accepts and for which `clause` is not empty.
 template<typename IsChosen, typename Clause>
 std::string listed(const IsChosen &is_chosen, const Clause &clause)
 {

@@ -15,7 +15,7 @@ namespace orthocone::entries
 {
 using ContactMethodTest = std::function<bool(const ContactMethod &)>;
 
-/// Words of the contact solvers; with a test, of those that pass it.
+/// Words of the contact solvers; with a test, of the solvers that pass it.
 std::string contact_method_words(const std::string &separator, const ContactMethodTest &is_chosen = {});
 
 /// A contact solver by its word.

@@ -20,7 +20,7 @@ namespace
 {
 namespace fs = std::filesystem;
 
-/// A line without its comment and joined with those that continue it.
+/// A line without its comment, joined with the lines that continue it.
 struct Line
 {
   std::string text;
@@ -33,7 +33,7 @@ bool continues(const std::string &text)
   return !text.empty() && text.back() == '\\';
 }
 
-/// What counts of a line of the file: no comment, no backslash.
+/// The content of a line of the file, without comment and backslash.
 std::string content_of(const std::string &text, const std::string &place)
 {
   const auto comment = text.find('#');
@@ -60,14 +60,14 @@ std::vector<Line> lines_of(const std::string &content, const std::string &file_n
     if (!is_continued)
       lines.push_back({"", place, ""});
     lines.back().raw += raw;
-    // A blank between: "0 0 1\" and "0 : 5" are not to become "0 0 10 : 5".
+    // A blank is put between them: "0 0 1\" and "0 : 5" must not become "0 0 10 : 5".
     lines.back().text = trimmed(lines.back().text + (is_continued ? " " : "") + content_of(text, place));
     is_continued = continues(text);
   }
   return lines;
 }
 
-/// What stands behind `keyword`, or "" if the line does not begin with it.
+/// The text behind `keyword`, or "" if the line does not begin with it.
 std::string behind(const std::string &keyword, const std::string &text)
 {
   return text.compare(0, keyword.size() + 1, keyword + " ") == 0 ? trimmed(text.substr(keyword.size())) : "";
@@ -97,8 +97,7 @@ std::string included_path(const std::string &including, const std::string &inclu
   return (fs::equivalent(path, direct, code) ? direct : path).string();
 }
 
-/// The line as it may stand in a copy of the file elsewhere: with the whole path of the one entry that names
-/// a file.
+/// The line for a copy of the file in any folder: with the whole path where the entry names a file.
 std::string text_for_any_folder(const Line &line, const std::optional<Statement> &statement)
 {
   if (!statement || statement->kind != Statement::Kind::set || statement->name != "Gap file" ||

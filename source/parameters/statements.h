@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// The language of .prm files. It is deal.II's, read here line by line so that every fault is told with the
-// file and the line that it is in, also of included files, which deal.II's own reader cannot do.
+// The language of .prm files. It is deal.II's, read here line by line so that every fault is reported with
+// its file and line. deal.II's own reader cannot do this for included files.
 #pragma once
 
 #include <string>
@@ -30,9 +30,9 @@ struct Statement
 struct StatementFile
 {
   std::vector<Statement> statements;
-  std::string text; ///< as written; of included files between two comments
+  std::string text; ///< as written, with included files between two comments
 };
 
-/// Throws FileError for what cannot be read and InputError for lines that are no statements.
+/// Reads a .prm file. Throws FileError if it cannot be read, and InputError for lines that are no statements.
 StatementFile read_statements(const std::string &file_name);
 } // namespace orthocone

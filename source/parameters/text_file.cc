@@ -39,12 +39,12 @@ std::string with_plain_line_ends(const std::string &content)
   return text;
 }
 
-/// An open file of any kind. It is opened without waiting: a pipe would wait for a writer that may never
+/// An open file of any kind. Opening does not wait: with a pipe it would wait for a writer that may never
 /// come.
 class InputFile
 {
 public:
-  /// `name` is how messages call it.
+  /// `name` is the file's name in messages.
   InputFile(const std::string &path, std::string name)
       : name_(std::move(name)),
         descriptor_(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC))
@@ -87,7 +87,7 @@ private:
     throw FileError(name_ + ": cannot be read (" + std::strerror(cause) + ")");
   }
 
-  /// Waits for bytes; 0 at the end.
+  /// Waits for bytes and returns their number; 0 at the end.
   std::size_t read_piece(std::array<char, 65536> &piece, const bool is_first)
   {
     constexpr int patience = 50, pause = 100; // times, ms
@@ -102,7 +102,7 @@ private:
         throw FileError(name_ + ": cannot be read (" + std::strerror(errno) + ")");
       if (n == 0 && ++n_empty == patience)
         throw FileError(name_ + ": is a pipe, and nobody has written into it for five seconds");
-      // A pipe that has a writer says EAGAIN, and may take as long as it wants.
+      // A pipe with a writer gives EAGAIN, and may take any time.
       pollfd poll_for{descriptor_, POLLIN, 0};
       n == 0 ? ::poll(nullptr, 0, pause) : ::poll(&poll_for, 1, -1);
     }

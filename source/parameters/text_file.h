@@ -6,7 +6,7 @@
 
 namespace orthocone
 {
-/// What a text file is wanted for, as messages tell it.
+/// The purpose of a text file, as messages name it, and its limits.
 struct TextFileKind
 {
   const char *name;
@@ -19,9 +19,9 @@ constexpr TextFileKind parameter_file{
     "'orthocone --defaults' prints a complete parameter file to start from"};
 constexpr TextFileKind gap_grid_file{"a text file with a grid of gaps", 100, "a grid of gaps is wanted"};
 
-/// Content of a text file, byte for byte. It may be a pipe or a device and is read once: up to so many MB,
-/// and a pipe without a writer for five seconds. Throws FileError if it cannot be read, InputError if it is
-/// empty, binary or larger; their messages begin with `asked_from` ("" or "file:line: ").
+/// Content of a text file, byte for byte. It may be a pipe or a device and is read once, up to the megabytes
+/// of its kind; a pipe without a writer is read for five seconds. Throws FileError if it cannot be read,
+/// InputError if it is empty, binary or larger; their messages begin with `asked_from` ("" or "file:line: ").
 std::string read_text_file(const std::string &file_name, const std::string &asked_from = "",
                            const TextFileKind &kind = parameter_file);
 

@@ -13,7 +13,7 @@ namespace
 {
 bool is_file_name(const std::string &name)
 {
-  constexpr std::size_t longest = 100; // file systems allow 255 with all that is put before and behind
+  constexpr std::size_t longest = 100; // file systems allow 255, including what is added in front and behind
   return !name.empty() && name.size() <= longest &&
          std::all_of(name.begin(), name.end(),
                      [](const unsigned char c) { return std::isalnum(c) != 0 || c == '-' || c == '_'; });

@@ -39,8 +39,8 @@ void warn_of_locking(const MaterialOptions &material, const MeshOptions &mesh,
                        "take degree 2 or 3, or Mesh/Volumetric quadrature = reduced");
 }
 
-/// Motion of the held face (mm, degrees) at the corners of the load program; 0 where it is not known, because
-/// a force is.
+/// Motion of the held face (mm, degrees) at the corners of the load program; 0 where it is unknown because a
+/// force is given.
 using Corner = std::array<double, n_rigid_components>;
 
 std::vector<Corner> corners(const LoadOptions &load)
@@ -57,7 +57,7 @@ std::vector<Corner> corners(const LoadOptions &load)
     }
   };
   pass(load.preload);
-  // The second cycle begins with what the last leg of the first one leaves; the others are like it.
+  // The second cycle begins where the last leg of the first one ends; the others are like it.
   for (unsigned int cycle = 0; cycle < std::min(load.cycles, 2u); ++cycle)
     pass(load.legs);
   return all;
@@ -74,7 +74,7 @@ bool presses_otherwise(const Leg &leg)
 void warn_of_large_strain(const std::string &motion, const double largest, const std::string &strain,
                           const GeometryOptions &geometry, std::vector<std::string> &warnings)
 {
-  constexpr double small = 0.05;
+  constexpr double small = 0.05; // strains that linear elasticity is good for
   constexpr double percent = 100;
   const double height = geometry.held_height();
   if (largest / height > small)
@@ -84,7 +84,8 @@ void warn_of_large_strain(const std::string &motion, const double largest, const
                        " %; the program computes with small strains, good to about 5 %");
 }
 
-/// Most that friction can shear the body sideways under a compression by `compression`: mu E strain / G.
+/// The largest motion (mm) by which friction can shear the body sideways under a compression by `compression`
+/// (mm): mu E strain / G times the height.
 double sheared_by_friction(const Parameters &parameters, const double compression)
 {
   return 2 * (1 + parameters.material.isotropic().poisson_ratio) *
@@ -94,7 +95,7 @@ double sheared_by_friction(const Parameters &parameters, const double compressio
 void warn_of_large_strains(const Parameters &parameters, std::vector<std::string> &warnings)
 {
   if (parameters.geometry.is_from_file())
-    return; // whose height is not known here
+    return; // its height is not known here
   double compression = 0;
   double sideways = 0;
   for (const auto &corner : corners(parameters.load))
@@ -103,7 +104,7 @@ void warn_of_large_strains(const Parameters &parameters, std::vector<std::string
     sideways = std::max(sideways, std::hypot(corner[0], corner[1]));
   }
   warn_of_large_strain("|u_z|", compression, "is a strain", parameters.geometry, warnings);
-  // Beyond that the base slides along.
+  // The base slides if it is moved any further.
   const double sheared = std::min(sideways, sheared_by_friction(parameters, compression));
   warn_of_large_strain("|u_t| without sliding", sheared, "is a shear", parameters.geometry, warnings);
 }
@@ -158,7 +159,7 @@ void warn_of_weak_method(const ContactSolverOptions &solver, std::vector<std::st
                        ContactSolverOptions().method + " is the method to work with");
 }
 
-/// Entries of a half-space where there is none, if they are set to anything but their default.
+/// Warns of entries of a half-space that are set where there is none.
 void warn_of_ignored_half_space(const ObstacleOptions &obstacle, std::vector<std::string> &warnings)
 {
   if (obstacle.kind == ObstacleKind::half_space)
@@ -171,7 +172,7 @@ void warn_of_ignored_half_space(const ObstacleOptions &obstacle, std::vector<std
     warnings.push_back("Obstacle/Poisson ratio = " + to_text(given.poisson_ratio) + ignored);
 }
 
-/// The same of a lower body; where there is one, what is suspicious about it.
+/// Does the same for a lower body. Where there is one, warns of what is suspicious about it.
 void warn_of_lower_body(const Parameters &parameters, std::vector<std::string> &warnings)
 {
   if (parameters.obstacle.kind == ObstacleKind::body)
@@ -202,7 +203,7 @@ void warn_of_unresolved_period(const std::string &entry, const double bound, con
                        ": what the solver leaves may hide, or look like, a change from cycle to cycle");
 }
 
-/// Cycles that differ count as alike, which makes what is jumped or left out wrong by about as much.
+/// Cycles that differ count as alike, so that what is jumped or left out has errors of about this size.
 void warn_of_loose_period(const std::string &entry, const double bound, std::vector<std::string> &warnings)
 {
   constexpr double most = 1e-3, percent = 100;

@@ -10,7 +10,7 @@ namespace orthocone
 {
 namespace
 {
-/// What people type, in lower case. Symbols are too short for a search of misspellings.
+/// Words that people type, in lower case. Symbols are too short for a search of misspellings.
 const std::map<std::string, std::string> &entries_of_words()
 {
   static const std::map<std::string, std::string> entries{{"mu", "Friction/Coefficients"},

@@ -6,9 +6,10 @@
 
 namespace orthocone
 {
-/// The map of a problem to FCLIB's isotropic, associated form, node by node: r = force r', displacement d' =
-/// displacement d, with force = D = diag(1, mu_x, mu_y), displacement = D diag(1, Q^2) and mu = 1. Nodes
-/// whose law is isotropic and associated, or without friction, stay as they are.
+/// The map of a problem to FCLIB's isotropic, associated form, node by node: r = `force` r' and d' =
+/// `displacement` d, with `force` = D = diag(1, mu_x, mu_y), `displacement` = D diag(1, Q^2) and mu = 1
+/// (docs/theory.md, section 9). Nodes whose law is isotropic and associated, or without friction, stay in
+/// their own scale.
 struct FclibScale
 {
   explicit FclibScale(const std::vector<OrthotropicFriction> &laws);

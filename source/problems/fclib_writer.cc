@@ -26,10 +26,10 @@ using Eigen::VectorXd;
 
 namespace
 {
-/// Rows of a full matrix whose entries FCLIB can count.
+/// The largest number of rows of a full matrix whose entries FCLIB can count.
 constexpr Index most_rows = 46000;
 
-/// A full matrix as FCLIB's library has it, by columns, since its measure of error knows no other.
+/// A full matrix by columns in the form of FCLIB's library, whose measure of error knows no other form.
 class FclibMatrix
 {
 public:
@@ -129,7 +129,7 @@ void write_extension(const std::vector<OrthotropicFriction> &laws, const double 
   throw FileError("'" + file + "' cannot be written: " + why);
 }
 
-/// FCLIB ends the program where it cannot write: it is asked only where a file can be made and has room.
+/// FCLIB ends the program where it cannot write. So it is called only where a file can be made and has room.
 void check_room(const std::string &part, const std::string &file, const double n_values)
 {
   constexpr double bytes_of_value = sizeof(double) + sizeof(int), bytes_of_names = 1e5;
@@ -138,7 +138,7 @@ void check_room(const std::string &part, const std::string &file, const double n
   std::error_code error;
   const auto space = std::filesystem::space(part, error);
   std::error_code ignored;
-  std::filesystem::remove(part, ignored); // FCLIB wants to make it
+  std::filesystem::remove(part, ignored); // FCLIB makes it itself
   if (error)
     fail(file, error.message());
   if (static_cast<double>(space.available) < n_values * bytes_of_value + bytes_of_names)

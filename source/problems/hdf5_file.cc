@@ -15,7 +15,7 @@ namespace orthocone
 {
 namespace
 {
-/// An identifier of HDF5, and what gives it back.
+/// An identifier of HDF5, and the function that closes it.
 class Handle
 {
 public:
@@ -40,7 +40,7 @@ private:
   herr_t (*close_)(hid_t);
 };
 
-/// Reads all numbers of an array into what `make_room` returns for so many.
+/// Reads all numbers of an array into the memory that `make_room` returns for their number.
 template<typename MakeRoom>
 void read_array(const Hdf5File &file, const hid_t id, const std::string &path, const hid_t type,
                 const H5T_class_t wanted, const MakeRoom &make_room)
@@ -55,7 +55,7 @@ void read_array(const Hdf5File &file, const hid_t id, const std::string &path, c
   if (H5Tget_class(stored.id()) != wanted || n < 0)
     file.fail(path +
               (wanted == H5T_INTEGER ? " does not hold integers" : " does not hold floating-point numbers"));
-  // What a damaged file says of its size must not ask for more memory than it has numbers.
+  // The size in a damaged file must not demand more memory than the file has numbers.
   if (n > 0 && H5Dget_storage_size(array.id()) == 0)
     file.fail(path + " has no values");
   if (H5Dread(array.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, make_room(n)) < 0)
@@ -66,7 +66,7 @@ void read_array(const Hdf5File &file, const hid_t id, const std::string &path, c
 Hdf5File::Hdf5File(std::string name, const Access access)
     : name_(std::move(name))
 {
-  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // messages are ours
+  H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // the program words its own messages
   if (!std::ifstream(name_))
     fail(std::string("cannot be opened: ") + std::strerror(errno));
   if (H5Fis_hdf5(name_.c_str()) <= 0)

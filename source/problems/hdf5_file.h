@@ -9,8 +9,8 @@
 
 namespace orthocone
 {
-/// Arrays of numbers in an HDF5 file. What cannot be read or written throws FileError with the name of the
-/// file and of the array.
+/// Arrays of numbers in an HDF5 file. All functions throw FileError, which names the file and the array, for
+/// what cannot be read or written.
 class Hdf5File
 {
 public:
@@ -37,7 +37,7 @@ public:
   void make_group(const std::string &path);
   void write(const std::string &path, const Eigen::VectorXd &values);
 
-  /// Until then what is written may not be on the disk.
+  /// Closes the file. Before this the content may not be on the disk.
   void close();
 
   [[noreturn]] void fail(const std::string &what) const;

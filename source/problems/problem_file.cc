@@ -17,7 +17,8 @@ namespace
 {
 const std::string local = "/fclib_local";
 
-/// Rows and columns of the entries of a matrix of FCLIB: by columns (nz = -1), by rows (-2), or one by one.
+/// Rows and columns of the entries of a matrix of FCLIB, stored by columns (nz = -1), by rows (-2), or one by
+/// one.
 struct Pattern
 {
   std::vector<int> rows, columns;
@@ -52,7 +53,7 @@ Pattern read_pattern(const Hdf5File &file, const std::string &path, const std::s
   return {std::move(p), std::move(i)};
 }
 
-/// m x n; the sizes are known already, so that no damaged one asks for memory.
+/// Reads an m x n matrix; its sizes are known already, so that no damaged size demands memory.
 MatrixXd read_matrix(const Hdf5File &file, const std::string &path, const Index m, const Index n)
 {
   if (file.integer(path + "/m") != m || file.integer(path + "/n") != n)
@@ -83,7 +84,7 @@ VectorXd read_vector(const Hdf5File &file, const std::string &path, const Index 
   return values;
 }
 
-/// The laws of the extension, else those that FCLIB knows.
+/// The laws of the extension, or else the laws that FCLIB knows.
 std::vector<OrthotropicFriction> read_laws(const Hdf5File &file, const Index n)
 {
   const bool is_ours = file.has("/orthocone");
@@ -107,7 +108,7 @@ std::vector<OrthotropicFriction> read_laws(const Hdf5File &file, const Index n)
   return laws;
 }
 
-/// Takes W for symmetric if it is up to rounding.
+/// Makes W exactly symmetric if it is symmetric up to rounding. Throws FileError if it is not.
 void make_symmetric(const Hdf5File &file, MatrixXd &w)
 {
   constexpr double rounding = 1e-8;
@@ -127,7 +128,8 @@ void make_symmetric(const Hdf5File &file, MatrixXd &w)
   }
 }
 
-/// u = W r + V l + q with V^T r + R l + s = 0: l is eliminated where R resists.
+/// Reads u = W r + V l + q with V^T r + R l + s = 0, and eliminates l where R resists (docs/theory.md,
+/// section 9).
 void read_constraints(const Hdf5File &file, ContactProblem &problem)
 {
   const VectorXd s = file.numbers(local + "/vectors/s");

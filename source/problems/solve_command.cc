@@ -42,7 +42,7 @@ const char *const usage =
     "  --iterations NUMBER  sweeps or iterations at most (5000)\n"
     "  --friction MU_X,MU_Y friction of all nodes, instead of that of the file\n"
     "  --slip P_X,P_Y       slip ellipse of all nodes, instead of that of the file\n"
-    "  --repeat NUMBER      solves so many times, and tells the median of the seconds (1)\n"
+    "  --repeat NUMBER      solves so many times, and prints the median of the seconds (1)\n"
     "  --stored             judges the solution in the file, instead of solving\n"
     "  --write FILE.hdf5    writes the problem and the solution\n"
     "  --csv                prints a line of names and a line of values\n"
@@ -115,7 +115,7 @@ SolveOptions parsed(const std::vector<std::string> &arguments)
     else
       throw InputError("option '" + arguments[i] + "' wants a value; --help lists them");
   if (options.file.empty() && !options.is_help)
-    throw InputError("which file? --help tells more");
+    throw InputError("which file? --help says more");
   if (find_contact_method(options.solver.method) == nullptr)
     throw InputError("--method = '" + options.solver.method + "': --help lists the methods");
   return options;
@@ -150,7 +150,7 @@ FreeFace face_of(const ContactProblem &problem)
   }
 }
 
-/// A line of names and one of values.
+/// Prints a line of names and a line of values.
 void print_csv(const std::vector<std::pair<std::string, std::string>> &values, std::ostream &out)
 {
   for (const bool is_name : {true, false})
@@ -202,7 +202,7 @@ struct Answer
 {
   SolverReport report;
   ProblemSolution solution;
-  double seconds = 0; ///< of the solver and what it prepares
+  double seconds = 0; ///< of the solver and its preparation
 };
 
 Answer answer(const SolveOptions &options, const ContactProblem &problem)

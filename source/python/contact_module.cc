@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// The contact column for Python, on NumPy's memory. python/orthocone/contact.py checks and documents; here
-// shapes are right already. Laws are rows (mu_x, mu_y, p_x, p_y), one a node.
+// The contact column for Python, on NumPy's memory. python/orthocone/contact.py checks and documents, so that
+// shapes are right here. Laws are rows (mu_x, mu_y, p_x, p_y), one for each node.
 #include <orthocone/contact/solvers/contact_method.h>
 #include <orthocone/contact/solvers/contact_solver.h>
 
@@ -36,7 +36,7 @@ Laws to_laws(const Array &rows)
   return laws;
 }
 
-/// The vector itself as an array of so many columns: NumPy frees it.
+/// The vector itself, without a copy, as an array of so many columns: NumPy frees it.
 Array to_rows(Eigen::VectorXd vector, const Index n_columns)
 {
   auto owner = std::make_unique<Eigen::VectorXd>(std::move(vector));
@@ -47,7 +47,7 @@ Array to_rows(Eigen::VectorXd vector, const Index n_columns)
   return Array({n_rows, n_columns}, data, free);
 }
 
-/// What `function` makes of every row of `in` and its law, in rows of n_out numbers.
+/// Applies `function` to every row of `in` and its law; returns rows of n_out numbers.
 template<int n_in, int n_out, typename Function>
 Array for_each_node(const Array &in, const Array &rows, const Function &function)
 {
@@ -101,8 +101,7 @@ void add_laws(py::module_ &m)
         });
 }
 
-/// Largest |w_ij - w_ji| / sqrt(w_ii w_jj); entries that are no numbers, or a diagonal that is not positive,
-/// make it NaN.
+/// Largest |w_ij - w_ji| / sqrt(w_ii w_jj); NaN if an entry is no number or a diagonal entry is not positive.
 double asymmetry(const py::array_t<double> &array)
 {
   const DenseView w = matrix_view(array);
@@ -147,7 +146,7 @@ py::dict to_dict(const SolverReport &report)
   return result;
 }
 
-/// (force, displacement, status, report).
+/// Returns (force, displacement, status, report).
 py::tuple solve(const py::array_t<double> &w, const Array &q, const Array &laws, const Array &start,
                 const ContactSolverOptions &options)
 {

@@ -47,7 +47,7 @@ ContactFields mapped(ContactFields fields, const Eigen::Matrix2d &map)
   return fields;
 }
 
-/// The contact node that has most of what a hanging node has.
+/// The contact node with the largest weight in a hanging node.
 static unsigned int nearest(const HangingNode &hanging)
 {
   return std::max_element(hanging.terms.begin(), hanging.terms.end(),
@@ -56,7 +56,8 @@ static unsigned int nearest(const HangingNode &hanging)
       ->node;
 }
 
-/// The face between contact nodes; what is not a field on it is that of the nearest.
+/// Fields of a hanging node: interpolated between contact nodes, or those of the nearest one where they
+/// cannot be.
 static ContactFields between(const HangingNode &hanging, const std::vector<ContactFields> &all)
 {
   ContactFields fields;
@@ -72,7 +73,7 @@ static ContactFields between(const HangingNode &hanging, const std::vector<Conta
   return fields;
 }
 
-/// Of what the contact nodes have that are as the nearest.
+/// The sample of a hanging node: the mean over the contact nodes with the status of the nearest one.
 static StickSample between(const HangingNode &hanging, const std::vector<StickSample> &samples)
 {
   StickSample sample;
@@ -145,7 +146,7 @@ double ContactFieldEvaluator::stick_area(const ContactState &state) const
   {
     StickSample &sample = samples[node];
     const Vector3d r = state.force.segment<3>(3 * static_cast<Eigen::Index>(node));
-    // The friction coefficient is that along the force, but has to stay defined where there is no such
+    // The friction coefficient is taken along the force, but must stay defined where the force has no
     // direction.
     const OrthotropicFriction &law = system_.given_law(static_cast<Eigen::Index>(node));
     const double load = r[0] > 0 ? friction_norm(law, r[1], r[2]) / r[0] : 1;

@@ -52,7 +52,7 @@ double change_of_state(const ContactState &start, const ContactState &end, const
   const RigidMotion change{end.motion.components - start.motion.components};
   const double held = std::max(change.translation().cwiseAbs().maxCoeff(), reach * change.rotation().norm());
   const double moved = std::max(held, largest_of_nodes(end.displacement - start.displacement));
-  // Where forces drive the face, its way is in no program.
+  // Where forces drive the face, the load program does not have its motion.
   const double way = std::max(largest_way(start.motion, reach), largest_way(end.motion, reach));
   return std::max(relative(largest_force_of_nodes(end.force - start.force, shares), largest_force),
                   relative(moved, std::max(length, way)));

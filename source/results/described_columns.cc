@@ -10,7 +10,7 @@ namespace orthocone
 {
 namespace
 {
-/// Lines of one file. An `Item` has a name, a unit, and a text that says what it is.
+/// The lines of one file. An `Item` has a name, a unit, and a text on its meaning.
 template<typename Item>
 std::string lines(const std::string &file, const std::vector<Item> &items)
 {

@@ -16,7 +16,8 @@ namespace orthocone
 {
 namespace
 {
-/// Work that force and moment of the held face, which balance those of the plane, do on the way of a step.
+/// Work (N mm) of force and moment of the held face, which balance those of the plane, on the motion of a
+/// step.
 double work_of(const Totals &totals, const RigidMotion &before, const RigidMotion &after)
 {
   return -(totals.force.dot(after.translation() - before.translation()) +
@@ -31,7 +32,7 @@ bool is_finite(const ContactState &state, const Totals &totals)
          std::isfinite(totals.total_dissipation);
 }
 
-/// The natural map sees slip with the weights (p/mu)^2, the slip rule without.
+/// The natural map weights slip by (p/mu)^2, the slip rule does not.
 double slip_amplification(const ContactSystem &system)
 {
   double largest = 1;
@@ -92,7 +93,7 @@ double work_into_wear(const ContactState &before, const ContactState &after)
             (after.found_depth[node] - before.found_depth[node]);
   return work;
 }
-/// The lower body under the same forces, and what its own displacements part the surfaces by.
+/// Includes the lower body under the same forces, and the part of its displacements in the gap and slip.
 void include(BodyMismatch &mismatch, const LowerBody &lower, const NodeVector &force,
              const NodeVector &given_way, const double bound)
 {
@@ -137,7 +138,7 @@ void StepChecker::check_equilibrium(const ContactState &state, StepChecks &check
 }
 
 /// Work of the top - change of elastic energy = -(work of the mean contact forces), whatever the forces: an
-/// error tells of totals, energies or displacements that do not belong to the forces.
+/// error shows totals, energies or displacements that do not belong to the forces.
 double StepChecker::identity_error(const Situation &before, const Situation &after, const double work) const
 {
   const double of_contact = -0.5 * n_copies_ *
@@ -154,7 +155,7 @@ StepChecks StepChecker::check(const Situation &before, const Situation &after, c
   checks.law = report.law;
   checks.wear_of_flattening = wear_of_flattening(before.state, after.state, opening_);
   checks.slip_of_change = slip_of_change(after.state, change_lengths_);
-  // The law's own measure is relative to all displacements, which a long slide makes large.
+  // The law's own measure is relative to all displacements, which are large in a long slide.
   if (compression_ > 0)
     checks.law.penetration = std::max(checks.law.penetration, report.penetration / compression_);
   check_equilibrium(after.state, checks);
@@ -162,7 +163,7 @@ StepChecks StepChecker::check(const Situation &before, const Situation &after, c
   const double work_last = work_of(after.totals, before.state.motion, after.state.motion);
   const double in_one = 0.5 * (work_first + work_last);
   checks.work = report.n_parts > 1 ? after.state.work - before.state.work : in_one;
-  // Dissipation must not be in the scale: if it is wrong, it is large.
+  // Dissipation must not be in the scale, because it is large if it is wrong.
   checks.energy =
       std::max({largest_energy, after.totals.elastic_energy, std::abs(work_first), std::abs(work_last)});
   double identity = identity_error(before, after, in_one);
@@ -207,7 +208,7 @@ std::optional<std::string> StepChecker::violation(const StepChecks &checks) cons
   return std::nullopt;
 }
 
-/// Whatever the tolerance, the law is not obeyed where a tenth of the largest force or displacement is wrong.
+/// Whatever the tolerance, the law is violated where a tenth of the largest force or displacement is wrong.
 double StepChecker::law_bound(const double multiple) const
 {
   constexpr double most = 0.1;
@@ -216,7 +217,7 @@ double StepChecker::law_bound(const double multiple) const
 
 double StepChecker::slip_rule_bound() const
 {
-  constexpr double most_by_amplification = 1e-3;
+  constexpr double most_by_amplification = 1e-3; // docs/theory.md, section 5
   const double bound = law_bound(options_.slip_rule);
   return std::max(bound, std::min(slip_amplification_ * bound, most_by_amplification));
 }

@@ -77,7 +77,7 @@ Place between(const Place &from, const Place &to, const double along)
   return {{from[0] + along * (to[0] - from[0]), from[1] + along * (to[1] - from[1])}};
 }
 
-/// Area of a polygon, its corners in order.
+/// Area of a polygon whose corners are in order.
 double polygon_area(const std::vector<Place> &corners)
 {
   double sum = 0;
@@ -152,7 +152,7 @@ double StickArea::operator()(const std::vector<StickSample> &samples) const
   return sum;
 }
 
-/// Where between two nodes, of which just one sticks, stick ends: 0 at the first, 1 at the second.
+/// The place where stick ends between two nodes, only one of which sticks: 0 at the first, 1 at the second.
 double StickArea::border(const StickSample &first, const StickSample &second, const double length) const
 {
   const bool first_sticks = first.status == NodeStatus::stick;
@@ -164,8 +164,8 @@ double StickArea::border(const StickSample &first, const StickSample &second, co
   return first_sticks ? share : 1 - share;
 }
 
-/// Share of the polygon of those corners that stick and of the places on the sides where stick ends. These
-/// are found twice: only where the border runs is known how far apart the ends of a side are across it.
+/// Share of the polygon between the corners that stick and the places on the sides where stick ends. These
+/// places are found twice: the distance of a side's ends across the border is known only when the border is.
 double StickArea::share(const Cell &cell, const std::vector<StickSample> &samples) const
 {
   std::array<bool, 4> sticks{};
@@ -194,7 +194,7 @@ StickArea::Borders StickArea::borders_of(const Cell &cell, const std::array<bool
                                          const std::vector<StickSample> &samples,
                                          const std::optional<Place> &normal) const
 {
-  constexpr double least_length = 0.1; // of a side along the border, relative
+  constexpr double least_length = 0.1; // relative, of a side along the border
   Borders borders;
   for (unsigned int i = 0; i < 4; ++i)
   {
@@ -213,7 +213,8 @@ StickArea::Borders StickArea::borders_of(const Cell &cell, const std::array<bool
   return borders;
 }
 
-/// Of the line through two borders; nothing if there are more of them, or if both are the same place.
+/// The normal of the line through two borders; nothing if there are more than two, or if both are at the same
+/// place.
 std::optional<StickArea::Place> StickArea::normal_of(const Borders &borders)
 {
   if (borders.size() != 2)

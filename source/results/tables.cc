@@ -28,7 +28,7 @@ double dissipated(const SolvedStep &step)
   return step.totals.total_dissipation - step.before.total_dissipation;
 }
 
-/// In the order in which files have always had them.
+/// The columns in the order that files have always had.
 Columns<SolvedStep> first_history_columns()
 {
   return {{"step", "", "number of the load step, from 1", [](const Step &s) { return s.state.step; }},
@@ -64,7 +64,7 @@ Columns<SolvedStep> first_history_columns()
            [](const Step &s) { return s.report.residual; }}};
 }
 
-/// Those that came later stand behind them.
+/// Columns that were added later come behind them.
 Columns<SolvedStep> later_history_columns()
 {
   constexpr const char *of_plane = "moment of the plane on the body, about the centre of the held face";

@@ -28,8 +28,8 @@ void count_status(const NodeStatus status, const unsigned int n, Totals &totals)
   }
 }
 
-/// Forces across a plane of symmetry cancel between the copies, radial ones around a ring; so do moments, but
-/// for the one about the normal of a plane.
+/// Sets to zero what cancels: forces across a plane of symmetry cancel between the copies, radial ones around
+/// a ring, and so do moments, except the one about the normal of a plane.
 void leave_out_what_cancels(const ModelSymmetry &symmetry, Totals &totals)
 {
   const bool is_ring = symmetry.is_axisymmetric();

@@ -15,11 +15,11 @@ WearJumps::WearJumps(const WearOptions &options, VectorXd areas)
 {
 }
 
-/// How much longer than the last one the next jump may be: the rates at both its ends should differ by a
-/// tenth.
+/// The factor by which the next jump may be longer than the last one: the rates at both its ends should
+/// differ by a tenth.
 double WearJumps::growth(const VectorXd &rate) const
 {
-  constexpr double wanted = 0.1, least = 0.25, most = 2;
+  constexpr double wanted = 0.1, least = 0.25, most = 2; // docs/theory.md, section 3, "Jumps"
   const double worn = areas_.dot(rate.cwiseMax(memory_.rate));
   const double changed = areas_.dot((rate - memory_.rate).cwiseAbs());
   return changed > 0 ? std::clamp(wanted * worn / changed, least, most) : most;
@@ -28,7 +28,7 @@ double WearJumps::growth(const VectorXd &rate) const
 unsigned int WearJumps::after_cycle(const ContactState &start, const ContactState &end,
                                     const unsigned int most)
 {
-  constexpr double first_share = 0.125; // of the largest depth: how fast the rate changes is not known yet
+  constexpr double first_share = 0.125; // of the largest depth: the change of the rate is not known yet
   if (!are_wanted() || ++memory_.n_settled < 2)
     return 0;
   const VectorXd rate = end.wear_depth - start.wear_depth;

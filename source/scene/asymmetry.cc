@@ -14,7 +14,7 @@ namespace orthocone
 {
 namespace
 {
-/// Why the body or its cells are not as symmetric as a model; empty if they are.
+/// Why the body or its cells do not have the symmetry of a model; empty if they do.
 std::string of_shape(const Parameters &parameters, const SymmetryPlanes &of_file,
                      const ModelSymmetry &symmetry)
 {
@@ -54,7 +54,8 @@ std::string of_load(const LoadOptions &load, const ModelSymmetry &symmetry)
   return {};
 }
 
-/// The axes of an orthotropic material are x, y and z, and those of a region its file mirrors.
+/// Why the material does not have the symmetry of a model. The axes of an orthotropic material are x, y and
+/// z, and a file mirrors its regions.
 std::string of_material(const MaterialOptions &material, const ModelSymmetry &symmetry)
 {
   return symmetry.is_axisymmetric() && material.is_orthotropic()
@@ -62,7 +63,7 @@ std::string of_material(const MaterialOptions &material, const ModelSymmetry &sy
              : "";
 }
 
-/// Why the lower body is not as symmetric as a model; empty if it is, or if there is none.
+/// Why the lower body does not have the symmetry of a model; empty if it does, or if there is none.
 std::string of_lower(const Parameters &parameters, const SymmetryPlanes &of_file,
                      const ModelSymmetry &symmetry)
 {

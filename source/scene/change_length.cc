@@ -38,7 +38,7 @@ void shorten(VectorXd &lengths, const Values &values, const std::vector<Vector2d
     const VectorXd slope = slopes(values, places[i], step);
     double &length = lengths[static_cast<Eigen::Index>(i)];
     for (Eigen::Index k = 0; k < slope.size(); ++k)
-      if (slope[k] > 0 && std::isfinite(slope[k])) // just outside of the surface there may be nothing
+      if (slope[k] > 0 && std::isfinite(slope[k])) // just outside the surface there may be no value
         length =
             std::min(length, std::max(step, ranges[k] / slope[k])); // all nodes may lie on zeros of a wave
   }
@@ -48,7 +48,7 @@ void shorten(VectorXd &lengths, const Values &values, const std::vector<Vector2d
 VectorXd change_lengths(const Obstacle &obstacle, const FrictionField &friction,
                         const ContactSurface &surface)
 {
-  constexpr double fine = 1e-4;
+  constexpr double fine = 1e-4; // step of the differences, relative to the reach of the surface
   const std::vector<Vector2d> places = places_of(surface);
   double reach = 0;
   for (const Vector2d &place : places)

@@ -18,7 +18,7 @@ namespace
 {
 constexpr unsigned int normal = 2;
 
-/// The held face on its way through the program, where motions alone say where it is.
+/// The held face on its way through the program, as long as motions alone determine where it is.
 class Way
 {
 public:
@@ -33,7 +33,7 @@ public:
       }
   }
 
-  /// Whether a leg begins to press by a force where a motion was before.
+  /// Whether a force other than 0 takes over from a motion along z in this leg.
   bool is_left_by(const Leg &leg) const
   {
     const auto &target = leg.targets[normal];

@@ -32,7 +32,7 @@ Matrix2d tensor(const std::array<double, 2> &axes, const double degrees)
   return turn * Vector2d(axes[0] * axes[0], axes[1] * axes[1]).asDiagonal() * turn.transpose();
 }
 
-/// Both ellipses; of the slip ellipse its shape alone.
+/// Both ellipses; the slip ellipse has its shape only, not its size.
 std::pair<Matrix2d, Matrix2d> ellipses(const FrictionOptions &there)
 {
   const std::array<double, 2> p = there.p();
@@ -57,7 +57,7 @@ std::string entry_text(const std::string &entry, const FrictionOptions &options)
   return entry;
 }
 
-/// Refuses two numbers at a place that are not positive; `may_be_none`: or both 0.
+/// Throws InputError unless both numbers at a place are positive, or, if `may_be_none`, both 0.
 void check_pair(const FrictionOptions &options, const std::string &entry, const std::array<double, 2> &pair,
                 const bool may_be_none, const Vector2d &place)
 {
@@ -70,7 +70,7 @@ void check_pair(const FrictionOptions &options, const std::string &entry, const 
                    (may_be_none ? ", or both 0 (no friction)" : ""));
 }
 
-/// Friction along radius and hoop of a section: its ellipses have no other axes there.
+/// Friction along radius and hoop of a section, which are the axes of its ellipses.
 OrthotropicFriction law_of_ring(FrictionOptions there)
 {
   if (std::abs(std::remainder(there.angle, 2 * right_angle)) > right_angle / 2)

@@ -25,7 +25,7 @@ double between(const double start, const double end, const double share)
   return std::abs(position) < rounding * std::max(std::abs(start), std::abs(end)) ? 0 : position;
 }
 
-/// Users write degrees.
+/// Factor from the unit of users, who write rotations in degrees.
 double unit_of(const Drive &drive, const unsigned int component)
 {
   constexpr unsigned int first_rotation = 3;
@@ -34,7 +34,7 @@ double unit_of(const Drive &drive, const unsigned int component)
 
 using Drives = std::array<Drive, n_rigid_components>;
 
-/// One component of a step that is `share` of its leg on the way from `before`.
+/// Sets a component of a step that ends at the `share` of its leg, which starts from `before`.
 void set_component(LoadStep &step, const unsigned int i, const Drive &before, const Leg &leg)
 {
   const Drive target = leg.targets[i].value_or(before);
@@ -45,7 +45,7 @@ void set_component(LoadStep &step, const unsigned int i, const Drive &before, co
   (target.by_force ? step.force[i] : step.motion[i]) = unit_of(target, i) * value;
 }
 
-/// Where a step or a part stands.
+/// The place of a step or a part in the program.
 struct Place
 {
   unsigned int number;
@@ -53,7 +53,7 @@ struct Place
   unsigned int phase;
 };
 
-/// Step k of n equal ones of a leg.
+/// Step k of the n equal steps of a leg.
 LoadStep step_of(const Leg &leg, const Drives &drives, const unsigned int k, const unsigned int n,
                  const Place &place)
 {
@@ -64,12 +64,12 @@ LoadStep step_of(const Leg &leg, const Drives &drives, const unsigned int k, con
   return step;
 }
 
-/// Appends the steps of `legs`, the first of which starts where `drives` say, which follow.
+/// Appends the steps of `legs`. The first leg starts from `drives`, which become the end of the last leg.
 void append(const std::vector<Leg> &legs, const unsigned int cycle, Drives &drives,
             std::vector<LoadStep> &steps)
 {
   unsigned int phase = 0;
-  unsigned int phase_of_part = 0; // behind those of all steps: StartForces tells both apart
+  unsigned int phase_of_part = 0; // behind the phases of all steps: StartForces distinguishes both
   for (const Leg &leg : legs)
     phase_of_part += leg.steps;
   for (const Leg &leg : legs)

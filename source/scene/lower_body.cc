@@ -35,8 +35,9 @@ MortarMap checked_map(const ContactSurface &surface, const ContactSurface &own)
   return mortar;
 }
 
-/// Three rows a contact node in its axes, three columns a node of the lower body: what presses both is the
-/// same there, what draws them is opposite. Directions that symmetry holds have no part.
+/// The map with three rows for each contact node, in its axes, and three columns for each node of the lower
+/// body: normal forces are the same on the image, tangential ones opposite. Directions that symmetry holds
+/// have no entries.
 Eigen::SparseMatrix<double> with_axes(const Eigen::SparseMatrix<double> &map, const ContactSurface &surface,
                                       const LocalAxes &axes, const ContactSurface &own)
 {

@@ -27,7 +27,7 @@ std::string possible_models(const Asymmetry &asymmetry)
                    "; possible models are " + possible_models(asymmetry));
 }
 
-/// A body that is free sideways at its top is held by nothing but two planes of symmetry, or its axis.
+/// Only two planes of symmetry, or its axis, hold a body whose top is free sideways.
 void check_guided_top(const Parameters &parameters, const Asymmetry &asymmetry, const ModelSymmetry &symmetry)
 {
   if (parameters.geometry.top_face != TopFace::guided || symmetry.is_axisymmetric() ||
@@ -53,7 +53,7 @@ void check_degree(const Parameters &parameters, const Asymmetry &asymmetry, cons
                      (asymmetry.can_be_revolved() ? ", or Mesh/Model = axisymmetric" : ""));
 }
 
-/// Sections are small: a factorization serves them better.
+/// Refuses multigrid for sections: they are small, so that a factorization serves them better.
 void check_backend(const Parameters &parameters, const ModelSymmetry &symmetry)
 {
   if (parameters.mesh.backend == BodyBackend::multigrid && symmetry.is_axisymmetric())
@@ -75,7 +75,8 @@ ModelChoice smallest_choice(const Parameters &parameters, const Asymmetry &asymm
                                          : asymmetry.of_planes()};
 }
 
-/// A file has one part of the body: the scene must be as symmetric as that, and no other can be asked for.
+/// A file has one part of the body. The scene must have the symmetry of this part, and no other model can be
+/// asked for.
 ModelChoice choice_of_file(const Parameters &parameters, const Asymmetry &asymmetry)
 {
   const SymmetryPlanes &planes = asymmetry.of_file;
@@ -91,7 +92,7 @@ ModelChoice choice_of_file(const Parameters &parameters, const Asymmetry &asymme
   return {planes, "what the mesh file has"};
 }
 
-/// The lower body's file has one part of it, too.
+/// Refuses a lower body's file that ends where the model does not.
 void check_lower_file(const Asymmetry &asymmetry, const ModelSymmetry &symmetry)
 {
   const SymmetryPlanes &planes = asymmetry.of_lower_file;

@@ -29,7 +29,7 @@ public:
   void check(const std::vector<Vector2d> &) const override {}
 };
 
-/// An expression, and a measured surface that is added to it.
+/// The sum of an expression and a measured surface.
 class GivenGap : public Obstacle
 {
 public:
@@ -78,7 +78,7 @@ Eigen::MatrixXd Obstacle::compliance(const ContactSurface &, const ModelSymmetry
 
 namespace
 {
-/// Elastic below a surface that another obstacle has.
+/// An elastic half-space below the surface of another obstacle.
 class ElasticHalfSpace : public Obstacle
 {
 public:

@@ -16,8 +16,8 @@ namespace orthocone
 {
 namespace
 {
-/// The nodes of a mesh that a search takes are not those at which the model was chosen: on smaller cells gap
-/// or friction may be undefined, or without the symmetry of the model.
+/// Checks gap and friction at the nodes of the scene. The model was chosen at other nodes where a search
+/// takes the mesh: on smaller cells gap or friction may be undefined, or lack the symmetry of the model.
 void check_fields(const Obstacle &obstacle, const FrictionField &friction, const ContactSurface &surface,
                   const ModelSymmetry &symmetry)
 {
@@ -25,7 +25,7 @@ void check_fields(const Obstacle &obstacle, const FrictionField &friction, const
   obstacle.check(places);
   friction.check(places);
   if (symmetry.name() == ModelSymmetry().name())
-    return; // all of the body
+    return; // the whole body
   const SurfaceSample sample{places, places};
   for (const std::string &why : {friction.asymmetry(symmetry, sample), obstacle.asymmetry(symmetry, sample)})
     if (!why.empty())
@@ -44,7 +44,7 @@ std::unique_ptr<const ElasticBody> make_body(const Parameters &parameters, const
   return std::make_unique<FactorizedBody>(parameters, symmetry, axes_of, on_meshed, seconds);
 }
 
-/// Nothing where the other body is none.
+/// Null where the obstacle is not a body.
 std::unique_ptr<const LowerBody> make_lower(const Parameters &parameters, const ModelSymmetry &symmetry,
                                             const ElasticBody &body, const LocalAxes &axes,
                                             PhaseSeconds &seconds)
@@ -55,7 +55,7 @@ std::unique_ptr<const LowerBody> make_lower(const Parameters &parameters, const 
       [&] { return std::make_unique<LowerBody>(parameters, symmetry, body.surface(), axes, seconds); });
 }
 
-/// Nothing where the obstacle is rigid.
+/// Null where the obstacle is rigid.
 std::unique_ptr<const Compliance> sum_of(const ElasticBody &body, Eigen::MatrixXd of_obstacle)
 {
   if (of_obstacle.size() == 0)

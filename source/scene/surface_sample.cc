@@ -20,7 +20,7 @@ using Eigen::Vector2d;
 
 namespace
 {
-/// The same contact surface with the least body above it.
+/// A mesh with the same contact surface and the smallest body above it.
 MeshOptions flat_mesh(const Parameters &parameters, const bool is_axisymmetric)
 {
   constexpr unsigned int most_of_solids = 3;
@@ -34,7 +34,7 @@ MeshOptions flat_mesh(const Parameters &parameters, const bool is_axisymmetric)
   return mesh;
 }
 
-/// Of the part of the body that the file has, and mirrored.
+/// The nodes of the part of the body in the file, and their mirror images.
 SurfaceSample sample_of_file(const Parameters &parameters)
 {
   const SymmetryPlanes planes = ImportedMesh(parameters.geometry).planes();
@@ -90,8 +90,8 @@ std::vector<Matrix2d> symmetry_maps(const ModelSymmetry &symmetry)
     maps.push_back(mirror_y);
   if (!symmetry.is_axisymmetric())
     return maps;
-  constexpr int n_turns = 16;
-  const double golden_angle = pi * (3 - std::sqrt(5)); // no number of waves around repeats under it
+  constexpr int n_turns = 16; // docs/theory.md, section 3, "Gaps and friction that varies"
+  const double golden_angle = pi * (3 - std::sqrt(5)); // no number of waves around the axis repeats under it
   for (int i = 1; i <= n_turns; ++i)
     maps.emplace_back(Eigen::Rotation2Dd(i * golden_angle).toRotationMatrix());
   maps.push_back(mirror_y);

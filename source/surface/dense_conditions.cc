@@ -52,7 +52,7 @@ public:
 
   Index n_unknowns() const { return n_ + n_face_; }
 
-  /// Whether a node resists; where all are open, nothing answers a motion of the face either.
+  /// Whether a node resists. Where all are open, nothing resists a motion of the face either.
   bool resists() const { return n_ > 0; }
   VectorXd right_side() const;
   VectorXf apply(const VectorXf &unknowns) const;
@@ -71,8 +71,8 @@ private:
   Index n_ = 0;
   Index n_face_;
   MatrixXf face_;         ///< 3 nodes x m
-  MatrixXf face_columns_; ///< what the nodes' equations feel of the face, n x m
-  MatrixXf face_rows_;    ///< what the face feels of the unknowns, m x n
+  MatrixXf face_columns_; ///< motions of the face in the nodes' equations, n x m
+  MatrixXf face_rows_;    ///< the unknowns in the balance of the face, m x n
   MatrixXf corrections_;  ///< the nodes' preconditioner times face_columns_
   Eigen::FullPivLU<MatrixXf> schur_;
 };
@@ -93,7 +93,7 @@ System::System(const ContactConditions &conditions, const DenseView &compliance,
     prepare_face();
 }
 
-/// The face is eliminated from the preconditioner: m columns, once for the system.
+/// Eliminates the face from the preconditioner: m columns, once for the system.
 void System::prepare_face()
 {
   face_ = conditions_.face.cast<float>();
@@ -123,7 +123,7 @@ VectorXf System::forces(const VectorXf &unknowns) const
   return forces;
 }
 
-/// The nodes' equations of a displacement (relative to the scale).
+/// The left sides of the nodes' equations for a displacement (relative to the scale).
 VectorXf System::tested(const VectorXf &moved) const
 {
   VectorXf result(n_);
@@ -150,8 +150,8 @@ VectorXf System::apply(const VectorXf &unknowns) const
   return result;
 }
 
-/// Close to the inverse: a stuck node takes the force that its displacement costs, as does the normal
-/// direction of a slipping node; across the generator friction itself is soft, and the node stands alone.
+/// Close to the inverse: a stuck node takes the force that its displacement costs, and so does a slipping
+/// node along its first unknown. Across the generator friction itself is soft, and each node is taken alone.
 VectorXf System::precondition_nodes(const VectorXf &rest) const
 {
   VectorXf moved = VectorXf::Zero(3 * static_cast<Index>(rows_.size()));

@@ -8,8 +8,8 @@
 
 namespace orthocone
 {
-/// Conditions of contact nodes on a dense compliance, solved by GMRES in single precision: Newton's next
-/// iteration mends its errors.
+/// Solves conditions of contact nodes on a dense compliance by GMRES in single precision: Newton's next
+/// iteration corrects its errors.
 class DenseConditionSolver : public ConditionSolver
 {
 public:

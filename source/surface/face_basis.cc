@@ -23,7 +23,7 @@ const std::vector<double> &face_nodes(const unsigned int degree)
 
 namespace
 {
-/// Lagrange polynomials of all nodes of a line at a point.
+/// Values and slopes of the Lagrange polynomials of all nodes of a line, at a point.
 struct LineBasis
 {
   LineBasis(const std::vector<double> &nodes, const double at)
@@ -55,7 +55,7 @@ std::vector<std::array<double, 2>> gauss_rule(const unsigned int n)
   std::vector<std::array<double, 2>> rule;
   for (Eigen::Index i = 0; i < n; ++i)
   {
-    // Points of a pair are mirror images to the last bit, and so are models and their halves.
+    // The points of a pair must be mirror images to the last bit, so that a half of a model is, too.
     const double point = (solver.eigenvalues()[i] - solver.eigenvalues()[n - 1 - i]) / 2;
     const double weight = std::pow(solver.eigenvectors()(0, i), 2);
     const double partner = std::pow(solver.eigenvectors()(0, n - 1 - i), 2);
@@ -93,7 +93,7 @@ Vector2d PlaneFace::position(const Vector2d &unit) const
 Vector2d PlaneFace::unit_of(const Vector2d &position) const
 {
   constexpr unsigned int most_iterations = 30; // of Newton's method, which takes 2 to 5
-  constexpr double settled = 1e-10;            // the next change is the square of that
+  constexpr double settled = 1e-10;            // the next change would be the square of this
   Vector2d unit(0.5, 0.5);
   for (unsigned int iteration = 0; iteration < most_iterations; ++iteration)
   {
@@ -148,7 +148,7 @@ bool PlaneFace::is_straight(const unsigned int edge) const
 
 std::vector<Vector2d> PlaneFace::outline() const
 {
-  constexpr unsigned int n_pieces = 4; // leave a 16th of the sagitta
+  constexpr unsigned int n_pieces = 4; // a 16th of the sagitta is left
   constexpr unsigned int n_edges = 4;
   std::vector<Vector2d> corners;
   for (unsigned int edge = 0; edge < n_edges; ++edge)

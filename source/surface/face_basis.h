@@ -10,18 +10,18 @@
 
 namespace orthocone
 {
-/// Places of a face's nodes on the unit interval, those of Gauss and Lobatto. Throws std::logic_error for
-/// another degree than 1 to 3.
+/// Places of a face's nodes on the unit interval: the degree + 1 points of Gauss and Lobatto. Throws
+/// std::logic_error unless the degree is 1 to 3.
 const std::vector<double> &face_nodes(unsigned int degree);
 
 /// Gauss points and weights on (0, 1). Points of a pair are mirror images to the last bit.
 std::vector<std::array<double, 2>> gauss_rule(unsigned int n);
 
-/// A face in the plane, as its nodes span it.
+/// A face in the plane z = 0, interpolated between its nodes.
 class PlaneFace
 {
 public:
-  /// `places`: (degree + 1)^2, lexicographic.
+  /// `places`: (degree + 1)^2 points (x, y), lexicographic, mm.
   PlaneFace(unsigned int degree, std::vector<Eigen::Vector2d> places);
 
   /// Values of all nodes at a point of the unit square, in their order.
@@ -29,10 +29,10 @@ public:
 
   Eigen::Vector2d position(const Eigen::Vector2d &unit) const;
 
-  /// The point of the unit square, or next to it, whose position this is.
+  /// The point of the unit square, or close to it, that has this position (mm).
   Eigen::Vector2d unit_of(const Eigen::Vector2d &position) const;
 
-  /// Corners of a polygon that follows the edges: straight ones as they are, curved ones in short pieces.
+  /// Corners (mm) of a polygon along the edges: straight edges stay, curved ones become short pieces.
   std::vector<Eigen::Vector2d> outline() const;
 
 private:

@@ -46,7 +46,7 @@ double side(const Vector2d &a, const Vector2d &b, const Vector2d &point)
   return (b[0] - a[0]) * (point[1] - a[1]) - (b[1] - a[1]) * (point[0] - a[0]);
 }
 
-/// What lies to the left of the line (Sutherland and Hodgman, Commun. ACM 17, 1974).
+/// The part to the left of the line (Sutherland and Hodgman, Commun. ACM 17, 1974).
 PlanePolygon left_of(const Vector2d &a, const Vector2d &b, const PlanePolygon &convex)
 {
   PlanePolygon left;

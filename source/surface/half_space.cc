@@ -20,7 +20,8 @@ using Eigen::Vector2d;
 
 namespace
 {
-/// Mean over a patch of what is spread over another: the inner integral exact, the outer one at points.
+/// Mean over a patch of the kernel of forces that are spread over another one: the inner integral is exact,
+/// the outer one a sum over points.
 HalfSpaceKernel from_edges(const std::vector<SurfacePatch::Point> &points, const SurfacePatch &source)
 {
   HalfSpaceKernel kernel;
@@ -30,8 +31,8 @@ HalfSpaceKernel from_edges(const std::vector<SurfacePatch::Point> &points, const
   return kernel;
 }
 
-/// The same far away. Distances between points of two patches have the sum of both spreads, and so have these
-/// four: what is left falls with the fourth power of size over distance.
+/// The same for patches far away. Distances between points of two patches have the sum of both spreads, and
+/// so have these four distances: the error falls with the fourth power of size over distance.
 HalfSpaceKernel from_afar(const SurfacePatch &patch, const SurfacePatch &source)
 {
   const double xx = patch.spread(0, 0) + source.spread(0, 0);
@@ -49,7 +50,8 @@ HalfSpaceKernel from_afar(const SurfacePatch &patch, const SurfacePatch &source)
 
 HalfSpaceKernel between(const SurfacePatch &patch, const SurfacePatch &source)
 {
-  // Distances on a regular mesh must not meet these, or rounding decides. Patches that touch are next.
+  // No distance on a regular mesh may equal these numbers, or rounding would decide. Patches that touch are
+  // next to each other. docs/theory.md, section 2, "An elastic half-space below".
   constexpr double next = 1.0123, far = 1.7183;
   if (&patch == &source)
     return from_edges(patch.close_points, source);
@@ -78,10 +80,11 @@ public:
 
   std::size_t n() const { return images_.size(); }
 
-  /// Area that the model has of the patch, mm^2.
+  /// Area of the patch within the model, mm^2.
   double area(const std::size_t place) const { return share(place) * own(place).area; }
 
-  /// Displacement of a place by unit forces of the model at another, which stand for those of all its images.
+  /// Displacement of a place by unit forces of the model at another place. They stand for the forces at all
+  /// its images.
   Matrix3d displacements(const HalfSpace &half_space, const std::size_t place, const std::size_t source) const
   {
     Matrix3d sum = Matrix3d::Zero();
@@ -102,7 +105,7 @@ private:
     return static_cast<double>(images_[place].size()) / n_copies_;
   }
 
-  /// Of the place itself: its first image, since the model comes first.
+  /// The patch of the place itself: its first image, since the model comes first.
   const SurfacePatch &own(const std::size_t place) const { return patches_[images_[place].front()]; }
 
   WholeSurface whole_;
@@ -111,7 +114,7 @@ private:
   unsigned int n_copies_;
 };
 
-/// Between all places, in global axes; the lower half.
+/// The compliance between all places, in global axes; its lower half only.
 MatrixXd between_places(const HalfSpace &half_space, const Places &places)
 {
   MatrixXd matrix = MatrixXd::Zero(3 * places.n(), 3 * places.n());
@@ -122,8 +125,8 @@ MatrixXd between_places(const HalfSpace &half_space, const Places &places)
   return matrix;
 }
 
-/// Tractions of hanging places are sums over contact nodes, and each node then stands for parts of their
-/// patches, too: the force of a node divided among places, which its displacement is the mean of.
+/// Takes the hanging places out. Their tractions are sums over contact nodes, so that a node stands for parts
+/// of their patches, too: its force is divided among places, and its displacement is the mean over these.
 MatrixXd without_hanging(const MatrixXd &matrix, const ContactSurface &surface, const Places &places)
 {
   const std::size_t n = surface.nodes.size();
@@ -150,7 +153,7 @@ MatrixXd without_hanging(const MatrixXd &matrix, const ContactSurface &surface, 
   return division.transpose() * (matrix.selfadjointView<Eigen::Lower>() * MatrixXd(division));
 }
 
-/// Directions that symmetry holds get any positive number, as those of a body do.
+/// Gives directions that symmetry holds any positive compliance, as a body does.
 void hold(MatrixXd &matrix, const std::vector<ContactNode> &nodes)
 {
   for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -163,7 +166,7 @@ void hold(MatrixXd &matrix, const std::vector<ContactNode> &nodes)
       }
 }
 
-/// The lower half, into the local axes of the nodes.
+/// Turns the lower half into the local axes of the nodes.
 void turn(MatrixXd &matrix, const LocalAxes &axes)
 {
   const auto n = static_cast<std::size_t>(matrix.rows() / 3);
@@ -177,7 +180,7 @@ void turn(MatrixXd &matrix, const LocalAxes &axes)
       block = (turns[i].transpose() * block * turns[j]).eval();
     }
 }
-/// The upper half from the lower one, in squares that fit into the cache.
+/// Fills the upper half from the lower one, in squares that fit into the cache.
 void mirror(MatrixXd &matrix)
 {
   constexpr Index side = 96;

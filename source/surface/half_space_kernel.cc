@@ -20,8 +20,8 @@ double integral_of_reciprocal(const double s_1, const double r_1, const double s
 }
 } // namespace
 
-// With h the distance of the edge, s the way along it and R^2 = h^2 + s^2, an integral of f(direction) / R
-// over the triangle of point and edge is that of f h / R over s.
+// With h the distance of the edge, s the way along it and R^2 = h^2 + s^2, the integral of f(direction) / R
+// over the triangle of point and edge is the integral of f h / R over s.
 void HalfSpaceKernel::add_edge(const PatchEdge &edge, const Vector2d &point, const double weight)
 {
   constexpr double rounding = 1e-13;
@@ -31,7 +31,7 @@ void HalfSpaceKernel::add_edge(const PatchEdge &edge, const Vector2d &point, con
   const double h = first.dot(normal);
   const double s_1 = first.dot(tangent), s_2 = s_1 + edge.length;
   if (std::abs(h) <= rounding * (std::abs(s_1) + std::abs(s_2)))
-    return; // in line with the point, so that the triangle is none
+    return; // the edge is in line with the point: the triangle has no area
   const double r_1 = std::sqrt(h * h + s_1 * s_1), r_2 = std::sqrt(h * h + s_2 * s_2);
   const double along = h * integral_of_reciprocal(s_1, r_1, s_2, r_2);
   const double of_sines = h * (s_2 / r_2 - s_1 / r_1);

@@ -15,7 +15,7 @@ using Eigen::Vector2d;
 
 namespace
 {
-/// Where the weights of the nodes of the unit interval meet.
+/// The points of the unit interval where the weights of its nodes meet.
 std::vector<double> weight_ends(const unsigned int degree)
 {
   switch (degree)
@@ -29,7 +29,8 @@ std::vector<double> weight_ends(const unsigned int degree)
   }
 }
 
-/// The displacement under a patch has kinks at its edges, which those who share them see.
+/// Quadrature rules. The displacement under a patch has kinks at its edges, so that patches that share an
+/// edge need more points.
 struct Rules
 {
   explicit Rules(const unsigned int n)
@@ -62,7 +63,7 @@ void at_points(const Quadrilateral &corners, const std::vector<std::array<double
     }
 }
 
-/// Enters a part; moments about the origin, until finish().
+/// Adds a part to a patch. Moments are about the origin until finish().
 void add_part(SurfacePatch &patch, const Quadrilateral &corners, const Rules &rules)
 {
   static const auto exact = gauss_rule(2);
@@ -91,7 +92,7 @@ bool are_opposite(const PatchEdge &a, const PatchEdge &b)
   return (a.from - b.to).norm() <= rounding * a.length && (a.to - b.from).norm() <= rounding * a.length;
 }
 
-/// Edges between two parts of a patch are none of the patch.
+/// Edges between two parts of a patch are not edges of the patch.
 void remove_inner_edges(std::vector<PatchEdge> &edges)
 {
   std::vector<PatchEdge> outer;

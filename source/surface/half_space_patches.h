@@ -28,8 +28,8 @@ struct SurfacePatch
 };
 
 /// The patches of a whole surface, one for each of its nodes, in their order. A face is divided in both
-/// directions where the weights of its nodes, those of Gauss and Lobatto, meet; so the patches tile the
-/// surface, and every node lies in its own. `n_points`: HalfSpace::n_points.
+/// directions where the Gauss-Lobatto weights of its nodes meet. So the patches tile the surface, and every
+/// node lies in its own. `n_points`: HalfSpace::n_points.
 std::vector<SurfacePatch> surface_patches(const ContactSurface &surface, const WholeSurface &whole,
                                           unsigned int n_points);
 } // namespace orthocone

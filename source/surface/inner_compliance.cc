@@ -13,7 +13,7 @@ using Eigen::MatrixXf;
 
 namespace
 {
-/// The `n` nodes whose normal displacement follows a normal force on `node` most, itself first.
+/// The `n` nodes whose normal displacement a normal force on `node` changes most, `node` itself first.
 std::vector<Index> nearest_nodes(const MatrixXf &compliance, const Index node, const std::size_t n)
 {
   std::vector<Index> nodes(compliance.rows() / 3);

@@ -8,8 +8,8 @@
 
 namespace orthocone
 {
-/// The compliance as inner iterations use it: in single precision, half the memory to run through, relative
-/// to its largest eigenvalue, so that no unit of force or length comes near the ends of the number range.
+/// The compliance as inner iterations use it. Single precision halves the memory to read. It is relative to
+/// its largest eigenvalue, so that no unit of force or length comes near the ends of the number range.
 class InnerCompliance
 {
 public:
@@ -24,8 +24,9 @@ public:
     return matrix_.selfadjointView<Eigen::Lower>() * vector;
   }
 
-  /// About scale W^-1 v: each node with its nearest neighbours, the rest at rest. The inverse of a compliance
-  /// falls off so fast with the distance that more neighbours make no better preconditioner.
+  /// About scale W^-1 v: for each node its nearest neighbours are held, and the others carry no force. The
+  /// inverse of a compliance decreases so fast with the distance that more neighbours make no better
+  /// preconditioner.
   Eigen::VectorXf multiply_stiffness(const Eigen::VectorXf &vector) const { return stiffness_ * vector; }
 
 private:

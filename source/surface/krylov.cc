@@ -7,8 +7,7 @@
 
 #include <algorithm>
 
-// What follows is the form in which Eigen wants a matrix that has no entries ("Matrix-free solvers" in its
-// manual).
+// Eigen requires this form of a matrix that has no entries ("Matrix-free solvers" in its manual).
 namespace orthocone
 {
 class EigenOperator;

@@ -8,8 +8,8 @@
 
 namespace orthocone
 {
-/// A square matrix that is known by its products alone, and something close to its inverse. In single
-/// precision: for inexact Newton steps, whose errors the next one mends.
+/// A square matrix that is known by its products alone, and something close to its inverse. Single precision
+/// is enough for inexact Newton steps, whose errors the next one corrects.
 struct LinearMap
 {
   using Function = std::function<Eigen::VectorXf(const Eigen::VectorXf &)>;

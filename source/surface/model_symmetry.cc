@@ -32,7 +32,7 @@ Matrix2d turn_by_part(const unsigned int i, const unsigned int n)
                     : turn(std::cos(angle), std::sin(angle));
 }
 
-/// Numbers the nodes of a whole surface as they turn up in its faces.
+/// Numbers the nodes of a whole surface in the order in which its faces name them.
 class NodeNumbers
 {
 public:
@@ -99,7 +99,8 @@ ModelSymmetry ModelSymmetry::of_revolution()
   return symmetry;
 }
 
-// A mirror image of a motion along the normal, or of a turn about another axis, is the opposite motion.
+// A mirror turns a motion along its normal, or a rotation about an axis in its plane, into the opposite
+// motion.
 bool ModelSymmetry::leaves(const unsigned int component) const
 {
   constexpr unsigned int ux = 0, uy = 1, uz = 2, rx = 3, ry = 4;
@@ -140,7 +141,7 @@ Matrix2d ModelSymmetry::map_to(const Vector2d &position) const
 
 WholeSurface ModelSymmetry::mirrored(const ContactSurface &surface) const
 {
-  // Set in the index of an image that is mirrored along x, or along y.
+  // The bits that are set in the index of an image that is mirrored along x, or along y.
   const std::array<unsigned int, 2> bit{
       {planes_.normal_to_x ? 1u : 0u, planes_.normal_to_y ? n_copies() / 2 : 0u}};
   WholeSurface whole;

@@ -78,7 +78,8 @@ private:
   std::vector<std::array<double, 2>> rule_;
 };
 
-/// Integrals over a face: of its nodes' functions, of products of two, and of one and one of the other's.
+/// Integrals over a face: of its nodes' functions, of products of two of them, and of products of one of them
+/// with a function of the other surface.
 struct FaceIntegrals
 {
   explicit FaceIntegrals(const Index n)
@@ -92,7 +93,7 @@ struct FaceIntegrals
   double area = 0;
 };
 
-/// Adds what two faces have in common.
+/// Adds the integrals over the intersection of two faces.
 void add_common(const CutFace &own, const CutFace &other, const TriangleRule &rule, FaceIntegrals &sums,
                 MatrixXd &mixed)
 {
@@ -138,7 +139,8 @@ public:
   {
   }
 
-  /// The dual functions are those sums of the nodes' functions that see one node each.
+  /// A dual function is the sum of the nodes' functions whose product with all but one of them has no
+  /// integral.
   void add(const std::vector<unsigned int> &face, const FaceIntegrals &of)
   {
     const MatrixXd dual = of.single.asDiagonal() * of.products.inverse();
@@ -171,9 +173,9 @@ private:
 
 MortarMap mortar_map(const ContactSurface &surface, const ContactSurface &other)
 {
-  constexpr double least_cover = 0.9;
+  constexpr double least_cover = 0.9; // docs/theory.md, section 2, "A second elastic body below"
   const std::vector<CutFace> own = cut_faces(surface), others = cut_faces(other);
-  // Exact for products of two functions of parallelograms.
+  // This is exact for products of two functions on parallelograms.
   const TriangleRule rule(2 * std::max(surface.degree, other.degree) + 1);
   MortarMap result;
   MapSums sums(surface, other);

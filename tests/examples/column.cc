@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 //
 // Worked example of docs/extending.md: a column of history.csv is one line of a list in
-// source/results/tables.cc: name, unit, what it tells, and how it is found in a SolvedStep.
+// source/results/tables.cc: name, unit, what it means, and how it is found in a SolvedStep.
 #include "results/scenes.h"
 
 #include <orthocone/results/tables.h>

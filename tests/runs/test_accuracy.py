@@ -75,7 +75,7 @@ class AccuracyTest(RunTest):
                 self.assertGreater(self.summary("again")["model"]["contact_nodes"],
                                    self.summary("even")["model"]["contact_nodes"])
 
-    def test_check_tells_of_rounds_to_come(self):
+    def test_check_announces_rounds_to_come(self):
         result = self.run_program("none", "--check", settings=[*SETTINGS, "Mesh/Adaptive=3"])
         self.assertEqual(result.returncode, 0)
         self.assertIn("adaptive       3 rounds of refinement by the run", result.stdout)
@@ -104,7 +104,7 @@ class AccuracyTest(RunTest):
         self.assert_same_files("whole", "stopped", ["history.csv", "probe-P.csv", "parameters.prm"])
         self.assertEqual(self.summary("stopped")["accuracy"], self.summary("whole")["accuracy"])
 
-    def test_a_folder_that_cannot_be_used_is_told_before_the_search(self):
+    def test_a_folder_that_cannot_be_used_is_reported_before_the_search(self):
         (self.folder / "run").mkdir()
         (self.folder / "run/history.csv").write_text("of somebody else\n")
         result = subprocess.run([word for word in self.command("run", settings=ACCURACY) if word != "--quiet"],

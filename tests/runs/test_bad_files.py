@@ -25,7 +25,7 @@ ERRORS = pathlib.Path(SCRATCH.name)
 KINDS = {"contradictions", "files", "grammar", "json", "names", "values"}
 MARK = "# expect: "
 
-# Messages on a file as a whole quote nothing of it: there the content tells one fault from another.
+# Messages on a file as a whole quote nothing of it: there the content distinguishes one fault from another.
 ON_WHOLE_FILE = re.compile("is empty|is not a text file|is not valid JSON|sets no entry")
 
 

@@ -88,7 +88,7 @@ class QuickTest(unittest.TestCase):
         for table in tables.values():
             self.assertIn(table, page.read_text(encoding="utf-8"))
 
-    def test_nothing_tells_where_it_ran(self):
+    def test_nothing_shows_where_it_ran(self):
         self.assertNotIn(str(ROOT), (self.folder / "benchmark.json").read_text())
 
 
@@ -112,7 +112,7 @@ class ExponentTest(unittest.TestCase):
     def test_power_law_of_the_finer_meshes(self):
         sizes = benchmark_ratios.np.array([3., 10., 20., 50.])
         seconds = 7 * sizes**2.5
-        seconds[0] *= 100  # too small a mesh to tell
+        seconds[0] *= 100  # too small a mesh for the law
         self.assertAlmostEqual(benchmark_ratios.exponent(sizes, seconds), 2.5)
 
 

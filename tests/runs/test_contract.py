@@ -59,7 +59,7 @@ class ContractTest(unittest.TestCase):
         self.assertEqual(result.stdout.count("\nstep "), 45)
         self.assertFalse(list(run.glob("*.part")))
 
-    def test_friction_beyond_the_critical_one_is_told_once(self):
+    def test_friction_beyond_the_critical_one_is_reported_once(self):
         settings = ["Friction/Coefficients=6, 3", "Load program/Legs=0 0 -0.01 : 1"]
         result = self.run_program("--output", "run", settings=[*SMALL, *settings, "Load program/Cycles=1"])
         self.assertEqual(result.stdout.count("warning: critical friction"), 1, result.stdout)
@@ -152,7 +152,7 @@ class ContractTest(unittest.TestCase):
             rows = list(csv.DictReader(file))
         return {key: [float(row[key]) for row in rows] for key in rows[0] if key not in ("method", "driven")}
 
-    def test_friction_is_associated_unless_told_otherwise(self):
+    def test_friction_is_associated_unless_set_otherwise(self):
         """Without Slip potential isotropic coefficients are isotropic, and orthotropic ones slip normal to their ellipse."""
         for settings, expected in ((["Friction/Coefficients=0.2, 0.2"], (True, True)),
                                    (["Friction/Coefficients=0.1, 0.4"], (True, False)),
@@ -168,11 +168,11 @@ class ContractTest(unittest.TestCase):
             self.assertIn(line, result.stdout)
             self.assertIn(line, (self.folder / "run/log.txt").read_text())
             self.assertIn(line, self.run_program("--check", settings=settings, file=file).stdout)
-        told, _ = [self.run_program("--output", name, settings=[*SMALL, "Friction/Coefficients=0.1, 0.4",
+        given, _ = [self.run_program("--output", name, settings=[*SMALL, "Friction/Coefficients=0.1, 0.4",
                                                               f"Friction/Slip potential={p}"])
-                   for name, p in (("told", "0.1, 0.4"), ("word", "associated"))]
-        self.assertEqual(told.returncode, 0)
-        self.assertEqual((self.folder / "told/history.csv").read_bytes(), (self.folder / "word/history.csv").read_bytes())
+                   for name, p in (("given", "0.1, 0.4"), ("word", "associated"))]
+        self.assertEqual(given.returncode, 0)
+        self.assertEqual((self.folder / "given/history.csv").read_bytes(), (self.folder / "word/history.csv").read_bytes())
 
     def test_no_friction(self):
         """Without friction no force is tangential, nothing is dissipated, and all that touches slips."""
@@ -191,7 +191,7 @@ class ContractTest(unittest.TestCase):
             result = self.run_program("--output", "run", settings=[*settings, f"Friction/Coefficients={friction}"])
             self.assertEqual((result.returncode, result.stderr), (0, ""), friction)
 
-    def test_energy_tells_of_too_few_steps(self):
+    def test_energy_shows_too_few_steps(self):
         """What is missing in the balance falls with the steps, as the error of the dissipation does."""
         missing = []
         for legs in ("0 0 -0.1 : 1; 0 0 -0.02 : 2", "0 0 -0.1 : 4; 0 0 -0.02 : 8", "0 0 -0.1 : 8; 0 0 -0.02 : 16"):

@@ -167,7 +167,7 @@ class PeriodicTest(CyclesTest):
                     self.assertLess(np.max(np.abs(fields[name] - whole[name])), bound * np.max(whole[name]))
 
     def test_full_unloading_is_jumped_at_once(self):
-        """The paper's cycle leaves nothing: the first cycle tells all others."""
+        """The paper's cycle leaves nothing: all other cycles are like the first one."""
         self.run_many("run", "Load program/Legs=0 0 -0.1 : 3 ; 0 0 0 : 3", "Load program/Cycles=1000",
                       "Load program/Jump when periodic=1e-8", "Load program/Jump cycles=1000")
         rows = self.cycles("run")

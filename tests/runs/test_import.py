@@ -48,7 +48,7 @@ class ImportTest(program.RunTest):
         self.assertGreater(peak["force_z"], 0)
         self.assertAlmostEqual(abs(peak["force_x"]) / peak["force_z"], 0.3, delta=1e-3)
 
-    def test_check_tells_what_was_found(self):
+    def test_check_reports_what_was_found(self):
         result = self.run_program("none", "--check")
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         for line in (r"volume +body \(5\): 88 cells, 780\.361 mm\^3", r"surface +base \(1\): 22 faces, 78\.0361 mm\^2",

@@ -61,15 +61,15 @@ class MemoryTest(RunTest):
 
     def test_what_cannot_be_factorized_may_be_solved_by_multigrid(self):
         """The same model without a backend: --check chooses, and makes no mesh of what is too large for both."""
-        def told(*settings):
+        def checked(*settings):
             command = [PROGRAM, self.FILE, "--check", *[f"--set={setting}" for setting in settings]]
             def limit():
                 resource.setrlimit(resource.RLIMIT_AS, (1500000 * 1024, 1500000 * 1024))
             return subprocess.run(command, text=True, capture_output=True, timeout=60, check=True, preexec_fn=limit).stdout
-        self.assertRegex(told(*MIDDLING, "Mesh/Backend=auto"), r"(?m)^backend +multigrid about .*; condensed about ")
-        self.assertNotRegex(told(*LARGE, "Mesh/Backend=auto"), r"(?m)^backend ")
+        self.assertRegex(checked(*MIDDLING, "Mesh/Backend=auto"), r"(?m)^backend +multigrid about .*; condensed about ")
+        self.assertNotRegex(checked(*LARGE, "Mesh/Backend=auto"), r"(?m)^backend ")
 
-    def test_check_warns_and_still_tells_all(self):
+    def test_check_warns_and_still_prints_all(self):
         result = subprocess.run([PROGRAM, self.FILE, "--check", *[f"--set={setting}" for setting in LARGE]],
                                 text=True, capture_output=True, timeout=60, check=True)
         for line in (r"^friction  ", r"^load steps +45$", r"^memory +more than \S+ GB; this machine has \S+ GB$",

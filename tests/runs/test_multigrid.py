@@ -100,14 +100,14 @@ class ChosenTest(RunTest):
     """Mesh/Backend = auto."""
     SETTINGS = [*ISOTROPIC, "Load program/Cycles=1"]
 
-    def test_a_run_tells_and_keeps_its_choice(self):
+    def test_a_run_reports_and_keeps_its_choice(self):
         result = self.run_program("run", settings=[*self.SETTINGS, *ONE_CYCLE, "Mesh/Refinements=1"])
         self.assertEqual((result.returncode, result.stderr), (DONE, ""))
         self.assertRegex((self.folder / "run/log.txt").read_text(),
                          r"backend +condensed about \S+ s and \S+ GB; multigrid about \S+ s and \S+ GB\n")
         self.assertRegex((self.folder / "run/parameters.prm").read_text(), r"set Backend += condensed\n")
 
-    def test_check_tells_it(self):
+    def test_check_reports_it(self):
         result = self.run_program("run", "--check", settings=[*self.SETTINGS, "Mesh/Refinements=3"])
         self.assertEqual((result.returncode, result.stderr), (DONE, ""))
         self.assertRegex(result.stdout, r"backend +multigrid about .*; condensed about .*\n")

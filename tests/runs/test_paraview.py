@@ -120,7 +120,7 @@ def n_colours(pixels):
 
 
 def share_different(pixels, others):
-    """Part of the pixels that an eye would tell apart."""
+    """Part of the pixels that an eye would see as different."""
     return np.mean(np.abs(pixels - others).max(axis=2) > 24)
 
 

@@ -74,7 +74,7 @@ class PythonTest(RunTest):
         self.assertFalse(page.exists())
 
     def test_drawing_tools_take_the_python_that_is_named(self):
-        """Their scripts are replaced by one that tells who runs it, their set-up by one that does nothing."""
+        """Their scripts are replaced by one that prints who runs it, their set-up by one that does nothing."""
         tools = self.folder / "tools"
         for name in ("plots", "studies"):
             (tools / name).mkdir(parents=True)

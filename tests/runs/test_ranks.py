@@ -218,7 +218,7 @@ class OneVoiceTest(RanksTest):
         self.assertEqual(result.returncode, WRONG_INPUT, result.stderr)
         self.assertIn("not all of the 2 processes have the same entries", result.stderr)
 
-    def test_wrong_input_is_told_once(self):
+    def test_wrong_input_is_reported_once(self):
         self.assert_refused("Material/Young modulus", "Material/Young modulus=-1")
 
     def test_a_step_that_is_not_solved(self):
@@ -235,7 +235,7 @@ class OneVoiceTest(RanksTest):
         self.assertEqual(log.count("processes      2\n"), 1)
         self.assertIn("threads        1 (one for each of 2 processes)\n", log)
 
-    def test_version_and_check_are_told_once(self):
+    def test_version_and_check_are_printed_once(self):
         check = self.shared(2, "run", "--check", settings=SMALL)
         for command, word in ((check, "contact nodes"), ([*check[:4], check[4], "--version"], "deal.II")):
             result = subprocess.run(command, cwd=self.folder, env=ENVIRONMENT, text=True, capture_output=True, timeout=600,

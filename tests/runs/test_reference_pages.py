@@ -56,8 +56,8 @@ class ReferencePagesTest(unittest.TestCase):
                 found[name] = re.findall(r'<DataArray [^>]*Name="(\w+)"', data.decode("ascii", "replace"))
         self.assertEqual(len(found), 7)
         for name, names in found.items():
-            told = re.sub(r"-0001\.", "-NNNN.", name).replace("probe-P", "probe-NAME")
-            section = page("docs/results.md").partition(f"\n## {told}\n")[2].partition("\n## ")[0]
+            heading = re.sub(r"-0001\.", "-NNNN.", name).replace("probe-P", "probe-NAME")
+            section = page("docs/results.md").partition(f"\n## {heading}\n")[2].partition("\n## ")[0]
             self.assertEqual(re.findall(r"^\| `(\w+)` \|", section, re.MULTILINE), names, name)
 
     def test_every_option_is_in_the_manual(self):

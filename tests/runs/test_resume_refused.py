@@ -12,7 +12,7 @@ from resumed_runs import DONE, EVERY_STEP, FILE_ERROR, ResumeTest, UNSOLVED, WRO
 
 
 class RefusalTest(ResumeTest):
-    """What cannot be resumed is told in a line, and nothing is touched."""
+    """What cannot be resumed is reported in a line, and nothing is touched."""
     SETTINGS = [*SMALL, EVERY_STEP, "Load program/Cycles=1", "Output/Volume fields=0"]
 
     def setUp(self):

@@ -99,7 +99,7 @@ class StepProblemsTest(program.RunTest):
         np.testing.assert_allclose(read.u, read.q + read.W @ read.r, atol=1e-12)
         self.assertIn(b"load step 4", (self.folder / "run/problem-0004.hdf5").read_bytes())
 
-    def test_parts_are_told(self):
+    def test_parts_are_reported(self):
         self.done("run", settings=[*SMALL, "Mesh/Model=full", "Output/Problems=1", "Load program/Legs=0 0 -0.1 : 1 * 3",
                                    "Load program/Cycles=1"])
         self.assertIn(b"the last of the 3 parts", (self.folder / "run/problem-0001.hdf5").read_bytes())

@@ -163,7 +163,7 @@ class SweepTest(RunTest):
         error = self.sweep("--vary", "Mesh/Degree=1,2", code=2).stderr
         self.assertRegex(error, r"^sweep: output/sweep-s: holds a study of \S*s\.prm as it was before it changed; --output DIR .*\n$")
 
-    def test_wrong_studies_are_told_in_a_line(self):
+    def test_wrong_studies_are_reported_in_a_line(self):
         for words, says in ((("--vary", "iterations=1,2"), r"iterations is a column of the table"),
                             (("--vary", "mu=1:2:3"), r"mu stands in no --set"), (("--vary", "mu"), r"allowed is NAME=VALUES"),
                             (("--vary", "a=1:2:1", "--set", "{a}"), r"FIRST:LAST:NUMBER"),

@@ -73,8 +73,8 @@ class Grid:
         return len(np.unique(np.round(self.points, 5) + 0.0, axis=0))
 
     def keys(self, n_points):
-        """Point and centre of its element, which has so many points: tells the values apart that stress has in
-        neighbouring elements."""
+        """Point and centre of its element, which has so many points: stress has other values in neighbouring
+        elements."""
         centres = self.points.reshape(-1, n_points, 3).mean(axis=1)
         return np.hstack([self.points, np.repeat(centres, n_points, axis=0)])
 

@@ -5,7 +5,7 @@
 ORTHOCONE_RUN=RUN_FOLDER paraview --script=contact.py
 or, in the Python Shell of an open one: Run Script... contact.py, then open_run("RUN_FOLDER")
 
-One file: ParaView's window does not tell a script where it lies, so that it could not find others. pictures.py, for
+One file: ParaView's window does not say to a script where it lies, so that it could not find others. pictures.py, for
 pvbatch, imports it."""
 import csv
 import functools

@@ -29,7 +29,7 @@ def save(what, path):
     part = path.with_name(f".{path.stem}.part.png")
     try:
         simple.SaveScreenshot(str(part), what, ImageResolution=SIZE, SeparatorWidth=2, SeparatorColor=contact.PLANE)
-        if not part.exists():  # what SaveScreenshot returns does not tell
+        if not part.exists():  # what SaveScreenshot returns does not say
             raise contact.RunError(f"{path}: cannot be written")
         part.replace(path)
     finally:

@@ -9,7 +9,7 @@ from matplotlib.patches import Patch
 
 import run_folder
 
-# Told apart with every kind of colour vision, and in grey.
+# Every kind of colour vision distinguishes them, and so does print in grey.
 STATUS_COLOURS = {run_folder.OPEN: "#ffffff", run_folder.STICK: "#2f5d8c", run_folder.SLIP: "#f0b04a"}
 STATUS_NAMES = {run_folder.OPEN: "open", run_folder.STICK: "stick", run_folder.SLIP: "slip"}
 LINES = ("#0072b2", "#d55e00", "#009e73", "#555555")

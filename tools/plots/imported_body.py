@@ -48,7 +48,7 @@ class ImportedBody:
 
     @classmethod
     def of(cls, geometry):
-        """The body of a section Geometry; None if its file tells of none."""
+        """The body of a section Geometry; None if its file describes none."""
         mesh = read(geometry["Mesh file"])
         try:
             return cls(mesh, geometry) if mesh else None

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""What cycles.csv tells, a row a cycle; a row that stands for several jumped cycles as the mean of these."""
+"""The values of cycles.csv, a row a cycle; a row that stands for several jumped cycles has their mean."""
 import numpy as np
 from load_program import evenly
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 "use strict";
-// Elements of the page, colours of the cycles, and the box that tells values.
+// Elements of the page, colours of the cycles, and the box that shows values.
 
 const SVG = "http://www.w3.org/2000/svg";
 const byId = id => document.getElementById(id);
@@ -47,7 +47,7 @@ function cycleColour(share) {
 /** A function of the number of a cycle; 0 is the preload. */
 function cycleColours(blocks) {
   const cycles = blocks.map(block => block[3]).filter(cycle => cycle > 0);
-  // By rank: after a jump the number of a cycle says little about how many loops there are to tell apart.
+  // By rank: after a jump the number of a cycle says little about how many loops there are to distinguish.
   const shares = new Map(cycles.map((cycle, rank) => [cycle, rank / Math.max(1, cycles.length - 1)]));
   return cycle => cycle ? cycleColour(shares.get(cycle)) : "var(--soft)";
 }

@@ -21,7 +21,7 @@ def lines_of(body, points):
 
 
 def cells(body, frame):
-    """Areas, lines of the mesh where they can be told apart, and the rim."""
+    """Areas, lines of the mesh where they can be distinguished, and the rim."""
     if len(body.faces) > MOST_FACES:
         return path_of(frame, lines_of(body, body.rim()), "rim")
     faces = lines_of(body, body.faces)

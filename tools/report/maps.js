@@ -3,7 +3,7 @@
 "use strict";
 // Fields on the contact surface, drawn pixel by pixel.
 
-// Blue and orange are told apart by colour-blind readers, too.
+// Colour-blind readers distinguish blue and orange, too.
 const STATES = [{name: "open", colour: [200, 200, 200]}, {name: "stick", colour: [0, 114, 178]},
                 {name: "slip", colour: [240, 165, 30]}];
 const FIELDS = {

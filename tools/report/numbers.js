@@ -38,7 +38,7 @@ function linearTicks(low, high, n) {
   return ticks;
 }
 
-/** As many digits as it takes to tell neighbours apart, four at least. */
+/** As many digits as it takes to distinguish neighbours, four at least. */
 function tickDigits(ticks) {
   if (ticks.length < 2) return 4;
   const most = Math.max(...ticks.map(Math.abs)), step = ticks[1] - ticks[0];

@@ -69,7 +69,7 @@ def comparable_part(data, name, frames=()):
 
 
 def run_names(runs):
-    """Names of the folders, with as many folders before them as it takes to tell them apart."""
+    """Names of the folders, with as many folders before them as it takes to distinguish them."""
     parts = [data.path.resolve().parts for data in runs]
     for depth in range(1, max(map(len, parts)) + 1):
         names = ["/".join(part[-depth:]) for part in parts]

@@ -26,7 +26,7 @@ class Player {
     this.refresh();
   }
 
-  /** Where most nodes differ in status: more telling than the first step. */
+  /** Where most nodes differ in status: this shows more than the first step. */
   startFrame() {
     const mixture = ({status}) => {
       const slipping = status.filter(state => state === 2).length / status.length;

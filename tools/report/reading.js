@@ -3,7 +3,7 @@
 "use strict";
 // Keys of a chart, and its values for pointer and arrow keys.
 
-/** What tells the curves apart: [{label, colour, dash}], or {bar, from, to} for the colours of the cycles. */
+/** What distinguishes the curves: [{label, colour, dash}], or {bar, from, to} for the colours of the cycles. */
 function keysOf(spec) {
   if (spec.cycles) return cycleKeys(spec.cycles);
   const distinct = (list, what) => [...new Map(list.map(one => [one[what], one])).values()];

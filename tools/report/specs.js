@@ -14,7 +14,7 @@ function addChart(parent, spec) {
   return chart;
 }
 
-/** A curve for each run and column; colours tell the quantities of one run apart, or the runs, and dashes then the
+/** A curve for each run and column; colours distinguish the quantities of one run, or the runs, and dashes then the
  *  quantities. `tableOf` gives the table of a run. */
 function curves(runs, tableOf, columns, x) {
   const overlaid = runs.length > 1;

@@ -31,7 +31,7 @@ def place(element):
 
 
 def members(namespace):
-    """(place, directive) of functions, enumerations, types and variables. Overloaded ones are told by their arguments."""
+    """(place, directive) of functions, enumerations, types and variables. Their arguments distinguish overloaded ones."""
     found = namespace.findall("sectiondef/memberdef")
     count = collections.Counter(member.findtext("name") for member in found)
     for member in found:

@@ -125,7 +125,7 @@ def errors(row, truth):
 
 
 def extrapolated(coarse, fine):
-    """What runs of n and 2n steps tell together, if errors are of first order."""
+    """What runs of n and 2n steps extrapolate to, if errors are of first order."""
     row = {name: f"{2 * float(fine[name]) - float(coarse[name]):.9g}" for name in ("work", "dissipation")}
     return {"slips": as_text(2 * slips_of(fine) - slips_of(coarse)), **row}
 

@@ -40,7 +40,7 @@ class Context:
 def parsed_options():
     parser = argparse.ArgumentParser(prog="tools/study", description=__doc__)
     parser.add_argument("names", nargs="*", metavar="NAME", help="studies to make (all): " + ", ".join(STUDIES))
-    parser.add_argument("--list", action="store_true", help="tell what there is, and stop")
+    parser.add_argument("--list", action="store_true", help="list what there is, and stop")
     parser.add_argument("--docs", action="store_true", help="also refresh the pages, pictures and tables in docs/")
     parser.add_argument("--anew", action="store_true", help="compute also the points that are there already")
     parser.add_argument("--quick", action="store_true", help="few points: a test of this tool, not a study")

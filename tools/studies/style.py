@@ -11,7 +11,7 @@ matplotlib.rcParams.update({"font.size": 9, "axes.grid": True, "grid.alpha": 0.3
 
 import matplotlib.pyplot as plt  # noqa: E402
 
-# Okabe and Ito's palette, which the colour-blind can tell apart.
+# Okabe and Ito's palette, whose colours the colour-blind can distinguish.
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")
 METHODS = ("newton", "gauss-seidel", "uzawa", "feng2006", "box3", "plain-newton")
 METHOD_COLOURS = dict(zip(METHODS, COLOURS))

@@ -85,7 +85,7 @@ def gap_files_of(options, points):
         try:
             files.add(options.file.parent / json.loads(options.file.read_text(encoding="utf-8"))["Obstacle"]["Gap file"])
         except (ValueError, KeyError, TypeError):
-            pass  # it names none, or the program tells what is wrong with it
+            pass  # it names none, or the program says what is wrong with it
     return sorted(file for file in files if file.is_file())
 
 

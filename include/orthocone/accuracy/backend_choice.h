@@ -9,7 +9,8 @@
 
 namespace orthocone
 {
-/// Who solves the elastic body, and the line that says why; none where nothing was compared.
+/// The backend that solves the elastic body, and the line with the reason; it is empty where nothing was
+/// compared.
 struct BackendChoice
 {
   BodyBackend backend;
@@ -19,10 +20,10 @@ struct BackendChoice
 /// Whether multigrid can compute such a model at all.
 bool multigrid_can(const Parameters &parameters, const ModelSymmetry &symmetry);
 
-/// What Mesh/Backend = auto stands for: what takes less time by estimates that know nothing of this machine
-/// but its memory, which the factorization must fit into. Nothing is compared where only one can do it
-/// (multigrid needs a solid, one isotropic material, full quadrature, Newton's method and a Poisson ratio
-/// below 0.495), nor where no cell is halved and the factorization fits and takes seconds, or neither fits.
+/// The backend of Mesh/Backend = auto: the faster one by estimates that know only the memory of this machine,
+/// into which the factorization must fit. Nothing is compared where only one backend is possible (multigrid
+/// needs a solid, one isotropic material, full quadrature, Newton's method and a Poisson ratio below 0.495),
+/// nor where no cell is halved and the factorization fits and takes seconds, nor where neither fits.
 /// `parameters` have the resolved mesh.
 BackendChoice choose_backend(const Parameters &parameters, const ModelSymmetry &symmetry, double gigabytes);
 } // namespace orthocone

@@ -13,7 +13,7 @@ namespace orthocone
 /// Size of a model, found from the numbers of cells alone.
 ModelSize model_size(const Parameters &parameters, const ModelSymmetry &symmetry);
 
-/// What a run will need, to about a factor of 3.
+/// The needs of a run, accurate to about a factor of 3.
 struct Estimate
 {
   double gigabytes;
@@ -21,33 +21,34 @@ struct Estimate
   double step_seconds;   ///< contact, checks and output of one step, on average
 };
 
-/// From a symbolic factorization and the speed of a small matrix product on this machine.
+/// The estimate from a symbolic factorization and the speed of a small matrix product on this machine. Throws
+/// TooLargeError as factorization_cost() does.
 Estimate estimate(const Parameters &parameters, const Body &body, const ModelSymmetry &symmetry);
 
 /// The same from the size alone, for a solid and a usual machine.
 Estimate usual_estimate(const Parameters &parameters, const ModelSize &size, const ModelSymmetry &symmetry);
 
-/// The same for Mesh/Backend = multigrid. Coarsest meshes of up to 200 000 cells are made, to see how far
-/// their cells are from cubes.
+/// The same for Mesh/Backend = multigrid. It makes coarsest meshes of up to 200 000 cells to find the stretch
+/// of their cells.
 Estimate multigrid_estimate(const Parameters &parameters, const ModelSize &size,
                             const ModelSymmetry &symmetry);
 
-/// Its memory alone, without any mesh.
+/// The memory of multigrid alone, in GB, without making a mesh.
 double multigrid_gigabytes(const Parameters &parameters, const ModelSize &size,
                            const ModelSymmetry &symmetry);
 
-/// Estimate for a model of which nothing but its size is known: what its stiffness and its dense compliance
-/// alone take.
+/// A lower bound for a model of which only the size is known: the memory and time of its stiffness and its
+/// dense compliance.
 Estimate least_estimate(const ModelSize &size);
 
-/// What a run keeps of its steps, GB.
+/// The memory that a run keeps for its steps, GB.
 double step_gigabytes(const LoadOptions &load, double contact_nodes);
 
-/// What writing fields of the whole body takes, on average.
+/// Time that writing fields of the whole body takes in a step, on average, s.
 double volume_seconds_per_step(const OutputOptions &output, double dofs);
 
-/// The estimate in two lines, with the memory that there is. `is_least`: it is a bound from below.
-/// `has_jumps`: cycles may be left out.
+/// The estimate in two lines, with the available memory. `is_least`: it is a lower bound. `has_jumps`: cycles
+/// may be left out.
 std::string describe(const Estimate &estimate, unsigned int n_steps, const MemoryLimit &limit, bool is_least,
                      bool has_jumps);
 

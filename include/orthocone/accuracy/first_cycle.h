@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// What a search for a mesh or for the size of load steps looks at: a march through the first cycle.
+// The march through the first cycle, on which searches for a mesh or for the size of load steps rely.
 #pragma once
 
 #include <orthocone/accuracy/accuracy.h>
@@ -9,18 +9,18 @@
 
 namespace orthocone
 {
-/// The program up to the end of the first cycle.
+/// The load program up to the end of the first cycle.
 LoadOptions first_cycle(LoadOptions load);
 
-/// What a march through it tells.
+/// The results of a march through the first cycle.
 struct FirstCycle
 {
   Quantities quantities{};
   double motion = 0; ///< largest of the top along z, whatever drives it, mm
 };
 
-/// The first cycle of `load` in a scene, by a solver of it; `also` sees what is accepted. Throws
-/// std::runtime_error if a step is not solved; `entry` asked for the march.
+/// Marches through the first cycle of `load` in a scene, with its `solver`; `also` watches accepted steps.
+/// Throws std::runtime_error if a step is not solved; the message names `entry`, which asked for the march.
 FirstCycle march_first_cycle(const Scene &scene, const LoadOptions &load, StepSolver &solver,
                              const char *entry, MarchObserver &also);
 FirstCycle march_first_cycle(const Scene &scene, const LoadOptions &load, StepSolver &solver,

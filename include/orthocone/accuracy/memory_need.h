@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// Models that the memory is not likely to hold, or that a factorization cannot count.
+// Models that are not likely to fit into the memory, or that a factorization cannot count.
 #pragma once
 
 #include <orthocone/base/memory.h>
@@ -15,14 +15,14 @@ namespace orthocone
 /// factorization can count, whatever the memory.
 void require_countable(const ModelSize &size);
 
-/// Whether the model is likely to need more memory than there is. Meshes it and finds its order only where
-/// that depends on it.
+/// Whether the model is likely to need more memory than `gigabytes`. Meshes it and finds its order only where
+/// the answer depends on this.
 bool is_too_large(const Parameters &parameters, const ModelSymmetry &symmetry, double gigabytes);
 
-/// The sentence on a model that needs `needed` GB, which are more than the limit; "" if they are not.
+/// The sentence on a model that needs `needed` GB, if these exceed the limit, or "".
 std::string lack_of_memory(double needed, const MemoryLimit &limit);
 
-/// Throws TooLargeError, or InputError if the model is likely to need more memory than the limit.
-/// `parameters` have the resolved mesh.
+/// Throws TooLargeError as require_countable() does, or InputError if the model is likely to need more memory
+/// than the limit. `parameters` have the resolved mesh.
 void require_memory(const Parameters &parameters, const ModelSymmetry &symmetry, const MemoryLimit &limit);
 } // namespace orthocone

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// Accuracy on demand: the program is solved on finer and finer meshes until the differences between them tell
+// Accuracy on demand: the program is solved on finer and finer meshes until the differences between them show
 // that the quantities that users look at are accurate enough.
 #pragma once
 
@@ -14,7 +14,7 @@
 
 namespace orthocone
 {
-/// Mesh and load steps of a run, and what is known from choosing them.
+/// Mesh and load steps of a run, and the results of choosing them.
 struct ChosenModel
 {
   Parameters given;
@@ -26,16 +26,18 @@ struct ChosenModel
   StartMemory starts{};                       ///< of the first cycle in it
 };
 
-/// Finds the mesh for Mesh/Accuracy: solves level after level, at least three, until the estimated errors of
-/// all quantities are as wanted, or there is no finer one, or the next one is likely to need more memory than
-/// `gigabytes`. Levels are those of the mesh ladder; of a solid, from level 2 on, level 1 with rounds of
-/// refinement as RefinementWatch finds. `steps_share`: AccuracyEstimate::steps_share; what is more than
-/// `most_steps_share`, no finer mesh has to make up for. Throws std::runtime_error.
-ChosenModel find_mesh(const Parameters &parameters, const ModelChoice &choice, const Teller &tell,
+/// Finds the mesh for Mesh/Accuracy. Solves level after level, at least three, until the estimated errors of
+/// all quantities are as wanted, or there is no finer level, or the next one is likely to need more memory
+/// than `gigabytes`. The levels are the mesh ladder; for a solid, levels from 2 on are level 1 with rounds of
+/// refinement where RefinementWatch asks for them. `steps_share` is AccuracyEstimate::steps_share; finer
+/// meshes do not have to make up for the part of it above `most_steps_share`. `report` gets a line a level.
+/// Throws std::runtime_error if a step is not solved.
+ChosenModel find_mesh(const Parameters &parameters, const ModelChoice &choice, const Reporter &report,
                       double gigabytes, const Quantities &steps_share = {}, double most_steps_share = 0);
 
-/// Mesh and load steps that the parameters ask for, whichever way. Where both have an accuracy, 0.3 times the
-/// larger one is left to the steps, and the errors of both together are as small as that.
+/// Mesh and load steps that the parameters ask for, in whichever way. Where both have an accuracy, 0.3 times
+/// the larger one is left to the steps, and the errors of both together are within the larger one. Throws
+/// what find_mesh(), find_steps() and adapted_mesh() throw.
 ChosenModel choose_mesh_and_steps(const Parameters &parameters, const ModelChoice &choice,
-                                  const Teller &tell);
+                                  const Reporter &report);
 } // namespace orthocone

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 //
 // Accuracy on demand, of the load steps: each leg is solved in finer and finer parts until what halving them
-// changes tells that the quantities that users look at are accurate enough.
+// changes shows that the quantities that users look at are accurate enough.
 #pragma once
 
 #include <orthocone/accuracy/accuracy.h>
@@ -15,16 +15,16 @@
 namespace orthocone
 {
 /// Takes lines for screen and log.
-using Teller = std::function<void(const std::string &)>;
+using Reporter = std::function<void(const std::string &)>;
 
-/// What load steps err by, and the tolerance of the contact solver with them.
+/// The errors of load steps, and of the tolerance of the contact solver.
 struct StepAccuracy
 {
   AccuracyEstimate estimate{};
-  Quantities solver{}; ///< what ten times the tolerance changes, percent
+  Quantities solver{}; ///< changes by ten times the tolerance, percent
 };
 
-/// Legs in parts.
+/// Load program with its steps in parts.
 struct DividedSteps
 {
   LoadOptions load; ///< Accuracy = 0
@@ -32,9 +32,10 @@ struct DividedSteps
 };
 
 /// Divides the steps of each leg into parts until the estimated errors of all quantities are at most `wanted`
-/// percent, or 64 parts a step do not reach that. What halving a leg's parts changes is taken for half of its
-/// error, or for less where halving them before tells that they converge more slowly; errors of legs add up.
-/// All is measured on a mesh that is no finer than that of the run. Throws std::runtime_error.
+/// percent, or a step has 64 parts. What halving a leg's parts changes is taken for half of its error, or for
+/// less where the halving before shows that they converge more slowly; errors of legs add up. All is measured
+/// on a mesh that is no finer than the run's. docs/accuracy.md, "A number: `Load program/Accuracy`". Throws
+/// std::runtime_error if a step is not solved.
 DividedSteps find_steps(const Parameters &parameters, const ModelChoice &choice, double wanted,
-                        const Teller &tell);
+                        const Reporter &report);
 } // namespace orthocone

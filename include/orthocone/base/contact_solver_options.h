@@ -6,13 +6,13 @@
 
 namespace orthocone
 {
-/// Section Contact solver.
+/// The entries of section Contact solver.
 struct ContactSolverOptions
 {
   std::string method = "newton";          ///< word of a ContactMethod
-  double tolerance = 1e-10;               ///< bound of the relative natural-map residual
+  double tolerance = 1e-10;               ///< bound of ContactStep::residual(), relative
   unsigned int maximum_iterations = 5000; ///< sweeps or iterations of one step
-  double relaxation = 1;                  ///< of the sweeps: share of the one-node solution that is taken
+  double relaxation = 1;                  ///< of sweeps: the share of the one-node solution that is taken
   double rho_factor = 1;                  ///< of the methods that have a rho of their own
 };
 } // namespace orthocone

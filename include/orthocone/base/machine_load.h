@@ -6,16 +6,16 @@
 
 namespace orthocone
 {
-/// Measures, from its construction on, how many cores of those that this process may use others keep busy: by
-/// the times of idling that the kernel counts, because its number of running tasks has phantoms on virtual
-/// machines.
+/// Measures, from its construction on, how many of the cores that this process may use are kept busy by
+/// others. It reads the idle times that the kernel counts, because the kernel's number of running tasks
+/// includes phantoms on virtual machines.
 class MachineLoad
 {
 public:
   MachineLoad();
 
-  /// Cores that others were busy on since the construction, on average. Waits until that is long enough to be
-  /// counted in hundredths of a second. 0 where nothing is known.
+  /// Number of cores that others have kept busy since the construction, on average. Waits until this is long
+  /// enough to be counted in hundredths of a second. 0 where nothing is known.
   double busy_cores() const;
 
 private:

@@ -6,7 +6,7 @@ namespace orthocone
 {
 constexpr double pi = 3.14159265358979323846;
 
-/// value / scale, and 0 where there is no value, even if there is nothing to relate it to.
+/// value / scale; 0 for a value of 0, even if the scale is 0, too.
 constexpr double relative(const double value, const double scale)
 {
   return value == 0 ? 0 : value / scale;

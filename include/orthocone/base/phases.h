@@ -19,8 +19,8 @@ struct PhaseSeconds
   double output = 0;      ///< with the checkpoints
   double mesh_search = 0; ///< for Mesh/Accuracy: all that was solved to choose the mesh
 
-  void add(const PhaseSeconds &other);
-  double sum() const;
+  void add(const PhaseSeconds &other); ///< adds the times of every phase
+  double sum() const;                  ///< over all phases, s
 };
 
 /// The phases in their order, with the names that users see.

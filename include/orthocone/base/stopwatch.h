@@ -6,7 +6,7 @@
 
 namespace orthocone
 {
-/// Seconds since its construction.
+/// Measures the seconds since its construction.
 class Stopwatch
 {
 public:

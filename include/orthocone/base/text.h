@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// Text of numbers and numbers of text, pieces of text, and text as messages show it.
+// Text of numbers and numbers of text, pieces of text, and text as messages show it. Nothing here throws.
 #pragma once
 
 #include <optional>
@@ -13,8 +13,8 @@ namespace orthocone
 /// Shortest text that reads back as the same number.
 std::string to_text(double value);
 
-/// A value, name or path as messages show it: not too long, and with escapes for what a terminal would not
-/// print. Of a long path the end is shown.
+/// A value, name or path as messages show it: at most 200 bytes of it, with escapes for what a terminal would
+/// not print. A long path shows its end, any other text its beginning.
 std::string shown(const std::string &text);
 std::string shown_path(const std::string &path);
 
@@ -30,12 +30,12 @@ std::optional<double> parse_number(const std::string &text);
 /// The nonnegative whole number that the whole text spells, or nothing.
 std::optional<unsigned int> parse_count(const std::string &text);
 
-/// The number in front of a percent sign, or 0 where there is nothing but "0"; nothing otherwise.
+/// The number in front of a percent sign, or 0 for "0"; nothing otherwise.
 std::optional<double> parse_percentage(const std::string &text);
 
 /// Numbers separated by `separator` (a blank: any white space); nothing unless there are exactly `n`.
 std::optional<std::vector<double>> parse_numbers(const std::string &text, unsigned int n, char separator);
 
-/// Whether a byte goes on with a UTF-8 character that began before.
+/// Whether a byte continues a UTF-8 character that began before it.
 bool continues_character(char c);
 } // namespace orthocone

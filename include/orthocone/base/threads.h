@@ -7,7 +7,7 @@
 
 namespace orthocone
 {
-/// How many threads a run computes with, and the words that say why.
+/// The number of threads that a run computes with, and the reason in words.
 struct ThreadChoice
 {
   unsigned int number = 1;
@@ -20,30 +20,32 @@ struct UsableCores
   unsigned int allowed = 1; ///< by its affinity
   unsigned int granted = 1; ///< of these, as many at a time as its control group grants
 };
+
+/// The cores of this process; throws nothing.
 UsableCores usable_cores();
 
-/// One thread for each of the cores that nobody else is busy on: threads of BLAS wait for each other at work,
-/// and those that have to share a core make a factorization several times as long. One where the model is so
-/// small that a second thread gains nothing. `unknowns`: of the model; `n_busy`: cores allowed that others
-/// are busy on, on average.
+/// One thread for each core that nobody else keeps busy: threads of BLAS wait for each other, so that threads
+/// that share a core make a factorization several times as long. One thread where the model is so small that
+/// a second one gains nothing (docs/performance.md, "Threads"). `unknowns` is their number in the model,
+/// `n_busy` the number of allowed cores that others keep busy, on average.
 ThreadChoice choose_threads(double unknowns, const UsableCores &cores, double n_busy);
 
-/// Whether choose_threads() needs to know of others.
+/// Whether choose_threads() depends on its `n_busy`.
 bool depends_on_load(double unknowns, const UsableCores &cores);
 
-/// The number of threads that OpenBLAS computes with: of cores, or what the environment says, until it is
-/// told otherwise. One with another BLAS.
+/// The number of threads that OpenBLAS computes with: the number of cores, or what the environment says,
+/// until set_blas_threads() changes it. One with another BLAS.
 unsigned int blas_threads();
 
 /// The number that a variable of the environment gives, such as OPENBLAS_NUM_THREADS, if there is one.
 std::optional<ThreadChoice> threads_of_environment();
 
-/// Tells OpenBLAS to compute with so many threads from now on. Does nothing with another BLAS.
+/// Makes OpenBLAS compute with so many threads from now on. Does nothing with another BLAS.
 void set_blas_threads(unsigned int number);
 
-/// While this lives, OpenBLAS runs on one thread if the matrices that the work is done with are small: their
-/// products take microseconds, and a second thread that waits for them takes a core from those who write
-/// files and from other programs.
+/// While this object lives, OpenBLAS runs on one thread if the matrices of the work are small: their products
+/// take microseconds, and a second thread that waits for them takes a core from the writers of files and from
+/// other programs.
 class BlasThreads
 {
 public:

@@ -11,9 +11,9 @@ namespace orthocone
 /// Version and git revision of the program.
 std::string program_version();
 
-/// Name and version of the program and of the libraries that compute, BLAS as found running.
+/// Names and versions of the program and of the libraries that compute. The BLAS is the one that runs.
 std::vector<std::pair<std::string, std::string>> versions();
 
-/// What the BLAS that is running says of itself, or the file it comes from.
+/// The description that the running BLAS gives of itself, or the file that it comes from.
 std::string running_blas();
 } // namespace orthocone

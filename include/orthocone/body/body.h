@@ -11,7 +11,8 @@
 
 namespace orthocone
 {
-/// Mesh and unknowns of the modelled part of the body, a solid or a section: all that --check needs.
+/// Mesh and unknowns of the modelled part of the body, a solid or a section: all that --check needs. The
+/// constructor throws InputError or FileError for a mesh file and its entries, and what refine() throws.
 class Body
 {
 public:
@@ -19,17 +20,19 @@ public:
 
   const BodyUnknowns &unknowns() const;
 
-  /// Meshes that halving cells made of the coarsest, and that one.
+  /// Number of meshes: the coarsest, and those that halving cells made of it.
   unsigned int n_levels() const;
 
-  /// Longest edge of a cell / its shortest one, the largest of all cells.
+  /// The longest edge of a cell divided by its shortest one: the largest ratio of all cells.
   double stretch() const;
 
-  /// As BodyMesh::cell_numbers().
+  /// BodyMesh::cell_numbers().
   std::vector<unsigned int> cell_numbers() const;
 
-  /// Entries of the stiffness on and below the diagonal.
+  /// Fills `pattern` with the entries of the stiffness on and below the diagonal, n_free() x n_free().
   void make_pattern(dealii::SparsityPattern &pattern) const;
+
+  /// K, n_free() x n_free(), N/mm.
   Stiffness stiffness(const Materials &materials) const;
 
   const Materials &materials() const { return materials_; }
@@ -37,7 +40,7 @@ public:
   /// The displacement space of a solid. Throws std::bad_variant_access for a section.
   const Discretization &solid() const { return std::get<Solid>(shape_).discretization; }
 
-  /// What `use` makes of the displacement space, a Discretization or a SectionDiscretization.
+  /// Returns `use` of the displacement space, which is a Discretization or a SectionDiscretization.
   template<typename Use>
   auto visit(const Use &use) const
   {

@@ -9,7 +9,7 @@
 
 namespace orthocone
 {
-/// Cells and degrees of freedom of a body, of all processes.
+/// Numbers of cells and degrees of freedom of a body, over all processes.
 struct BodySize
 {
   unsigned int cells = 0;
@@ -17,32 +17,33 @@ struct BodySize
   unsigned int free_dofs = 0;
 };
 
-/// What condensation, checks and reports need to know of a body, whatever its mesh: its degrees of freedom in
-/// four ranges, interior (free, not on the contact surface), contact (free, on the contact surface), held
-/// (zero) and hanging (moved by others), and its contact surface. Where several processes share a body, these
-/// are the ones that this process owns. Behind them come those of others that it works with, too.
+/// What condensation, checks and reports need to know of a body, whatever its mesh: its contact surface, and
+/// its degrees of freedom in four ranges: interior (free, not on the contact surface), contact (free, on the
+/// contact surface), held (zero) and hanging (moved by others). Where several processes share a body, a
+/// process has the degrees of freedom that it owns in these ranges, and behind them the others that it works
+/// with.
 class BodyUnknowns
 {
 public:
-  /// With those of other processes.
+  /// Including degrees of freedom that other processes own.
   unsigned int n_dofs() const { return directions_.size(); }
-  unsigned int n_owned() const { return n_owned_; }
-  unsigned int n_interior() const { return n_interior_; }
-  unsigned int n_free() const { return n_free_; }
+  unsigned int n_owned() const { return n_owned_; }       ///< all four ranges
+  unsigned int n_interior() const { return n_interior_; } ///< the first range
+  unsigned int n_free() const { return n_free_; }         ///< the first two ranges
 
   const BodySize &size() const { return size_; }
 
   /// Direction in which a degree of freedom moves, 0: x (r in an axisymmetric body), 1: y, 2: z.
   unsigned int direction(const unsigned int dof) const { return directions_[dof]; }
 
-  /// Where it stands, mm; of an axisymmetric body in the plane y = 0. What a rigid motion moves it by depends
-  /// on that.
+  /// Place of a degree of freedom (x, y, z), mm; in an axisymmetric body it is in the plane y = 0. Rigid
+  /// motions need it.
   Eigen::Vector3d position(const unsigned int dof) const { return positions_.col(dof); }
 
   /// Centroid of the whole held face, mm.
   const Eigen::Vector3d &held_centre() const { return held_centre_; }
 
-  /// From the centre of the held face to a contact node, mm.
+  /// Vector from the centre of the held face to a contact node, mm.
   Eigen::Vector3d arm(const ContactNode &node) const
   {
     return Eigen::Vector3d(node.position[0], node.position[1], node.height) - held_centre_;
@@ -58,7 +59,7 @@ protected:
   unsigned int n_free_ = 0;
   unsigned int n_owned_ = 0;
   std::vector<unsigned char> directions_;
-  Eigen::Matrix3Xd positions_; ///< of the degrees of freedom
+  Eigen::Matrix3Xd positions_; ///< of the degrees of freedom, mm
   Eigen::Vector3d held_centre_ = Eigen::Vector3d::Zero();
   ContactSurface contact_surface_;
   HangingDofs hanging_;

@@ -14,12 +14,13 @@ namespace orthocone
 struct BodyMismatch
 {
   double unbalanced;      ///< ||K u - r|| / ||r|| over all free unknowns, with u = K^-1 r
-  double displacement;    ///< largest difference between u and the compliance on the contact surface, mm
-  Eigen::VectorXd volume; ///< u
+  double displacement;    ///< largest difference between u and W r on the contact surface, mm
+  Eigen::VectorXd volume; ///< u, of the free degrees of freedom, mm
 };
 
-/// All that scene, march, results and output know of a body. A new backend is a class of this kind. Forces
-/// and displacements of contact nodes are in their local axes (normal, x, y), in N and mm.
+/// All that scene, march, results and output know of a body. A new backend is a class derived from this one.
+/// Forces (N) and displacements (mm) of the n contact nodes have size 3 n and are in local axes (normal, x,
+/// y). A body that is solved iteratively throws SolveError where it cannot be solved.
 class ElasticBody
 {
 public:
@@ -30,32 +31,35 @@ public:
   const BodyUnknowns &unknowns() const { return mesh().unknowns(); }
   const ContactSurface &surface() const { return unknowns().contact_surface(); }
 
+  /// W of the contact nodes, 3 n x 3 n, local axes, mm/N.
   virtual const Compliance &compliance() const = 0;
 
-  /// Displacement of every contact node, without contact forces, when the held face moves by `held`.
+  /// Displacement of every contact node (3 n, mm), without contact forces, when the held face moves by
+  /// `held`.
   virtual NodeVector moved_with(const RigidMotion &held) const = 0;
 
-  /// Wrench of contact forces on the nodes of the model about the centre of the held face, without the copies
-  /// of the model: the work of the forces on moved_with().
+  /// Wrench of contact forces (3 n) on the nodes of the model about the centre of the held face, without the
+  /// copies of the model: its components are the work of the forces on moved_with() of unit motions.
   virtual Wrench wrench(const NodeVector &force) const = 0;
 
-  /// Displacements of the volume (mm) under contact forces, and the same with a motion of the held face.
+  /// Displacements of the free degrees of freedom (mm) under contact forces (3 n, N), and displacements of
+  /// all degrees of freedom when the held face moves, too.
   virtual Eigen::VectorXd elastic_displacement(const NodeVector &force) const = 0;
   virtual Eigen::VectorXd with_motion(const RigidMotion &held, const Eigen::VectorXd &elastic) const = 0;
 
-  /// A displacement of the free degrees of freedom of the mesh before the last refinement, on this one (mm).
-  /// Throws std::logic_error where the body has no such mesh.
+  /// A displacement (mm) of the free degrees of freedom of the mesh before the last refinement, interpolated
+  /// to the free degrees of freedom of this one. Throws std::logic_error where the body has no such mesh.
   virtual Eigen::VectorXd prolonged(const Eigen::VectorXd &coarser) const
   {
     static_cast<void>(coarser);
     throw std::logic_error("this body has no coarser mesh");
   }
 
-  /// Of forces that move the contact nodes by `elastic` (without the motion of the held face). Rounding is
-  /// kept well below `bound`.
+  /// The mismatch of forces (3 n) that move the contact nodes by `elastic` (3 n, without the motion of the
+  /// held face). Rounding is kept well below `bound`, which is relative.
   virtual BodyMismatch mismatch(const NodeVector &force, const NodeVector &elastic, double bound) const = 0;
 
-  /// V-cycles on the finest mesh so far, the measure of all work; 0 where the body is factorized.
+  /// Number of V-cycles on the finest mesh so far, the measure of all work; 0 where the body is factorized.
   virtual unsigned long n_v_cycles() const { return 0; }
 };
 } // namespace orthocone

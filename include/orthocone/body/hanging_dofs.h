@@ -11,11 +11,13 @@
 namespace orthocone
 {
 /// Degrees of freedom that cannot move by themselves: those of nodes where a cell borders on smaller ones.
-/// The displacement there is that of the larger cell, a sum over its nodes.
+/// Their displacement is interpolated in the larger cell, as a sum over its nodes (docs/theory.md, section 2,
+/// "Hanging nodes").
 class HangingDofs
 {
 public:
-  /// One degree of freedom that moves a hanging one, and how much of its displacement that has.
+  /// A degree of freedom that moves a hanging one, and the share of its displacement that the hanging one
+  /// takes.
   struct Term
   {
     unsigned int dof;
@@ -25,8 +27,8 @@ public:
 
   HangingDofs() = default;
 
-  /// One sum for each of the hanging degrees of freedom, whose numbers of all `n_dofs` are given. No term
-  /// hangs itself.
+  /// `numbers` are the hanging ones of all `n_dofs` degrees of freedom, `sums` has one sum for each of them.
+  /// No term may hang itself.
   HangingDofs(std::vector<unsigned int> numbers, std::vector<Terms> sums, const unsigned int n_dofs)
       : numbers_(std::move(numbers)),
         sums_(std::move(sums)),
@@ -38,9 +40,11 @@ public:
 
   bool empty() const { return sums_.empty(); }
   bool contains(const unsigned int dof) const { return !empty() && places_[dof] != none; }
+
+  /// The sum of a hanging degree of freedom.
   const Terms &terms(const unsigned int dof) const { return sums_[places_[dof]]; }
 
-  /// Gives the hanging ones their displacement by that of the others.
+  /// Sets the displacements of the hanging ones from those of the others; `displacement` has n_dofs numbers.
   template<typename Number>
   void distribute(Number *const displacement) const
   {
@@ -53,7 +57,8 @@ public:
     }
   }
 
-  /// Moves forces on hanging ones to those that move them: the same work.
+  /// Moves forces on hanging ones to the degrees of freedom that move them, which does the same work;
+  /// `forces` has n_dofs numbers.
   template<typename Number>
   void collect(Number *const forces) const
   {
@@ -70,14 +75,16 @@ private:
 
   std::vector<unsigned int> numbers_;
   std::vector<Terms> sums_;
-  std::vector<unsigned int> places_; ///< in these two, of all degrees of freedom
+  std::vector<unsigned int> places_; ///< of each degree of freedom in these two
 };
 
-/// What moves the nodes of a cell: the degrees of freedom, none of which hangs, and the displacement of all
-/// of the cell's by theirs. No basis where nothing of the cell hangs.
+/// The degrees of freedom that move the nodes of a cell (`dofs`, none of which hangs), and the matrix that
+/// maps their displacements to those of the cell's own ones (`basis`). The basis is empty where nothing of
+/// the cell hangs.
 template<typename Index>
 struct CellBasis
 {
+  /// `of_cell` are the n degrees of freedom of a cell; `basis` becomes n x dofs.size(), without units.
   CellBasis(const HangingDofs &hanging, const std::vector<Index> &of_cell)
       : dofs(of_cell)
   {
@@ -95,7 +102,7 @@ struct CellBasis
     basis.conservativeResize(Eigen::NoChange, dofs.size());
   }
 
-  /// The cell's matrix for these degrees of freedom.
+  /// The cell's matrix, transformed to `dofs`.
   Eigen::MatrixXd reduced(const Eigen::MatrixXd &matrix) const
   {
     return basis.size() == 0 ? matrix : Eigen::MatrixXd(basis.transpose() * matrix * basis);

@@ -10,9 +10,10 @@
 
 namespace orthocone
 {
-/// Compliance (mm/N) of each node of the model under a force on it alone, estimated: (1 - nu^2) / (0.7 E h),
-/// that of a half-space under a square of side h, divided by the share of the force that the model's node
-/// carries. h^2 is the area of a node of the whole body, h the width of a ring: the same for every model.
+/// Estimated compliance (mm/N, one number a node) of each node of the model under a force on it alone: (1 -
+/// nu^2) / (0.7 E h), the compliance of a half-space under a square of side h (docs/theory.md, section 4,
+/// "Dissipation"), divided by the share of the force that the model's node carries. h^2 is the area of a node
+/// of the whole body, or h is the width of a ring, so that every model has the same values.
 Eigen::VectorXd node_compliance(const ContactSurface &surface, const ModelSymmetry &symmetry,
                                 const MaterialOptions &material);
 } // namespace orthocone

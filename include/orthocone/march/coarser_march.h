@@ -9,14 +9,15 @@
 
 namespace orthocone
 {
-/// The march of the same scene on the mesh before the last refinement, to a loose tolerance and one step
-/// ahead: what a step changes there is where it starts from on the finer mesh.
+/// The march of the same scene on the mesh before the last refinement, with a loose tolerance and one step
+/// ahead: the change of a step there gives its start on the finer mesh.
 class CoarserMarch
 {
 public:
-  /// Nothing if the body of the scene has no coarser mesh, or does not need one.
+  /// The coarser march of a scene; null if its body has no coarser mesh, or does not need one.
   static std::unique_ptr<CoarserMarch> of(const Scene &finer);
 
+  /// `parameters` have the coarser mesh.
   explicit CoarserMarch(const Parameters &parameters, const ModelChoice &choice);
 
   struct Change
@@ -25,10 +26,10 @@ public:
     RigidMotion motion;           ///< of the held face
   };
 
-  /// Solves a step from the last accepted state; nothing if that fails.
+  /// Solves a step from the last accepted state; returns nothing if that fails.
   std::optional<Change> solve(const LoadStep &step);
 
-  /// The step that was solved last is accepted.
+  /// To be called when the step that was solved last is accepted.
   void accept(const LoadStep &step);
 
   /// StepSolver::settle().

@@ -11,37 +11,37 @@
 
 namespace orthocone
 {
-/// All that the next step needs to know of the past, and all that output reads. Per node of the model, local
-/// axes.
+/// All that the next step needs to know of the past, and all that output reads. Vectors have one number, or
+/// three in local axes, for each node of the model.
 struct ContactState
 {
-  /// Before the first step, on the plane.
+  /// The state before the first step, on the plane.
   explicit ContactState(Eigen::Index n_nodes)
       : ContactState(NodeVector(NodeVector::Zero(3 * n_nodes)))
   {
   }
 
-  /// Before the first step. `gaps`: displacement relative to the obstacle, mm.
+  /// The state before the first step. `gaps` is the displacement relative to the obstacle (3 n, mm).
   explicit ContactState(const NodeVector &gaps);
 
   Eigen::Index n_nodes() const { return accumulated_slip.size(); }
 
   unsigned int step = 0;
-  RigidMotion motion{};              ///< of the held face
-  double work = 0;                   ///< of it, by the trapezoidal rule over all that was solved, N mm
-  FaceState leg_begin{};             ///< of it when the present leg began
-  NodeVector force;                  ///< of the plane on the body, N
-  NodeVector displacement;           ///< relative to the plane (gap, slip), mm
+  RigidMotion motion{};    ///< of the held face
+  double work = 0;         ///< of the face, by the trapezoidal rule over all solved parts of steps, N mm
+  FaceState leg_begin{};   ///< the face when the present leg began
+  NodeVector force;        ///< of the plane on the body, N
+  NodeVector displacement; ///< relative to the plane (gap, slip), mm
   Eigen::VectorXd accumulated_slip;  ///< path length of the slip in steps that begin or end in contact, mm
   Eigen::VectorXd dissipated_energy; ///< N mm
   Eigen::VectorXd wear_depth;        ///< worn off since the start, mm
-  Eigen::VectorXd found_depth;   ///< of it, what the last step found: `displacement` is relative to that, mm
-  Eigen::VectorXd slip_at_stick; ///< slip (x, y) where the node last stuck or turned round, mm
+  Eigen::VectorXd found_depth;       ///< worn before the last step: `displacement` is relative to it, mm
+  Eigen::VectorXd slip_at_stick;     ///< slip (x, y) where the node last stuck or turned round, mm
   std::vector<NodeStatus> status;
 };
 
-/// Displacement of a state relative to the obstacle without the room that wear has made: gap before the first
-/// step, and what the nodes have moved since, mm.
+/// Displacement of a state (3 n, mm) relative to the obstacle, without the room that wear has made: the gap
+/// before the first step, and the motion of the nodes since.
 NodeVector unworn_displacement(const ContactState &state);
 
 /// How far a node has slipped since it last stuck or turned round, mm.
@@ -52,9 +52,9 @@ double slip_since_stick(const ContactState &state, Eigen::Index node);
 double dissipation(const Eigen::Vector2d &before, const Eigen::Vector2d &after,
                    const Eigen::Vector2d &change);
 
-/// Enters the solution of a step into the state: displacement, status, accumulated slip, wear and
-/// dissipation, which is the work of the mean friction force, or of the final one where the slip reverses or
-/// the node lifts off. `opening`: node_compliance() of all nodes.
+/// Enters the solution of a step into the state: displacement, status, accumulated slip, wear, and
+/// dissipation. This is the work of the mean friction force, or of the final one where the slip reverses or
+/// the node lifts off (docs/theory.md, section 4). `opening` is node_compliance() of all nodes.
 void advance(ContactState &state, const ContactStep &step, const Eigen::VectorXd &opening,
              const Eigen::VectorXd &unknowns, const RigidMotion &motion, const WearLaw &wear = {});
 } // namespace orthocone

@@ -18,7 +18,8 @@ struct MarchedStep
   double seconds; ///< of the solver
 };
 
-/// Who watches a march: results, tables, checkpoints, a search. A new one is a class of this kind.
+/// Watches a march: for results, tables, checkpoints, a search. A new observer is a class derived from this
+/// one.
 class MarchObserver
 {
 public:
@@ -30,13 +31,14 @@ public:
   /// Whether a solved step is right. If it is not, the march ends with the state before it.
   virtual bool accepts(const MarchedStep & /*solved*/) { return true; }
 
-  /// After a step is accepted. May move the state on, as a jump over cycles does.
+  /// Called after a step is accepted. May move the state on, as a jump over cycles does.
   virtual void accepted(ContactState & /*state*/) {}
 
-  /// A step that no halving solves ends the march; the state is that before it.
+  /// Called when no halving solves a step, which ends the march in the state before it.
   virtual void failed(const LoadStep & /*step*/, const SolverReport & /*report*/, double /*seconds*/) {}
 };
 
+/// How a march ended.
 enum class MarchEnd
 {
   done,     ///< all steps are accepted

@@ -6,11 +6,11 @@
 
 namespace orthocone
 {
-/// What the processes of a run remember, all of it on the first one: the bodies of one process behind those
-/// of the other. Must be called by all.
+/// Collects what the processes of a run remember on the first one: the bodies of one process behind those of
+/// the process before. All processes must call it.
 StartMemory gathered(StartMemory memory);
 
-/// The part of this process. Bodies that `n_ranks_then` processes shared do not fit any other number: then
-/// there are none.
+/// The part of this process. Bodies that `n_ranks_then` processes shared do not fit another number of
+/// processes: then the part has no bodies.
 StartMemory part_of_this_rank(StartMemory memory, unsigned int n_ranks_then);
 } // namespace orthocone

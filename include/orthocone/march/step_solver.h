@@ -16,22 +16,22 @@ namespace orthocone
 {
 struct MarchMemory;
 
-/// Forces from which the next step may start, besides those of the last step. Each vector holds three forces
-/// a node and behind them the motion of the held face.
+/// Forces from which the next step may start, besides the forces of the last step. Each vector has three
+/// forces a node (N), and behind them the motion of the held face (mm and rad).
 struct StartMemory
 {
   NodeVector change;                           ///< of the forces in the last step
   std::map<unsigned int, NodeVector> of_phase; ///< forces at each phase of the last cycle
-  std::map<unsigned int, NodeVector> drift;    ///< their change from the cycle before that
+  std::map<unsigned int, NodeVector> drift;    ///< their change from the cycle before
   std::vector<Eigen::VectorXd> bodies{};       ///< Compliance::settle()
   std::vector<MarchMemory> coarser{};          ///< of CoarserMarch; one, or none
 
-  /// Most that both maps may hold. A cycle of so many steps that they would hold more starts its later phases
-  /// from the step before.
+  /// The largest size of both maps. If a cycle has so many steps that they would exceed it, its later phases
+  /// start from the step before.
   static constexpr std::size_t most_bytes = 32000000;
 };
 
-/// A march that goes on from here.
+/// The data from which a march goes on.
 struct MarchMemory
 {
   ContactState state;
@@ -45,8 +45,8 @@ class StartForces
 {
 public:
   /// Unknowns of `problem`, whose face has these components: the first candidate whose residual is within the
-  /// tolerance, or the one with the least. A likely one costs one product with W, another one
-  /// ContactStep::near_residual().
+  /// tolerance, or the candidate with the least residual. A likely candidate costs one product with W, any
+  /// other one ContactStep::near_residual().
   Eigen::VectorXd best(const ContactStep &problem, const std::vector<unsigned int> &components,
                        const ContactState &state, const LoadStep &step, double tolerance) const;
 
@@ -79,21 +79,22 @@ class CoarserMarch;
 class StepSolver
 {
 public:
-  /// By the scene's own solver, or by another one. `scene` must outlive this.
+  /// Uses the scene's own contact solver, or the one of `options`. `scene` must outlive this object. Throws
+  /// as make_contact_solver() does.
   explicit StepSolver(const Scene &scene);
   StepSolver(const Scene &scene, const ContactSolverOptions &options);
   StepSolver(StepSolver &&other) noexcept;
   ~StepSolver();
 
   /// Advances `state` to the end of `step`, in its parts if it has any. On failure (report.converged is
-  /// false) `state` is as before.
+  /// false) `state` stays as it was. Throws SolveError where the body cannot be solved.
   SolverReport solve(ContactState &state, const LoadStep &step);
 
-  /// The held face when the leg of a step began; `before`: the state before the step.
+  /// The held face when the leg of a step began. `before` is the state before the step.
   FaceState leg_begin(const ContactState &before, const LoadStep &step) const;
 
-  /// How much of the leg of a step without equilibrium is still carried, from the state before the step:
-  /// bisected to 1 % of the leg.
+  /// The share of its leg up to which a step without equilibrium can still be carried, from the state before
+  /// the step. It is bisected to 1 % of the leg (docs/theory.md, section 3).
   double carried_share(const ContactState &before, const LoadStep &step) const;
 
   /// To be called with the states before and after every step that is accepted: later steps start from it.
@@ -104,15 +105,15 @@ public:
   /// forgotten.
   void reject();
 
-  /// Where the bodies that were remembered are not known: computes that of an accepted state.
+  /// Computes the body of an accepted state, where the remembered bodies are not known.
   void settle(const ContactState &state);
 
-  /// What a solver of the same problem needs to go on as this one would.
+  /// The data with which a solver of the same problem goes on as this one would, and their return.
   const StartMemory &memory() const { return starts_.memory(); }
   void restore(const StartMemory &memory);
 
 private:
-  /// What a step is solved from.
+  /// The problem of a step and what it came from.
   struct Attempt
   {
     FaceTarget target;

@@ -12,23 +12,25 @@ namespace orthocone
 /// Areas of the contact nodes, mm^2.
 Eigen::VectorXd areas_of(const ContactSurface &surface);
 
-/// What a node does on its way along the obstacle in one solved step.
+/// A node's slip along the obstacle in one solved step.
 struct Rubbing
 {
-  double normal_force = 0; ///< mean over the step, N; nothing for the time without contact
+  double normal_force = 0; ///< mean over the step, N; 0 counts for the time without contact
   double slip = 0;         ///< length of its way, mm
   double dissipated = 0;   ///< N mm
 };
 
-/// How deep slip wears the base of the body: by pressure times slip (Archard, J. Appl. Phys. 24, 1953, 981),
-/// or by dissipated energy per area (Fouvry et al., Wear 255, 2003, 287). The rates are explicit: a step
-/// finds the surface that the steps before it have left, and its own wear is found by the next one.
+/// The depth that slip wears off the base of the body: in proportion to pressure times slip (Archard, J.
+/// Appl. Phys. 24, 1953, 981), or to dissipated energy per area (Fouvry et al., Wear 255, 2003, 287). Wear is
+/// explicit: a step is solved on the surface that the steps before have left, and the next step finds its
+/// wear. docs/theory.md, section 3, "Wear".
 class WearLaw
 {
 public:
-  /// Nothing wears.
+  /// A law without wear.
   WearLaw() = default;
 
+  /// The law of the options, with the areas of the nodes of `surface`.
   WearLaw(const WearOptions &options, const ContactSurface &surface);
 
   /// Depth that a node (index in the model) loses, mm.

@@ -11,21 +11,22 @@
 
 namespace orthocone
 {
-/// A body that is too large to be factorized: products with its stiffness cell by cell, solutions by
-/// conjugate gradients and multigrid, geometric over the refinements of its mesh and algebraic on a coarsest
-/// mesh that is large, contact laws on the whole body.
+/// A body that is too large to be factorized. Products with its stiffness are done cell by cell. Solutions
+/// come from conjugate gradients and multigrid, which is geometric over the refinements of the mesh and
+/// algebraic on a coarsest mesh that is large. Contact laws are solved on the whole body. docs/theory.md,
+/// section 3, "A body without a matrix".
 class MultigridBody : public ElasticBody
 {
 public:
-  /// As FactorizedBody. The model must be a solid. Throws std::runtime_error if the coarsest mesh cannot be
-  /// factorized.
+  /// The parameters of FactorizedBody. The model must be a solid. Throws what Body throws, std::runtime_error
+  /// if the coarsest mesh cannot be factorized, and SolveError if its nodes cannot be aggregated.
   MultigridBody(const Parameters &parameters, const ModelSymmetry &symmetry,
                 const std::function<LocalAxes(const ContactSurface &)> &axes_of,
                 const std::function<void(const Body &)> &on_meshed, PhaseSeconds &seconds);
   ~MultigridBody() override;
 
-  /// Whether a coarsest mesh with so many degrees of freedom is solved by aggregates of its nodes (Trilinos
-  /// ML) and not by a factorization.
+  /// Whether a coarsest mesh with so many degrees of freedom and contact nodes is solved by aggregates of its
+  /// nodes (Trilinos ML) and not by a factorization (docs/performance.md, "Multigrid").
   static bool aggregates_coarsest(double n_dofs, double n_contact_nodes);
 
   MultigridBody(const MultigridBody &) = delete; // its modules refer to each other

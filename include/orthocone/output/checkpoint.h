@@ -19,20 +19,19 @@ namespace orthocone
 struct Checkpoint
 {
   std::vector<std::pair<std::string, std::string>> parameters; ///< entry_values() as given
-  std::vector<std::pair<std::string, std::string>> chosen;     ///< those with the mesh and the parts of steps
-                                                               ///< that were chosen
-  std::uint32_t gap_file = 0;                                  ///< input_files_checksum()
-  std::string program;                                         ///< version and revision that wrote it
-  TableMarks tables;                                           ///< the CSV files
-  FieldSteps fields;                                           ///< that have a field file
+  std::vector<std::pair<std::string, std::string>> chosen; ///< these with the chosen mesh and parts of steps
+  std::uint32_t gap_file = 0;                              ///< input_files_checksum()
+  std::string program;                                     ///< version and revision that wrote it
+  TableMarks tables;                                       ///< the CSV files
+  FieldSteps fields;                                       ///< steps that have a field file
   ContactState state{0};
   StartMemory starts;
   CycleMemory cycles;
   RunRecord record;
-  unsigned int n_ranks = 1; ///< whose bodies `starts` has, one behind the other
+  unsigned int n_ranks = 1; ///< processes, whose bodies `starts` has one behind the other
 };
 
-/// What is wrong with the bytes of a checkpoint: not one, of another version, cut off, damaged.
+/// The bytes are no checkpoint, or a checkpoint of another version, cut off, or damaged.
 struct CheckpointError : std::runtime_error
 {
   using std::runtime_error::runtime_error;
@@ -42,31 +41,31 @@ struct CheckpointError : std::runtime_error
 constexpr unsigned int checkpoint_format = 10;
 
 /// Checksum of the gaps and of the mesh in the files that the parameters name; 0 if they name none. Throws as
-/// read_gap_file() and read_gmsh_file().
+/// read_gap_file() and read_gmsh_file() do.
 std::uint32_t input_files_checksum(const Parameters &parameters);
 
 /// The bytes of a checkpoint: a line with format version, length and checksum, then CBOR.
 std::string encode(const Checkpoint &checkpoint);
 
-/// Throws CheckpointError.
+/// The checkpoint of these bytes. Throws CheckpointError.
 Checkpoint decode(const std::string &bytes);
 
-/// `given`, which are those of the checkpoint as far as they must be, with the mesh and the parts of the
+/// The parameters `given`, which agree with the checkpoint's where they must, with the mesh and the parts of
 /// steps that were chosen.
 Parameters chosen_by(const Checkpoint &checkpoint, const Parameters &given);
 
-/// Replaces the run folder's checkpoint. Before it, all other files of the run are brought to the disk.
+/// Replaces the run folder's checkpoint. All other files of the run are brought to the disk before. Throws
+/// FileError.
 void write_checkpoint(const RunFolder &folder, const Checkpoint &checkpoint);
 
-/// Throws FileError if the folder holds results, but not those of a run with these parameters (its mesh
-/// chosen): without a checkpoint a run starts anew, and a resumed one must not lose what it does not make
-/// again.
+/// Throws FileError if the folder has results of a run with other parameters (with its mesh chosen): without
+/// a checkpoint a run starts anew, and a resumed run must not remove what it does not compute again.
 void require_nothing_to_lose(const RunFolder &folder, const Parameters &parameters);
 
-/// The checkpoint from which a run with these parameters goes on; nothing if it has to start from the
-/// beginning because the earlier run had not come to its first. Throws InputError (told with `file`, the
-/// parameter file) if the earlier run had parameters with which its steps would have been others, FileError
-/// for a checkpoint that cannot be used. Only reads.
+/// The checkpoint from which a run with these parameters goes on; nothing if it must start from the beginning
+/// because the earlier run had not reached its first checkpoint. Throws InputError (which names `file`, the
+/// parameter file) if the earlier run had parameters that lead to other steps, FileError for a checkpoint
+/// that cannot be used. Only reads.
 std::optional<Checkpoint> find_checkpoint(const RunFolder &folder, const Parameters &parameters,
                                           const std::string &file);
 } // namespace orthocone

@@ -20,23 +20,23 @@ struct FieldSteps
   std::vector<unsigned int> volume;
 };
 
-/// Name of the field file of a step; `kind`: "contact" or "volume". `ending` is "pvtu" where it names the
-/// pieces of several processes.
+/// Name of the field file of a step. `kind` is "contact" or "volume". `ending` is "pvtu" for a file that
+/// names the pieces of several processes.
 std::string field_file(const std::string &kind, unsigned int step, const std::string &ending = "vtu");
 
 /// Throws FileError if the field file of one of the steps is missing or cut off.
 void require_fields(const RunFolder &folder, const std::string &kind, const std::vector<unsigned int> &steps);
 
-/// The field files of a run and the .pvd file that names them. The content of a file is made on a thread of
-/// its own, while the next step is solved, and written when the next one comes. The .pvd file can only be
-/// replaced as a whole, which would cost more and more from step to step: it is written when the last time
-/// was a while ago, or by flush().
+/// The field files of a run and the .pvd file that names them. A thread of its own makes the content of a
+/// file while the next step is solved; it is written when the next one comes. The .pvd file can only be
+/// replaced as a whole, which costs more from step to step. So it is written only some time after the last
+/// time, or by flush(). Writing throws FileError.
 class FieldList
 {
 public:
   FieldList(const RunFolder &folder, const std::string &name);
 
-  /// Names the files of these steps and no others; without any there is no .pvd file.
+  /// Lists the files of these steps and no others; without steps there is no .pvd file.
   void set(const std::vector<unsigned int> &steps);
 
   /// Begins to make the field file of a step. `make` returns its content, and must not write anything else.
@@ -52,7 +52,7 @@ public:
   /// Whether `step` or a later one has been added.
   bool has(unsigned int step) const;
 
-  /// Writes what has been added, and brings the .pvd file up to date.
+  /// Writes all that has been added, and brings the .pvd file up to date.
   void flush();
 
 private:

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// The CSV files of a run. Nothing in them depends on the clock but timing.csv: the same run with the same
-// number of threads gives the same bytes.
+// The CSV files of a run. Only timing.csv depends on the clock: the same run with the same number of threads
+// gives the same bytes in the others. All writing throws FileError.
 #pragma once
 
 #include <orthocone/output/run_folder.h>
@@ -26,17 +26,17 @@ private:
   const RunFolder &folder_;
 };
 
-/// Names of the tables of these probes.
+/// File names of the tables of these probes.
 std::vector<std::string> probe_files(const std::vector<Probe> &probes);
 
-/// probe-NAME.csv: the node nearest to each probe, in the image where the probe lies.
+/// probe-NAME.csv: the history of the node nearest to each probe, in the image where the probe lies.
 class ProbeHistories
 {
 public:
   ProbeHistories(const RunFolder &folder, const std::vector<Probe> &probes,
                  const ContactFieldEvaluator &evaluator);
 
-  /// Starts the tables that are not there yet.
+  /// Starts the tables that are not in `there`.
   void start(const TableMarks &there) const;
   void write(const ContactState &state) const;
 

@@ -10,10 +10,12 @@
 
 namespace orthocone
 {
-/// log.txt and what the screen shows: one line a step; on a terminal in place, behind a bar.
+/// log.txt and the output on the screen: one line for each step; on a terminal it is replaced in place,
+/// behind a bar. Writing throws FileError.
 class Log
 {
 public:
+  /// `folder` must outlive the log. A quiet log writes to log.txt only.
   Log(const RunFolder &folder, bool is_quiet);
 
   /// A line for the screen and for log.txt.
@@ -22,10 +24,10 @@ public:
   /// A line for log.txt alone.
   void note(const std::string &text) const;
 
-  /// Elapsed and remaining time count from here, where the first `n_done` of `steps` are solved already.
+  /// Starts the clock of elapsed and remaining time. The first `n_done` of `steps` are solved already.
   void start_steps(unsigned int n_done, const std::vector<LoadStep> &steps);
 
-  /// Progress after `step`.
+  /// Reports progress after `step`.
   void progress(const LoadStep &step, const Totals &totals, const SolverReport &report);
 
   /// Ends a line that is shown in place.

@@ -9,14 +9,14 @@
 
 namespace orthocone
 {
-/// Says where the held face stands, by the components that a program moves: "ux 0.03 mm, uz -0.1 mm".
-/// Rotations are in degrees. Where u_z alone moves it is called so: "u_z -0.1 mm".
+/// Describes the position of the held face by the components that a program moves: "ux 0.03 mm, uz -0.1 mm".
+/// Rotations are in degrees. Where only u_z moves the name is "u_z": "u_z -0.1 mm".
 class MotionText
 {
 public:
   explicit MotionText(const std::vector<LoadStep> &steps = {});
 
-  /// `between` stands between name and value.
+  /// The text of a step, with `between` between name and value.
   std::string operator()(const LoadStep &step, const std::string &between = " ") const;
 
 private:

@@ -17,11 +17,11 @@ namespace orthocone
 {
 namespace posix
 {
-/// Device and inode: tells a folder from another one that has taken its name.
+/// Device and inode: they distinguish a folder from another one that has taken its name.
 using Identity = std::pair<std::uintmax_t, std::uintmax_t>;
 } // namespace posix
 
-/// What a CSV file was at a moment, from its first byte on.
+/// Size and checksum of a CSV file at some moment, from its first byte on.
 struct TableMark
 {
   std::uintmax_t size = 0;    ///< bytes
@@ -33,64 +33,64 @@ struct TableMark
 /// Marks of the CSV files by their names.
 using TableMarks = std::map<std::string, TableMark>;
 
-/// Folder that receives the files of one run. All writing throws FileError, naming file and cause, and leaves
-/// what was written before as it was. Where several processes share a run, the first one has the folder.
-/// Those of the others have no path: they are empty, and what is written there is gone.
+/// Folder that receives the files of one run. All writing throws FileError, which names file and cause, and
+/// leaves what was written before unchanged. Where several processes share a run, the first one has the
+/// folder. The folders of the others have no path: they are empty, and what is written there is lost.
 class RunFolder
 {
 public:
-  /// Creates the folder if need be and makes sure that no other run writes there until this object is
-  /// destroyed (or the process ends in whatever way).
+  /// Creates the folder if necessary. No other run writes there until this object is destroyed, or the
+  /// process ends in any way. Throws FileError.
   explicit RunFolder(const std::optional<std::filesystem::path> &path);
   ~RunFolder();
   RunFolder(const RunFolder &) = delete;
   RunFolder &operator=(const RunFolder &) = delete;
 
-  /// Throws FileError where files of a run's names lie in the folder that no run has made. `probes`: the
-  /// tables that the run is going to write for its probes.
+  /// Throws FileError where the folder has files with the names of a run's files that no run has made.
+  /// `probes` are the tables that the run is going to write for its probes.
   void require_own(const std::vector<std::string> &probes) const;
 
-  /// Removes the files that an earlier run left; whatever else lies there stays. `parameters` becomes the
-  /// content of parameters.prm, which tells the run from others. `parameter_file` and
-  /// `probes` are kept, too; returns the parameter file of the earlier run, if it was another one.
+  /// Removes the files that an earlier run left; all others stay. `parameters` becomes the content of
+  /// parameters.prm, which distinguishes the run from others. `parameter_file` and `probes` are stored, too.
+  /// Returns the parameter file of the earlier run, if it was another one.
   std::optional<std::string> start_anew(const std::string &parameters, const std::string &parameter_file,
                                         const std::vector<std::string> &probes) const;
 
-  /// Keeps which tables of probes are the run's; others are the user's.
+  /// Stores which tables of probes belong to the run; others belong to the user.
   void mark(const std::string &parameter_file, const std::vector<std::string> &probes) const;
 
   /// Removes the field files of steps after `step`.
   void remove_fields_after(unsigned int step) const;
 
-  /// The file appears under its name only when complete.
+  /// Writes a file, which appears under its name only when it is complete.
   void write(const std::string &name, const std::string &content) const;
 
-  /// The same, and the file is on the disk, as are all that were written before, when this returns.
+  /// The same. When this returns, the file is on the disk, and so are all that were written before.
   void write_durably(const std::string &name, const std::string &content) const;
 
-  /// The place of a file that a library writes by itself: as NAME.part, then under its name.
+  /// The path for a file that a library writes by itself, as NAME.part and then under its name.
   std::filesystem::path place_for(const std::string &name) const;
 
-  /// Appends in one piece. Throws FileError if the file is not what this run has left.
+  /// Appends in one piece. Throws FileError if the file is not as this run has left it.
   void append(const std::string &name, const std::string &content) const;
 
-  /// Content of a file. Throws FileError.
+  /// Content of a file. Throws FileError if it cannot be read.
   std::string read(const std::string &name) const;
 
   bool has(const std::string &name) const;
   bool is_nowhere() const { return path_.empty(); }
 
-  /// Whether the file is there and its last bytes are these.
+  /// Whether the file exists and ends with these bytes.
   bool ends_with(const std::string &name, const std::string &end) const;
   void remove(const std::string &name) const;
 
-  /// Marks of the CSV files that this run has written or gone on with.
+  /// Marks of the CSV files that this run has written or continued.
   TableMarks tables() const;
 
-  /// Throws FileError if a CSV file is missing or does not begin with what it was.
+  /// Throws FileError if a CSV file is missing or does not begin with its marked content.
   void require_tables(const TableMarks &marks) const;
 
-  /// Cuts the CSV files back to these marks, which they must fit, and removes the others.
+  /// Cuts the CSV files back to these marks, which must fit them, and removes the others.
   void cut_tables(const TableMarks &marks) const;
 
   /// The folder, or a file in it, as messages show it.

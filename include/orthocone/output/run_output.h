@@ -9,32 +9,32 @@
 
 namespace orthocone
 {
-/// The files of a run that grow with its steps: tables and fields. Of earlier steps it knows only the names
-/// of their files.
+/// The files of a run that grow with its steps: tables and fields. It knows earlier steps only by the names
+/// of their files. Writing throws FileError.
 class RunOutput
 {
 public:
-  /// All but `options` must outlive the output.
+  /// All arguments but `options` must outlive the output.
   RunOutput(const RunFolder &folder, const OutputOptions &options, const Scene &scene,
             const ContactFieldEvaluator &evaluator);
 
   /// Starts the tables.
   void start() const;
 
-  /// Brings the files back to what they were after `step`, with these tables and fields; probes that are new
-  /// since then get tables that begin here. The files are those that find_checkpoint() has seen.
+  /// Takes the files back to their content after `step`, with these tables and fields. Probes that are new
+  /// since then get tables that begin here. The files must be those that find_checkpoint() has checked.
   void return_to(unsigned int step, const TableMarks &tables, const FieldSteps &fields);
 
   void write(const SolvedStep &step);
   void write(const CycleRow &row) const { cycles_.write(row); }
 
-  /// Writes what is still due after the last step of a run that ends before its program does.
+  /// Writes the fields that are due after the last step of a run that ends before its program does.
   void end_with(const ContactState &state);
 
   /// Steps whose field files are written; complete after flush().
   FieldSteps fields() const { return {contact_.steps(), volume_.steps()}; }
 
-  /// Writes the field files that are still being made, and brings the .pvd files up to date.
+  /// Writes the field files that are still in the making, and brings the .pvd files up to date.
   void flush();
 
 private:
@@ -45,7 +45,7 @@ private:
 
   const RunFolder &folder_;
   const OutputOptions options_;
-  unsigned int last_step_; ///< of the program, or of the run if that ended before
+  unsigned int last_step_; ///< of the program, or of the run if it ended earlier
   const Scene &scene_;
   const ContactFieldEvaluator &evaluator_;
   const History history_;

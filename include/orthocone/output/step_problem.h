@@ -6,10 +6,10 @@
 
 namespace orthocone
 {
-/// Throws InputError where Output/Problems is asked for, but cannot be done.
+/// Throws InputError where Output/Problems is set, but problems cannot be written.
 void require_writable_problems(const Parameters &parameters, const ModelSymmetry &symmetry);
 
-/// Writes what was solved last of a step as a problem of FCLIB: all of the step, or its last part. Throws
+/// Writes what was solved last in a step, all of the step or its last part, as a problem of FCLIB. Throws
 /// FileError.
 void write_step_problem(const SolvedStep &step, const std::string &file);
 } // namespace orthocone

@@ -22,6 +22,7 @@ namespace orthocone
 /// Largest values over the run and the steps that had them.
 struct Peaks
 {
+  /// Takes over larger values of a step.
   void consider(unsigned int step, const Totals &totals);
 
   std::pair<double, unsigned int> slip{0, 0};     ///< mm
@@ -29,17 +30,17 @@ struct Peaks
   std::pair<double, unsigned int> force_z{0, 0};  ///< N
 };
 
-/// The strongest friction that no node can wedge under, and where one would first.
+/// The strongest friction under which no node can wedge, and the place where one would wedge first.
 struct CriticalFrictionRecord
 {
   double factor = 0;                      ///< CriticalFriction::factor
   std::array<double, 2> position{{0, 0}}; ///< mm
 };
 
-/// What adds up from step to step, also over interruptions, and what is known before the first step.
+/// Sums and peaks over the steps, also over interruptions, and what is known before the first step.
 struct RunRecord
 {
-  /// `before`: of the step before.
+  /// Adds a step. `before` are the totals of the step before.
   void add_step(unsigned int step, const Totals &before, const Totals &totals, const SolverReport &report,
                 const StepChecks &checks);
 
@@ -65,7 +66,7 @@ struct RunRecord
   double total_seconds = 0;
 };
 
-/// Everything that summary.json tells.
+/// All that summary.json states.
 struct Summary
 {
   std::string status; ///< "complete", or why not
@@ -82,33 +83,33 @@ struct Summary
 /// Text of summary.json.
 std::string summary_json(const Summary &summary);
 
-/// The same of a run that failed before its first step.
+/// The same for a run that failed before its first step.
 std::string summary_json_before_steps(const std::string &status, const Parameters &parameters);
 
-/// The text of a summary with another status; as it is if it is none.
+/// The text of a summary with another status; unchanged if the text is no summary.
 std::string summary_json_with_status(const std::string &text, const std::string &status);
 
-/// What the model gives reason to warn of before the first step, besides parameter_warnings().
+/// Warnings of the model before the first step, besides parameter_warnings().
 std::vector<std::string> model_warnings(const RunRecord &record);
 
-/// What the load steps leave of the energy balance, in a line: an error of work and dissipation that more
-/// steps lower.
+/// The defect that the load steps leave in the energy balance, in a line: an error of work and dissipation
+/// that more steps reduce.
 std::string describe_energy(const RunRecord &record);
 
 /// "critical friction 7.21 times the given one, at (9.95, 0.98) mm".
 std::string describe(const CriticalFrictionRecord &critical);
 
-/// parameter_warnings(), model_warnings(), and what the steps so far give reason to warn of.
+/// parameter_warnings(), model_warnings(), and warnings of the steps so far.
 std::vector<std::string> all_warnings(const Parameters &parameters, const RunRecord &record);
 
-/// Wall times of the phases in a line.
+/// The wall times of the phases, in a line.
 std::string describe_seconds(const RunRecord &record);
 
-/// The line of the load steps, and of the parts in which they are solved.
+/// The line on the load steps, and on the parts in which they are solved.
 std::string describe_steps(const LoadOptions &load);
 
-/// "model          quarter (why)" the line of friction: "associated", "collinear", both or neither, and its
-/// angle, or its expressions; and that of the gap, if there is one.
+/// Lines on the model: "model          quarter (why)"; on friction: "associated", "collinear", both or
+/// neither, and its angle, or its expressions; and on the gap, if there is one.
 std::string describe_model(const ModelChoice &model);
 std::string describe_friction(const Parameters &parameters);
 std::string describe_obstacle(const Parameters &parameters);
@@ -117,6 +118,6 @@ std::string describe_obstacle(const Parameters &parameters);
 std::string describe_model(const Parameters &parameters, const ModelChoice &model,
                            const BodyUnknowns &unknowns);
 
-/// Its cells, unknowns and contact nodes alone, in one line.
+/// Cells, unknowns and contact nodes of the lower body only, in one line.
 std::string describe_lower_mesh(const Parameters &parameters, const BodyUnknowns &unknowns);
 } // namespace orthocone

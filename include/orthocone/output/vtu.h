@@ -18,13 +18,13 @@ std::string contact_vtu(const ContactFieldEvaluator &evaluator, const ContactSta
 /// VTU text of the modelled part of the body: displacement (mm), stress and von Mises stress (MPa). Each
 /// element has points of its own, because stress jumps between elements. Between them are trilinear
 /// hexahedra. A section lies in the plane y = 0 and has one Lagrange cell an element. Where several processes
-/// share the body, only the cells of this one, and nothing if there are none. `is_mirrored`: the image about
-/// z = 0.
+/// share the body, the text has only the cells of this process, and is empty if there are none.
+/// `is_mirrored`: the text has the image about z = 0. `displacement` is of all degrees of freedom, mm.
 template<int dim>
 std::string volume_vtu(const DisplacementSpace<dim> &space, const Materials &materials,
                        const Eigen::VectorXd &displacement, bool is_mirrored = false);
 
-/// That of the body's displacement space, of all degrees of freedom.
+/// The same for the displacement space of a body.
 inline std::string volume_vtu(const Body &body, const Eigen::VectorXd &displacement,
                               const bool is_mirrored = false)
 {

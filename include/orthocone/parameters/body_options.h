@@ -12,11 +12,12 @@
 
 namespace orthocone
 {
-/// Table of the words of an enumeration, as users write them; specialised for each of them.
+/// Table of the words of an enumeration, as users write them; specialised for each enumeration.
 template<typename Enum>
 struct Words;
 
-/// How the upper face is held: clamped (moves as a rigid plate) or guided (u_z prescribed, free sideways).
+/// How the upper face is held: clamped (it moves as a rigid plate) or guided (u_z is prescribed, and it is
+/// free sideways).
 enum class TopFace
 {
   clamped,
@@ -66,7 +67,7 @@ struct Words<ModelKind>
        {ModelKind::axisymmetric, "axisymmetric"}}};
 };
 
-/// Who chooses the cells of the mesh: the single entries (custom), or one word for all of them.
+/// What chooses the cells of the mesh: the single entries (custom), or one word for all of them.
 enum class MeshResolution
 {
   custom,
@@ -87,8 +88,9 @@ struct Words<MeshResolution>
        {MeshResolution::fine, "fine"}}};
 };
 
-/// How the part of the stiffness that resists changes of volume is integrated: like the rest (full), or so
-/// that it sees the divergence one degree lower (reduced).
+/// How the part of the stiffness that resists changes of volume is integrated: like the rest (full), or with
+/// the divergence projected to one degree less (reduced). docs/theory.md, section 2, "Nearly incompressible
+/// bodies".
 enum class VolumetricQuadrature
 {
   full,
@@ -133,7 +135,7 @@ struct Words<BodyBackend>
        {BodyBackend::multigrid, "multigrid"}}};
 };
 
-/// Section Geometry (mm).
+/// The entries of section Geometry; lengths in mm.
 struct GeometryOptions
 {
   double radius = 10;
@@ -147,19 +149,19 @@ struct GeometryOptions
   std::string held_surface{};
   std::vector<std::string> symmetry_surfaces{};
 
-  bool is_from_file() const { return shape == BodyShape::file; }
+  bool is_from_file() const { return shape == BodyShape::file; } ///< whether Mesh file and the surfaces count
 
-  /// Distance of the held face from the base; not of a body from a file.
+  /// Distance of the held face from the base, mm; it means nothing for a body from a file.
   double held_height() const { return shape == BodyShape::box ? sizes[2] : height; }
 };
 
-/// Cells of a mesh from `first` to `last`, numbers in its order.
+/// Cells of a mesh from `first` to `last`, both included; their numbers are those of the mesh's order.
 struct CellRange
 {
   unsigned int first, last;
 };
 
-/// Section Mesh: an o-grid disc extruded into layers, or the rows of cells of a box.
+/// The entries of section Mesh: an o-grid disc extruded into layers, or the rows of cells of a box.
 struct MeshOptions
 {
   ModelKind model = ModelKind::automatic;
@@ -173,20 +175,20 @@ struct MeshOptions
   double rim_grading = 1;   ///< thickness of a ring / thickness of the next inner ring
   double layer_grading = 1; ///< thickness of a layer / thickness of its neighbour towards mid-height
   MeshResolution resolution = MeshResolution::custom;
-  double accuracy = 0; ///< wanted of the four quantities that users look at, percent; 0: the mesh is given
+  double accuracy = 0;                          ///< wanted of `quantity_names`, percent; 0: the mesh is given
   std::array<unsigned int, 3> cells{{8, 8, 4}}; ///< of a box, along x, y, z
-  double edge_grading = 1;      ///< of a box: thickness of a cell / that of its neighbour towards the middle
+  double edge_grading = 1; ///< of a box: thickness of a cell / thickness of its neighbour towards the middle
   unsigned int refinements = 0; ///< how often every cell is divided into eight, a section's into four
   BodyBackend backend = BodyBackend::automatic;
   unsigned int adaptive = 0; ///< rounds of refinement where the first cycle asks for it
   std::vector<std::vector<CellRange>> refined_cells{}; ///< halved after all refinements, round by round
   unsigned int coarsenings = 0; ///< how often cells that were halved are made larger again; no entry
 
-  unsigned int n_rings() const { return rings == 0 ? core_cells : rings; }
+  unsigned int n_rings() const { return rings == 0 ? core_cells : rings; } ///< the default resolved
   unsigned int n_quadrature_points() const { return quadrature_points == 0 ? degree + 1 : quadrature_points; }
 };
 
-/// Isotropic constants of a volume of an imported mesh.
+/// The isotropic constants of a volume of an imported mesh.
 struct MaterialRegion
 {
   std::string volume;   ///< name or number of the physical group
@@ -194,13 +196,13 @@ struct MaterialRegion
   double poisson_ratio;
 };
 
-/// Section Material: linear elasticity.
+/// The entries of section Material: linear elasticity.
 struct MaterialOptions
 {
   double young_modulus = 210000; ///< MPa
   double poisson_ratio = 0.3;
   MaterialLaw law = MaterialLaw::isotropic;
-  // Of the orthotropic law:
+  // For the orthotropic law:
   std::array<double, 3> young_moduli{{210000, 210000, 210000}}; ///< E_x, E_y, E_z, MPa
   std::array<double, 3> poisson_ratios{{0.3, 0.3, 0.3}};        ///< nu_xy, nu_xz, nu_yz
   std::array<double, 3> shear_moduli{{80000, 80000, 80000}};    ///< G_xy, G_xz, G_yz, MPa
@@ -209,7 +211,7 @@ struct MaterialOptions
   bool is_orthotropic() const { return law == MaterialLaw::orthotropic; }
   bool is_uniform_and_isotropic() const { return !is_orthotropic() && regions.empty(); }
 
-  /// The constants themselves, or, where the law is orthotropic, isotropic ones of its size: for estimates.
+  /// The constants themselves, or, for the orthotropic law, isotropic ones of similar size, for estimates.
   MaterialOptions isotropic() const;
 };
 } // namespace orthocone

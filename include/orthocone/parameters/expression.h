@@ -11,16 +11,16 @@ namespace orthocone
 class Expression
 {
 public:
-  /// Throws InputError for a text that is no expression; the sentence quotes what is wrong in it.
+  /// Throws InputError for a text that is no expression; the sentence quotes the part that is wrong.
   explicit Expression(const std::string &text = "0");
 
-  /// May be any number, also infinite or NaN.
+  /// The value at x, y (mm): any number, also infinite or NaN.
   double value(const double x, const double y) const { return value_(x, y); }
 
-  /// Whether neither x nor y is in it.
+  /// Whether the expression contains neither x nor y.
   bool is_constant() const { return is_constant_; }
 
-  /// As it was given.
+  /// The text as it was given.
   const std::string &text() const { return text_; }
 
 private:

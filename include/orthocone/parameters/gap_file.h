@@ -14,14 +14,16 @@ struct GapGrid
   std::size_t n_x, n_y;                          ///< at least 2
   std::vector<double> gap;                       ///< n_x n_y, mm, finite; x runs fastest
 
-  /// Whether a place (mm) is on the grid, but for rounding.
+  /// Whether a place (mm) is on the grid, up to rounding.
   bool contains(double x, double y) const;
 
-  /// Bilinear between the nodes, mm; beyond the grid that of its nearest place.
+  /// The gap (mm) at a place (mm), bilinear between the nodes; beyond the grid it is the gap at the nearest
+  /// place of the grid.
   double value(double x, double y) const;
 };
 
 /// Reads a text file: the line "x0 dx nx y0 dy ny", then ny lines of nx numbers, mm; '#' begins a comment.
-/// Throws FileError if it cannot be read, and InputError with file and line for all else, also for holes.
+/// Throws FileError if it cannot be read, and InputError with file and line for everything else, also for
+/// missing values.
 GapGrid read_gap_file(const std::string &file_name);
 } // namespace orthocone

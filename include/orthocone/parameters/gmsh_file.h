@@ -8,7 +8,7 @@
 
 namespace orthocone
 {
-/// A physical group of a mesh, and how many elements it has.
+/// A physical group of a mesh and the number of its elements.
 struct PhysicalGroup
 {
   unsigned int dimension; ///< 2: a surface, 3: a volume
@@ -17,21 +17,22 @@ struct PhysicalGroup
   std::size_t n_elements;
 };
 
-/// A mesh of linear hexahedra by Gmsh (format 2.2 or 4.1, ASCII), before its cells are made.
+/// A file of Gmsh (format 2.2 or 4.1, ASCII) with a mesh of linear hexahedra, before its cells are made.
+/// Coordinates are in mm.
 struct GmshFile
 {
   std::string path;                  ///< as messages show it
   std::string text;                  ///< with '\n' at the end of lines
   std::vector<PhysicalGroup> groups; ///< of surfaces and volumes, in the order of their numbers
 
-  /// The group of that name, or else of that number, if there is one.
+  /// The group with this name, or else with this number; null if there is none.
   const PhysicalGroup *find(unsigned int dimension, const std::string &name) const;
 
   /// "base (1), top (2)" of the groups of a dimension, or "none".
   std::string list(unsigned int dimension) const;
 };
 
-/// Throws FileError if the file cannot be read, and InputError with its path for what is no such mesh, is cut
-/// off, or has other elements than hexahedra and the quadrilaterals, lines and points around them.
+/// Reads such a file. Throws FileError if it cannot be read, and InputError with its path if it is no such
+/// mesh, is cut off, or has elements besides hexahedra and the quadrilaterals, lines and points around them.
 GmshFile read_gmsh_file(const std::string &file_name);
 } // namespace orthocone

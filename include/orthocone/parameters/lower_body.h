@@ -9,14 +9,14 @@
 
 namespace orthocone
 {
-/// The scene with the lower body in the place of the other one, on a rigid plane. Its entries have the names
-/// of the other's.
+/// The scene with the lower body in the place of the upper one, on a rigid plane. Its entries have the names
+/// of the upper body's entries. Throws nothing.
 Parameters lower_parameters(const Parameters &parameters);
 
-/// A sentence about the entries of a body, as one about those of the lower body.
+/// Turns a sentence about the entries of a body into one about the entries of the lower body.
 std::string with_lower_sections(const std::string &sentence);
 
-/// What `use` returns, and its InputError with the names of the lower body's entries.
+/// Returns what `use` returns. Rethrows its InputError with the names of the lower body's entries.
 template<typename Use>
 auto of_lower_body(const Use &use)
 {
@@ -30,6 +30,7 @@ auto of_lower_body(const Use &use)
   }
 }
 
-/// Throws InputError where the lower body's entries contradict each other, or `Obstacle/Kind = body` others.
+/// Throws InputError where the lower body's entries contradict each other, or `Obstacle/Kind = body`
+/// contradicts other entries.
 void check_lower_body(const Parameters &parameters);
 } // namespace orthocone

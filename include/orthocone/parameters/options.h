@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// Plain option structs, one per section of the parameter file. They are filled once by read_parameters() and
-// handed on as const references. No library header is needed to read them.
+// Plain option structs, one for each section of the parameter file. read_parameters() fills them once; they
+// are handed on as const references. They need no library header.
 #pragma once
 
 #include <orthocone/base/contact_solver_options.h>
@@ -18,7 +18,7 @@
 
 namespace orthocone
 {
-/// What takes material off the base of the body where it slips.
+/// The law by which slip wears the base of the body (docs/theory.md, section 3, "Wear").
 enum class WearKind
 {
   none,
@@ -26,7 +26,7 @@ enum class WearKind
   energy,
 };
 
-/// What the body rests on.
+/// The kind of obstacle that the body rests on.
 enum class ObstacleKind
 {
   rigid,
@@ -34,15 +34,16 @@ enum class ObstacleKind
   body,
 };
 
-/// Section Friction: semi-axes of the friction ellipse (mu) and of the slip ellipse (p), both along axes
-/// turned by `angle` degrees from x to y. The numbers are those of the centre x = y = 0 where they vary.
+/// The entries of section Friction: semi-axes of the friction ellipse (mu) and of the slip ellipse (p), both
+/// along axes turned by `angle` degrees from x to y. Where they vary, the numbers are those at the centre x =
+/// y = 0.
 struct FrictionOptions
 {
   std::array<double, 2> mu{{0.3, 0.15}};                 ///< both 0: no friction
   std::optional<std::array<double, 2>> slip_potential{}; ///< p; without it p = mu, associated friction
   double angle = 0;
   bool is_collinear_by_word = false; ///< p_x = p_y, whatever slip_potential has
-  // What depends on the place.
+  // Values that depend on the place:
   std::optional<std::array<Expression, 2>> varying_mu{};
   std::optional<std::array<Expression, 2>> varying_slip_potential{};
   std::optional<Expression> varying_angle{};
@@ -50,12 +51,14 @@ struct FrictionOptions
   bool varies() const { return varying_mu || varying_slip_potential || varying_angle; }
   bool is_frictionless() const { return mu[0] == 0 && !varying_mu; }
 
-  /// Semi-axes of the slip ellipse; (1, 1), which means nothing, without friction.
+  /// Semi-axes p_x, p_y of the slip ellipse; without friction (1, 1), which means nothing.
   std::array<double, 2> p() const
   {
     return is_frictionless() || is_collinear_by_word ? std::array<double, 2>{{1, 1}}
                                                      : slip_potential.value_or(mu);
   }
+
+  /// Whether p is proportional to mu everywhere, so that slip is along the normal of the cone.
   bool is_associated() const
   {
     constexpr double rounding = 1e-12;
@@ -64,17 +67,20 @@ struct FrictionOptions
     return is_frictionless() ||
            (!has_own_field && std::abs(p()[0] * mu[1] / (p()[1] * mu[0]) - 1) <= rounding);
   }
+
+  /// Whether p_x = p_y everywhere, so that slip is along the friction force.
   bool is_collinear() const
   {
     const bool has_varying_p = varying_slip_potential || (varying_mu && !slip_potential);
     return is_collinear_by_word || (!has_varying_p && p()[0] == p()[1]);
   }
 
-  /// Friction at a place (mm): the same with numbers alone, which may be any, also NaN.
+  /// Friction at a place (mm): the same with numbers only. These may be any numbers, also NaN.
   FrictionOptions at(double x, double y) const;
 };
 
-/// Section Obstacle: the gap between the plane z = 0 and the obstacle is `gap` and that of the file, mm.
+/// The entries of section Obstacle. The gap between the plane z = 0 and the obstacle is the sum of `gap` and
+/// of the gap in the file, mm.
 struct ObstacleOptions
 {
   std::string gap = "0";  ///< an Expression
@@ -82,12 +88,13 @@ struct ObstacleOptions
   ObstacleKind kind = ObstacleKind::rigid;
   MaterialOptions material{}; ///< of a half-space
 
-  /// Whether it is the plane z = 0.
+  /// Whether the obstacle is the plane z = 0.
   bool is_plane() const;
 };
 
-/// Sections Lower geometry, Lower mesh and Lower material: the body that the other one is pressed on, as if
-/// it stood on a plane itself. What is below z = 0 is its mirror image. Its held face does not move.
+/// The entries of sections Lower geometry, Lower mesh and Lower material: the body that the upper one is
+/// pressed on. They describe it as if it stood on a plane; its mirror image is below z = 0. Its held face
+/// does not move. docs/theory.md, section 2, "A second elastic body below".
 struct LowerBodyOptions
 {
   GeometryOptions geometry{};
@@ -95,15 +102,15 @@ struct LowerBodyOptions
   MaterialOptions material{};
 };
 
-/// Section Wear.
+/// The entries of section Wear.
 struct WearOptions
 {
   WearKind law = WearKind::none;
-  double coefficient = 0; ///< mm^3 that are worn by 1 N mm: of normal force times slip, or of friction; 1/MPa
-  double largest_jump = 0; ///< largest depth that cycles without computing them may wear off, mm; 0 = none
+  double coefficient = 0;  ///< worn mm^3 per N mm of normal force times slip, or of friction work; 1/MPa
+  double largest_jump = 0; ///< largest depth that cycles may wear off without being computed, mm; 0 = none
 };
 
-/// What a leg does to a component of the motion of the held face: mm, degrees, N or N mm.
+/// The target of a component of the held face in a leg: mm, degrees, N or N mm.
 struct Drive
 {
   bool by_force = false;
@@ -112,15 +119,15 @@ struct Drive
   bool operator==(const Drive &other) const { return by_force == other.by_force && value == other.value; }
 };
 
-/// One leg of the load program: the components that it names (ux uy uz rx ry rz, or Fx Fy Fz Mx My Mz of the
-/// same place) go to their targets on a straight line in equal steps; the others stay as they are.
+/// One leg of the load program. The components that it names (ux uy uz rx ry rz, or in their place Fx Fy Fz
+/// Mx My Mz) go to their targets on a straight line in equal steps; the others stay as they are.
 struct Leg
 {
   std::array<std::optional<Drive>, n_rigid_components> targets{};
   unsigned int steps = 1;
-  unsigned int parts = 1; ///< in which each of them is solved; only its end is checked and written
+  unsigned int parts = 1; ///< of each step, solved one by one; only the step's end is checked and written
 
-  /// Where the leg moves the component to (mm or degrees), if it does.
+  /// Where the leg moves the component (mm or degrees), or nothing if it does not.
   std::optional<double> motion(const unsigned int component) const
   {
     const auto &target = targets[component];
@@ -138,22 +145,23 @@ inline Leg move_to(const double ux, const double uy, const double uz, const unsi
   return {{{Drive{false, ux}, Drive{false, uy}, Drive{false, uz}}}, steps};
 }
 
-/// Most steps of a load program, each with all its parts.
+/// The largest number of steps of a load program, each counted with all its parts.
 constexpr double most_solved_parts = 1e6;
 
-/// Section Load program: the preload once, then the legs `cycles` times.
+/// The entries of section Load program: the preload once, then the legs `cycles` times.
 struct LoadOptions
 {
   std::vector<Leg> preload;
   std::vector<Leg> legs{move_to(0, 0, -0.1, 5), move_to(0, 0, 0, 10)}; ///< the paper's cycle
   unsigned int cycles = 1;
-  double accuracy = 0; ///< wanted of what users look at, as far as load steps err, percent; 0: as given
+  double accuracy =
+      0; ///< wanted of `quantity_names` as far as load steps cause errors, percent; 0: steps as given
   double stop_when_periodic = 0;  ///< bound of the change of state in a cycle; 0 = never
   double jump_when_periodic = 0;  ///< bound of the change of state in a cycle; 0 = never
-  unsigned int jump_cycles = 100; ///< most cycles that are jumped before another one is computed
+  unsigned int jump_cycles = 100; ///< most cycles that are jumped before the next one is computed
 };
 
-/// Section Checks: bounds of the independent checks of every step.
+/// The entries of section Checks: bounds of the independent checks of every step (docs/theory.md, section 5).
 struct CheckOptions
 {
   double equilibrium = 1e-8; ///< relative, forces of the body and displacements of its contact surface
@@ -172,7 +180,7 @@ struct Probe
   std::array<double, 2> position{{0, 0}}; ///< mm
 };
 
-/// Section Output; intervals of fields and problems in steps, 0 = never.
+/// The entries of section Output. Intervals are numbers of steps; 0 = never.
 struct OutputOptions
 {
   unsigned int contact_interval = 1;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// Values as users write them: legs, probes, and the words of the enumerations. Those of the body stand beside
-// their enumerations.
+// Values as users write them: legs, probes, and the words of the enumerations. The words of the body's
+// enumerations are beside these, in body_options.h. Nothing here throws.
 #pragma once
 
 #include <orthocone/parameters/options.h>
@@ -62,17 +62,18 @@ std::string all_words()
   return list;
 }
 
-/// "ux uy uz : steps ; NAME value ... : steps ; ...", possibly empty; nothing if malformed, if a leg has no
-/// steps or names a component twice. Then `allowed`, if given, is what is allowed instead.
+/// Reads "ux uy uz : steps ; NAME value ... : steps ; ...", possibly empty, in mm, degrees, N and N mm.
+/// Returns nothing if this is malformed, if a leg has no steps, or if it names a component twice. Then
+/// `allowed`, if given, becomes what is allowed instead.
 std::optional<std::vector<Leg>> parse_legs(const std::string &text, std::string *allowed = nullptr);
 
-/// What reads back as these legs.
+/// The text that reads back as these legs.
 std::string legs_text(const std::vector<Leg> &legs);
 
-/// What users are told of legs in general.
+/// The form of legs, as messages describe it.
 std::string allowed_legs();
 
-/// "name: x y ; ...", possibly empty; nothing if malformed. Names become file names: letters, digits, '-',
-/// '_', each used once.
+/// Reads "name: x y ; ...", possibly empty, mm. Returns nothing if this is malformed. Names become file
+/// names: they consist of letters, digits, '-' and '_', and each may occur once.
 std::optional<std::vector<Probe>> parse_probes(const std::string &text);
 } // namespace orthocone

@@ -11,24 +11,24 @@
 
 namespace orthocone
 {
-/// The contact problem of a load step by itself, as a value: what a ContactStep and its ContactSystem are
-/// made of. n nodes, in their local axes (normal, x, y).
+/// The contact problem of a load step by itself, as a value: the data of a ContactStep and its ContactSystem.
+/// It has n nodes, in local axes (normal, x, y).
 struct ContactProblem
 {
   Eigen::MatrixXd w;                     ///< 3 n x 3 n, symmetric, mm/N
   Eigen::VectorXd q;                     ///< 3 n, mm
   std::vector<OrthotropicFriction> laws; ///< n
-  Eigen::MatrixXd face;                  ///< 3 n x m: FreeFace's motions; no columns: there is none
-  Eigen::VectorXd balance{};             ///< m: face^T r is this
+  Eigen::MatrixXd face;                  ///< 3 n x m: FreeFace's motions; no columns: no face is free
+  Eigen::VectorXd balance{};             ///< m: what face^T r must be, N
   std::string title{};
 };
 
-/// Forces and displacements of a problem.
+/// Forces and displacements that solve a problem.
 struct ProblemSolution
 {
   Eigen::VectorXd force;        ///< 3 n, N
   Eigen::VectorXd displacement; ///< 3 n, mm
   Eigen::VectorXd motions{};    ///< m, of the face
-  double residual = 0;          ///< ContactStep::residual(), what the solver stopped at
+  double residual = 0;          ///< ContactStep::residual(), at which the solver stopped
 };
 } // namespace orthocone

@@ -11,19 +11,20 @@
 
 namespace orthocone
 {
-/// A local three-dimensional problem. Equality constraints that resist (R in FCLIB) are eliminated, those
-/// that do not are a free face. Throws FileError for what is no such file, is inconsistent, or has a W that
-/// is not symmetric without the law that makes it so.
+/// Reads a local three-dimensional problem. Equality constraints that resist (R in FCLIB) are eliminated;
+/// those that do not are a free face. Throws FileError if this is no such file, if it is inconsistent, or if
+/// its W is not symmetric and the file lacks the law that makes it symmetric.
 ContactProblem read_problem(const std::string &file);
 
-/// The solution in a file of write_problem(), in the problem's own scale; nothing if it has none.
+/// The solution in a file of write_problem(), in the problem's own scale; nothing if the file has none.
+/// Throws FileError.
 std::optional<ProblemSolution> read_solution(const std::string &file);
 
-/// Writes by FCLIB's library a file that is complete or not there. Throws FileError, and
-/// std::invalid_argument for a face beside a slip rule that is not associated: FCLIB's form has one matrix
-/// for both its sides.
+/// Writes a file by FCLIB's library, which is either complete or not there. Throws FileError, and
+/// std::invalid_argument for a face beside a slip rule that is not associated, because FCLIB's form has one
+/// matrix for both its sides (docs/theory.md, section 9).
 void write_problem(const ContactProblem &problem, const ProblemSolution &solution, const std::string &file);
 
-/// FCLIB's own measure of error (its MERIT_1) of a solution, in FCLIB's form of the problem.
+/// FCLIB's own measure of error (its MERIT_1, relative) of a solution, in FCLIB's form of the problem.
 double fclib_error(const ContactProblem &problem, const ProblemSolution &solution);
 } // namespace orthocone

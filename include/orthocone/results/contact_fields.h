@@ -12,7 +12,7 @@
 
 namespace orthocone
 {
-/// What users look at, at one node of the contact surface; vectors in global axes (x, y, z).
+/// The results at one node of the contact surface, as users see them; vectors are in global axes (x, y, z).
 struct ContactFields
 {
   Eigen::Vector3d displacement = Eigen::Vector3d::Zero();      ///< mm
@@ -28,7 +28,7 @@ struct ContactFields
   double wear_depth = 0;                                 ///< mm, accumulated
 };
 
-/// The same at an image of the node; `map`: from the model to the image.
+/// The same at an image of the node; `map` is the map (2 x 2) from the model to the image.
 ContactFields mapped(ContactFields fields, const Eigen::Matrix2d &map);
 
 /// A field of the files on the contact surface. A new one is a line in contact_field_list().
@@ -45,11 +45,11 @@ struct ContactField
 
   unsigned int n_components() const { return std::holds_alternative<Vector>(of) ? 3 : 1; }
 
-  /// The first n_components() of what it returns.
+  /// The value; its first n_components() numbers count.
   Eigen::Vector3d value(const ContactFields &fields) const;
 };
 
-/// In the order of the files.
+/// The fields in the order of the files.
 const std::vector<ContactField> &contact_field_list();
 
 /// Computes the fields of the nodes of a state. Only reads.
@@ -59,8 +59,9 @@ public:
   /// `scene` must outlive the evaluator.
   explicit ContactFieldEvaluator(const Scene &scene);
 
+  /// Fields of a contact node.
   ContactFields fields(const ContactState &state, unsigned int node) const;
-  /// Of all places: contact nodes, then hanging nodes.
+  /// Fields of all places: contact nodes, then hanging nodes.
   std::vector<ContactFields> all_fields(const ContactState &state) const;
 
   /// Area that sticks in the whole body, mm^2.

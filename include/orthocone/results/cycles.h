@@ -14,23 +14,24 @@ namespace orthocone
 {
 /// Largest difference between the states at both ends of a cycle: of nodal forces relative to `largest_force`
 /// (N), of displacements of nodes and held face relative to `length` (mm); a rotation counts with `reach`
-/// (mm), the largest distance of a node from its centre. Nodal forces are those of single nodes
-/// of the whole body, whatever part is modelled (`shares`: ModelSymmetry::force_shares()). The law knows no
-/// rate and the state is its whole memory: a cycle that ends as it began is repeated by all that follow.
+/// (mm), the largest distance of a node from its centre. Nodal forces are those of single nodes of the whole
+/// body, whatever part is modelled (`shares` are ModelSymmetry::force_shares()). The law knows no rate, and
+/// the state is its whole memory: a cycle that ends as it began is repeated by all that follow.
+/// docs/theory.md, section 6.
 double change_of_state(const ContactState &start, const ContactState &end, const Eigen::VectorXd &shares,
                        double largest_force, double length, double reach = 0);
 
-/// What jumping over `n` cycles like the one from `start` to `state` does: accumulated slip, dissipation and
-/// wear grow as in that cycle, the step number by `n_steps` a cycle. Nothing else changes.
+/// Moves `state` over `n` cycles like the one from `start` to `state`: accumulated slip, dissipation and wear
+/// grow as in that cycle, the step number by `n_steps` a cycle. Nothing else changes.
 void jump(ContactState &state, const ContactState &start, unsigned int n, unsigned int n_steps);
 
 /// A row of cycles.csv: a completed cycle, or several that are jumped.
 struct CycleRow
 {
   unsigned int cycle = 0;          ///< the last of the row, counted from 1
-  unsigned int n_cycles = 1;       ///< for which the row stands
+  unsigned int n_cycles = 1;       ///< that the row stands for
   unsigned int last_step = 0;      ///< number of the last step of `cycle`
-  double peak_force_z = 0;         ///< where the total force is largest, N
+  double peak_force_z = 0;         ///< when the total force is largest, N
   double force_z = 0;              ///< at the end, N
   double max_slip = 0;             ///< largest in the cycle, mm
   double max_accumulated_slip = 0; ///< at the end, since the start of the run, mm
@@ -54,7 +55,7 @@ struct StepRange
 
 bool operator==(const StepRange &a, const StepRange &b);
 
-/// All that the end of a cycle needs to know of its steps, and of the cycles before.
+/// The data of a cycle's steps, and of the cycles before, that are stored until its end.
 struct CycleMemory
 {
   explicit CycleMemory(Eigen::Index n_nodes = 0)
@@ -62,14 +63,14 @@ struct CycleMemory
   {
   }
 
-  ContactState start;              ///< of the present or last cycle
+  ContactState start;              ///< start of the present or last cycle
   double start_dissipation = 0;    ///< Totals::total_dissipation at the start, N mm
   double largest_nodal_force = 0;  ///< in the cycle, from its start on, N
   double largest_force = 0;        ///< norm of the total force, N
-  CycleRow row;                    ///< what is known of the cycle so far
-  unsigned int n_completed = 0;    ///< cycles, with those jumped
+  CycleRow row;                    ///< of the cycle so far
+  unsigned int n_completed = 0;    ///< cycles, including jumped ones
   double change = 0;               ///< of the last completed cycle
-  unsigned int periodic_since = 0; ///< first of the periodic cycles without a break up to now; 0 = none
+  unsigned int periodic_since = 0; ///< first of the unbroken row of periodic cycles up to now; 0 = none
   std::vector<StepRange> jumped;
   WearMemory wear;
 
@@ -97,7 +98,7 @@ public:
   /// How many cycles are to be jumped now. The last cycle of the program is always computed.
   unsigned int n_to_jump() const { return n_to_jump_; }
 
-  /// Jumps `n` cycles like the last one. The row lacks its totals.
+  /// Jumps `n` cycles like the last one. The totals of the row are not set.
   CycleRow jump_cycles(ContactState &state, unsigned int n);
 
   const CycleMemory &memory() const { return memory_; }

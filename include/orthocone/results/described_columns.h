@@ -6,7 +6,7 @@
 
 namespace orthocone
 {
-/// What --columns prints: a line for each column of the CSV files and each field of the VTU files, of file,
-/// name, unit and meaning with tabs between. docs/results.md is made of it.
+/// The output of --columns: a line for each column of the CSV files and each field of the VTU files, with
+/// file, name, unit and meaning separated by tabs. docs/results.md is made from it.
 std::string described_columns();
 } // namespace orthocone

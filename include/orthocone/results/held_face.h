@@ -12,10 +12,9 @@ namespace orthocone
 /// node further.
 double reach_of(const BodyUnknowns &unknowns);
 
-/// Largest way of a motion, mm: of a component of the translation, or of the rotation times `reach` (mm).
+/// Largest component of a motion, mm: of the translation, or of the rotation times `reach` (mm).
 double largest_way(const RigidMotion &motion, double reach);
 
-/// Largest motion of the held face in the program, mm: of a component of the translation, or of the rotation
-/// times `reach` (mm).
+/// The same for the largest motions of the held face in a load program, mm.
 double largest_way(const LoadOptions &load, double reach);
 } // namespace orthocone

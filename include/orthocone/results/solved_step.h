@@ -11,7 +11,7 @@
 
 namespace orthocone
 {
-/// A solved step, as the tables tell it.
+/// A solved step, as the tables list it.
 struct SolvedStep
 {
   const ContactState &state;
@@ -19,7 +19,7 @@ struct SolvedStep
   const Totals &totals;
   const SolverReport &report;
   const StepChecks &checks;
-  double seconds; ///< of the solver
+  double seconds; ///< wall time of the solver
   LoadStep step{};
   std::string method = ContactSolverOptions().method; ///< word of a ContactMethod
   std::string driven{}; ///< components of the held face that the step drives, such as "ux uy uz"

@@ -12,21 +12,22 @@
 
 namespace orthocone
 {
-/// What independent checks of a step say: all but work and energy relative, 0 is perfect.
+/// Results of independent checks of a step (docs/theory.md, section 5). All but work and energy are relative;
+/// 0 is perfect.
 struct StepChecks
 {
-  double equilibrium = 0; ///< of the body under the final forces, and of the contact displacements with it
+  double equilibrium = 0; ///< of the body under the final forces, and with the contact displacements
   LawErrors law;          ///< of the contact law
-  double work = 0;        ///< of the held face by the trapezoidal rule over what was solved in the step, N mm
-  double energy = 0; ///< the largest so far, stored or work in a step with either of its end forces, N mm
-  double energy_identity = 0; ///< error of what holds for any forces, and dissipation that no force can do
+  double work = 0;   ///< of the held face, by the trapezoidal rule over the solved parts of the step, N mm
+  double energy = 0; ///< largest so far: stored, or work in a step with a force at either end, N mm
+  double energy_identity = 0; ///< error of an identity of all forces, and impossible dissipation
   double energy_defect = 0;   ///< work - change of elastic energy - dissipation, relative to `energy`
   double slip_of_change =
       0; ///< largest slip in contact relative to the length over which gap and friction change
   double wear_of_flattening = 0; ///< largest depth worn in the step relative to what the normal force of the
                                  ///< node flattens the body by
   bool is_finite = true;         ///< all numbers of the state are
-  Eigen::VectorXd volume{};      ///< K^-1 r of the free unknowns, from which equilibrium is judged, mm
+  Eigen::VectorXd volume{};      ///< K^-1 r of the free unknowns, by which equilibrium is judged, mm
 };
 
 /// A state and the totals of the whole body in it.
@@ -36,18 +37,20 @@ struct Situation
   const Totals &totals;
 };
 
-/// Checks steps from the states at their ends, by code that no solver owns. Holds no memory of earlier steps.
+/// Checks steps by the states at their ends, with code that no solver uses. It has no memory of earlier
+/// steps.
 class StepChecker
 {
 public:
-  /// `tolerance`: of the contact solver. `scene` must outlive the checker.
+  /// `tolerance` is the contact solver's. `scene` must outlive the checker.
   StepChecker(const Scene &scene, const CheckOptions &options, double tolerance);
 
-  /// `largest_energy`: StepChecks::energy of the steps before.
+  /// Checks the step between two situations. `largest_energy` is StepChecks::energy of the steps before (N
+  /// mm). Throws SolveError where the body cannot be solved.
   StepChecks check(const Situation &before, const Situation &after, const SolverReport &report,
                    double largest_energy) const;
 
-  /// The sentence on the first check that exceeds its bound, naming its entry, or nothing.
+  /// The sentence on the first check that exceeds its bound, which names its entry, or nothing.
   std::optional<std::string> violation(const StepChecks &checks) const;
 
 private:

@@ -10,19 +10,20 @@
 
 namespace orthocone
 {
-/// What the border of the stick zone shows in at a contact node.
+/// The values at a contact node that locate the border of the stick zone.
 struct StickSample
 {
   NodeStatus status = NodeStatus::open;
-  double reserve = 0; ///< friction traction that is missing to slip, MPa; of nodes that stick
+  double reserve = 0; ///< friction traction that would still fit before slip, MPa; of nodes that stick
   double slip = 0;    ///< since the node last stuck, mm; of nodes that slip
 };
 
 /// Where the stick zone ends between a node that sticks and one that slips, `length` mm away across the
-/// border, as a share of the way from the first. At a border at rest the reserve grows like K sqrt(distance)
-/// into the stick zone and the slip like edge_compliance K distance^(3/2) out of it (edge of a contact with
-/// friction, e.g. Johnson, Contact Mechanics, 1985, 7.2); the one K that lets both distances add up to
-/// `length` places it. Half way where neither is known.
+/// border, as a share of the way from the first one (docs/theory.md, section 4, "Stick area"). At a border at
+/// rest the reserve grows like K sqrt(distance) into the stick zone and the slip like edge_compliance K
+/// distance^(3/2) out of it (edge of a contact with friction, e.g. Johnson, Contact Mechanics, 1985, 7.2);
+/// the one K that lets both distances add up to `length` places it. Half way where neither reserve nor slip
+/// is known.
 double stick_share(double reserve, double slip, double edge_compliance, double length);
 
 /// Area of the part of the contact surface that sticks. A sum of the lumped areas of the nodes that stick
@@ -30,9 +31,10 @@ double stick_share(double reserve, double slip, double edge_compliance, double l
 class StickArea
 {
 public:
+  /// `material` is the one near the contact; only its isotropic constants count.
   StickArea(const ContactSurface &surface, const MaterialOptions &material);
 
-  /// Area in mm^2 of the modelled part; one sample a place.
+  /// The area (mm^2) of the modelled part that sticks; one sample for each place.
   double operator()(const std::vector<StickSample> &samples) const;
 
 private:
@@ -50,7 +52,7 @@ private:
     std::array<unsigned int, 2> nodes;
     std::array<double, 2> radii; ///< mm
   };
-  /// Where stick ends on a side of a cell.
+  /// The point where stick ends on a side of a cell.
   struct Border
   {
     double along; ///< 0 to 1

@@ -12,6 +12,7 @@
 
 namespace orthocone
 {
+/// The text of a value in a table.
 inline std::string cell(const double value)
 {
   return to_text(value);
@@ -41,7 +42,7 @@ struct Column
 
   const char *name; ///< in the header of the file
   const char *unit;
-  const char *how; ///< what the number tells
+  const char *how; ///< what the number means
   std::function<std::string(const Row &)> of;
 };
 

@@ -11,13 +11,14 @@
 
 namespace orthocone
 {
-/// A contact node after a step, as the table of a probe tells it.
+/// A contact node after a step, as the table of a probe lists it.
 struct ProbedStep
 {
   const ContactState &state;
   ContactFields fields; ///< of the image where the probe lies
 };
 
+/// The columns of history.csv, checks.csv, timing.csv, probe-NAME.csv and cycles.csv.
 const Columns<SolvedStep> &history_columns();
 const Columns<SolvedStep> &checks_columns();
 const Columns<SolvedStep> &timing_columns();

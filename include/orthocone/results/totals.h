@@ -6,7 +6,7 @@
 
 namespace orthocone
 {
-/// Figures of the whole body after a step, whatever part of it is modelled.
+/// Results of the whole body after a step, whatever part of it is modelled.
 struct Totals
 {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< of the plane on the body (x, y, z), N
@@ -25,5 +25,6 @@ struct Totals
   double max_wear_depth = 0;    ///< mm
 };
 
+/// The totals of a state.
 Totals compute_totals(const ContactFieldEvaluator &evaluator, const ContactState &state);
 } // namespace orthocone

@@ -24,10 +24,10 @@ struct VolumeField
 
   unsigned int n_components() const;
 
-  /// The first n_components() are the field's; of a tensor row by row.
+  /// The value; its first n_components() numbers count, for a tensor row by row.
   std::array<double, 9> value(const PointFields &point) const;
 };
 
-/// In the order of the files.
+/// The fields in the order of the files.
 const std::vector<VolumeField> &volume_field_list();
 } // namespace orthocone

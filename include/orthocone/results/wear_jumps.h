@@ -6,23 +6,23 @@
 
 namespace orthocone
 {
-/// What the next jump needs to know of the last one.
+/// The data of the last jump that the next one needs.
 struct WearMemory
 {
   Eigen::VectorXd rate{};     ///< depth of the cycle that the last jump repeated, mm a node; empty before it
   unsigned int n_jumped = 0;  ///< cycles of the last jump
   unsigned int n_settled = 0; ///< cycles computed since
-  double error = 0;           ///< of the worn volume by all jumps whose end is known, mm^3
+  double error = 0;           ///< of the worn volume, by all jumps whose end is known, mm^3
 };
 
-/// How many cycles of a surface that wears are jumped, each like the last one. Behind a jump one cycle
-/// settles, as slip takes up the new gaps, and the next one has the new rate. The jump before, taken again
-/// with the new rate, would have been the second half of one twice as long; the difference between both
-/// halves and one such jump is what a jump errs by, and keeps its length.
+/// Chooses how many cycles of a surface that wears are jumped, each like the last one (docs/theory.md,
+/// section 3, "Wear"). Behind a jump one cycle settles, as slip adapts to the new gaps, and the next one has
+/// the new rate. The jump before and this one, with the new rate, are the two halves of a jump twice as long;
+/// the difference between both halves and such a single jump is the error of a jump, and limits its length.
 class WearJumps
 {
 public:
-  /// `areas`: those of the nodes in the whole body, mm^2.
+  /// `areas` are the areas of the nodes in the whole body, mm^2, one for each node of the model.
   WearJumps(const WearOptions &options, Eigen::VectorXd areas);
 
   bool are_wanted() const { return options_.law != WearKind::none && options_.largest_jump > 0; }

@@ -10,14 +10,14 @@
 
 namespace orthocone
 {
-/// Why the scene is not symmetric, a sentence each, of the first noun that says so; empty where all of them
-/// (shape, material, friction, obstacle, load) are.
+/// Why the scene is not symmetric: for each symmetry a sentence of the first part of the scene that breaks
+/// it; empty where all parts (shape, material, friction, obstacle, load) are symmetric.
 struct Asymmetry
 {
   std::array<std::string, 2> about_planes; ///< x = 0, y = 0
-  std::string about_axis;                  ///< the body is not that of a revolved section
+  std::string about_axis;                  ///< why the body is not a revolved section
   SymmetryPlanes of_file{};                ///< where a mesh file ends
-  SymmetryPlanes of_lower_file{};          ///< where that of the lower body ends
+  SymmetryPlanes of_lower_file{};          ///< where the lower body's file ends
 
   bool has_plane(const unsigned int direction) const { return about_planes[direction].empty(); }
   bool can_be_revolved() const { return about_axis.empty(); }
@@ -25,11 +25,12 @@ struct Asymmetry
   /// The planes that the scene is symmetric about.
   SymmetryPlanes planes() const { return {has_plane(0), has_plane(1)}; }
 
-  /// What keeps the planes away that are missing.
+  /// Why planes are missing.
   std::string of_planes() const;
 };
 
-/// Asks every noun. Gap and friction are compared at the contact nodes and at their images. Throws InputError
-/// where they are not defined, or a force presses before there is contact; FileError for the gap file.
+/// Asks every part of the scene. Gap and friction are compared at the contact nodes and at their images.
+/// Throws InputError where they are not defined, or where a force presses before there is contact, and
+/// FileError for the gap file.
 Asymmetry asymmetry_of(const Parameters &parameters);
 } // namespace orthocone

@@ -6,8 +6,8 @@
 
 namespace orthocone
 {
-/// Refuses a load program in which a force begins to press while nothing touches: the motion until then is
-/// not determined. Throws InputError. `sample`: of the whole body.
+/// Throws InputError for a load program in which a force begins to press while nothing touches: the motion
+/// until contact would not be determined. `sample` is of the whole body.
 void require_contact_before_force(const Parameters &parameters, const Obstacle &obstacle,
                                   const SurfaceSample &sample);
 } // namespace orthocone

@@ -22,20 +22,20 @@ public:
 
   bool varies() const { return options_.varies(); }
 
-  /// Throws InputError unless there is a law at all these places.
+  /// Throws InputError unless there is a law at all these places (mm).
   void check(const std::vector<Eigen::Vector2d> &places) const;
 
-  /// Laws of the contact nodes, along their local axes.
+  /// The laws of the n contact nodes, along their local axes.
   std::vector<OrthotropicFriction> laws(const ContactSurface &surface, const ModelSymmetry &symmetry) const;
 
-  /// Local axes of the contact nodes; those of a section are its own.
+  /// Local axes of the contact nodes; in a section they are radius and hoop.
   LocalAxes axes(const ContactSurface &surface, const ModelSymmetry &symmetry) const;
 
-  /// Why friction is not as symmetric as a model; empty if it is.
+  /// Why friction does not have the symmetry of a model; empty if it does.
   std::string asymmetry(const ModelSymmetry &symmetry, const SurfaceSample &sample) const;
 
-  /// Entries of both ellipses as tensors in global axes, six numbers that vary as smoothly as friction does;
-  /// may be NaN.
+  /// Entries of both ellipses as tensors in global axes, at a place (mm): six numbers that vary as smoothly
+  /// as friction does; they may be NaN.
   Eigen::Matrix<double, 6, 1> tensors(const Eigen::Vector2d &place) const;
 
 private:

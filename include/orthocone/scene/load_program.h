@@ -11,16 +11,17 @@
 
 namespace orthocone
 {
-/// What drives the components of the held face to the end of a step, or to a point on the way there.
+/// The motions and forces that drive the held face to the end of a step, or to a point on the way there.
 struct FaceTarget
 {
   std::array<bool, n_rigid_components> by_force{};
   RigidMotion motion{}; ///< of the components that motions drive
   Wrench force{};       ///< on the held face, of the components that forces drive
 
+  /// Whether a force drives a component.
   bool has_forces() const;
 
-  /// Whether all forces that drive are zero, and the normal one is among them: nothing presses.
+  /// Whether nothing presses: all driving forces are zero, and the normal one is among them.
   bool is_release() const;
 };
 
@@ -44,31 +45,32 @@ struct LoadStep
   /// Components that the leg has taken over from the other kind: they start from where the face is when the
   /// leg begins, and `motion` or `force` has the target of the leg.
   std::array<bool, n_rigid_components> from_present{};
-  double share = 1; ///< of the leg that is done at the end of the step
-  /// In which the step is solved, the last of which ends as it does; none: in one. Their `step_of_leg` and
-  /// `phase` count parts.
+  double share = 1; ///< of the leg, up to the end of the step
+  /// The parts in which the step is solved; the last one ends where the step does. If empty, it is solved in
+  /// one. Their `step_of_leg` and `phase` count parts.
   std::vector<LoadStep> parts{};
 
-  /// What drives the face at the end of the step, in a leg that began with the face as `begin` says.
+  /// The target at the end of the step, in a leg that began with the face in the state `begin`.
   FaceTarget target(const FaceState &begin) const;
 
-  /// The same step with what target() says.
+  /// The same step with the motion and force of target().
   LoadStep resolved(const FaceState &begin) const;
 
-  /// The components that are driven, such as "ux uy Fz", of those that `symmetry` and the held face leave.
+  /// The driven components, such as "ux uy Fz", of those that `symmetry` and the held face leave.
   std::string driven(const ModelSymmetry &symmetry, TopFace top_face) const;
 };
 
 /// All steps of a load program, in order. Cycles repeat the same positions to the last bit.
 std::vector<LoadStep> load_steps(const LoadOptions &load);
 
-/// How many problems these steps are: a step in parts is as many as these.
+/// The number of problems that the steps need: a step in parts counts as many as its parts.
 double n_solved_parts(const LoadOptions &load);
 
-/// Largest |u| over the corners of the program in a direction (0: x, 1: y, 2: z), where motions drive it.
+/// Largest |u| (mm) over the corners of the program in a direction (0: x, 1: y, 2: z), where motions drive
+/// it.
 double largest_motion(const LoadOptions &load, unsigned int direction);
 
-/// The largest of these.
+/// The largest of the three directions, mm.
 double largest_motion(const LoadOptions &load);
 
 /// Whether a leg moves or loads a component (0 to 5) away from zero.

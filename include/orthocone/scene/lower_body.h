@@ -7,16 +7,16 @@
 
 namespace orthocone
 {
-/// The elastic body that another one is pressed on, and how its surface moves at the contact nodes of that
-/// one. It is computed as its mirror image about z = 0, which stands on the plane as the other one does:
-/// there a force r of a contact node presses alike and draws the other way. Where names say `own`, they are
-/// of that image, in axes (z, x, y) at its own contact nodes.
+/// The elastic body that the upper one is pressed on, and the motion of its surface at the upper body's n
+/// contact nodes (docs/theory.md, section 2, "A second elastic body below"). It is computed as its mirror
+/// image about z = 0, which stands on the plane as the upper body does: a force r of a contact node presses
+/// the image alike and draws it the other way. Names with `own` belong to the image, in axes (z, x, y) at its
+/// own m contact nodes.
 class LowerBody
 {
 public:
-  /// On the contact nodes of the other body, in their axes. Wall times are added to `seconds`. Throws
-  /// InputError where its surface does not lie under all of the other's, std::runtime_error if its stiffness
-  /// cannot be factorized.
+  /// `surface` and `axes` are the upper body's. Wall times are added to `seconds`. Throws InputError where
+  /// the lower surface does not lie under all of the upper one, and what FactorizedBody throws.
   LowerBody(const Parameters &parameters, const ModelSymmetry &symmetry, const ContactSurface &surface,
             const LocalAxes &axes, PhaseSeconds &seconds);
   LowerBody(const LowerBody &) = delete; // its modules refer to each other
@@ -24,16 +24,18 @@ public:
 
   const ElasticBody &body() const { return body_; }
 
-  /// Depth of its surface below z = 0 at the contact nodes, mm: three a node, the first its part of the gap.
+  /// Depth of its surface below z = 0 at the contact nodes (3 n, mm): the first of three numbers is its part
+  /// of the gap.
   const NodeVector &gaps() const { return gaps_; }
 
-  /// What forces of the contact nodes are at its own, N.
+  /// Forces of the contact nodes (3 n) as forces on its own nodes (3 m), N.
   NodeVector own_force(const NodeVector &force) const { return map_.transpose() * force; }
 
-  /// Part of the gap and slip of the contact nodes that displacements of its own nodes make, mm.
+  /// The part of the gap and slip of the contact nodes (3 n) that displacements of its own nodes (3 m) cause,
+  /// mm.
   NodeVector parted(const NodeVector &own_displacement) const { return map_ * own_displacement; }
 
-  /// 3 n x 3 n, mm/N: symmetric, not negative.
+  /// Its compliance at the contact nodes: 3 n x 3 n, mm/N, symmetric and positive semidefinite.
   Eigen::MatrixXd compliance() const;
 
 private:

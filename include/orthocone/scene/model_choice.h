@@ -14,7 +14,7 @@ struct ModelChoice
   std::string reason;
 };
 
-/// The model that the parameters ask for; `auto` takes the smallest that is exact for the scene. Throws
-/// InputError, naming the possible models, for one that is not.
+/// The model that the parameters ask for; `auto` takes the smallest one that is exact for the scene. Throws
+/// InputError, which names the possible models, for a model that is not exact.
 ModelChoice choose_model(const Parameters &parameters);
 } // namespace orthocone

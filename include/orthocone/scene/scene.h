@@ -18,18 +18,18 @@
 
 namespace orthocone
 {
-/// What is pressed on what, for one choice of parameters: the body meshed, factorized and condensed when the
-/// scene is constructed, and the contact system on its surface. Nothing in it changes from step to step, so
-/// that several marches can share it.
+/// Body and obstacle for one choice of parameters: the constructor meshes, factorizes and condenses the body,
+/// and makes the contact system on its surface. Nothing in a scene changes from step to step, so that several
+/// marches can share it.
 class Scene
 {
 public:
   /// `on_meshed` is called with the meshed body before the long work begins. Throws InputError where gap or
-  /// friction are not defined at a contact node, or std::runtime_error if the stiffness cannot be factorized.
+  /// friction are not defined at a contact node, and what the body throws.
   Scene(const Parameters &parameters, const ModelChoice &choice,
         const std::function<void(const Body &)> &on_meshed = {});
 
-  /// On another obstacle than the parameters name; `choice` must be right for it.
+  /// A scene on another obstacle than the parameters name; `choice` must be right for it.
   Scene(const Parameters &parameters, const ModelChoice &choice, const Obstacle &obstacle,
         const std::function<void(const Body &)> &on_meshed = {});
   Scene(const Scene &) = delete; // its modules refer to each other
@@ -42,36 +42,39 @@ public:
   const ContactSurface &surface() const { return body_->surface(); }
   const LocalAxes &axes() const { return axes_; }
 
-  /// The second elastic body, or nothing.
+  /// The second elastic body, or null.
   const LowerBody *lower() const { return lower_.get(); }
   const ContactSystem &system() const { return system_; }
 
-  /// Of body and obstacle together: forces r part their surfaces by W r.
+  /// The compliance of body and obstacle together: forces r part their surfaces by W r.
   const Compliance &compliance() const { return sum_ ? *sum_ : body_->compliance(); }
 
-  /// What contact forces (local axes, N) add to the gap and slip of the nodes by moving the obstacle, mm.
+  /// The part of the gap and slip of the nodes that contact forces (local axes, N) cause by moving the
+  /// obstacle: 3 n, mm.
   NodeVector given_way(const NodeVector &force) const;
 
-  /// Material of a body that would give way near its contact, on a rigid obstacle, as both do together.
+  /// Material of a body that would deform near its contact on a rigid obstacle as body and obstacle together
+  /// do.
   MaterialOptions contact_material() const;
 
   /// Wrench on the held face of the whole body that balances the contact forces (local axes, N) of the model.
   Wrench held_wrench(const NodeVector &force) const;
 
-  /// Displacement of the contact nodes relative to the obstacle before anything moves: their gaps, mm.
+  /// Displacement of the contact nodes relative to the obstacle before anything moves: their gaps, 3 n, mm.
   const NodeVector &gaps() const { return gaps_; }
 
-  /// The same without contact forces after motions have driven the held face, mm; the rest of it has not
-  /// moved.
+  /// The same (3 n, mm) after motions have driven the held face, without contact forces. Components that
+  /// forces drive have not moved.
   NodeVector free_displacement(const FaceTarget &target) const;
 
   /// change_lengths() of gap and friction, mm; empty where both are the same everywhere.
   const Eigen::VectorXd &change_lengths() const { return change_lengths_; }
 
-  /// The face as the forces of a target drive it: one column for each component that the model has.
+  /// The face as the forces of a target drive it, with one column for each driven component that the model
+  /// has. Throws std::invalid_argument as FreeFace does.
   FreeFace free_face(const FaceTarget &target) const;
 
-  /// The components (0 to 5) of the columns.
+  /// The components (0 to 5) of the columns of free_face().
   std::vector<unsigned int> free_components(const FaceTarget &target) const;
 
   /// Wall time of mesh, assembly, factorization and condensation.
@@ -88,7 +91,7 @@ private:
   NodeVector gaps_;
   Eigen::VectorXd change_lengths_;
   std::optional<MaterialOptions> obstacle_material_;
-  std::unique_ptr<const Compliance> sum_; ///< none where what is below is rigid
+  std::unique_ptr<const Compliance> sum_; ///< null on a rigid obstacle
   ContactSystem system_;
 };
 } // namespace orthocone

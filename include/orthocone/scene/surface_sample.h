@@ -13,7 +13,7 @@
 
 namespace orthocone
 {
-/// Places where what depends on x and y is looked at before there is a model: the contact nodes of the whole
+/// The places where fields of x and y are evaluated before there is a model: the contact nodes of the whole
 /// body.
 struct SurfaceSample
 {
@@ -23,7 +23,7 @@ struct SurfaceSample
   std::vector<double> heights{}; ///< of the places above z = 0, mm; none: all 0
   Eigen::Vector3d held_centre = Eigen::Vector3d::Zero(); ///< of the whole held face, mm
 
-  /// The places of a model that its maps are applied to.
+  /// The places to which the maps of a model are applied.
   const std::vector<Eigen::Vector2d> &of(const ModelSymmetry &symmetry) const
   {
     return symmetry.is_axisymmetric() ? radii : places;
@@ -36,19 +36,20 @@ inline bool varies_over_surface(const Parameters &parameters)
   return parameters.friction.varies() || !parameters.obstacle.is_plane();
 }
 
-/// Where contact nodes lie, mm.
+/// The places of contact nodes, mm.
 std::vector<Eigen::Vector2d> places_of(const ContactSurface &surface);
 
-/// The contact nodes that the parameters give without single cells that are halved; of a mesh file all of
-/// them and their images; those of the finest mesh
-/// of the ladder if a search is to choose it. The nodes of the run are checked when there is a model (Scene).
+/// The contact nodes of the mesh that the parameters give, without cells that are halved singly; for a mesh
+/// file all its nodes and their images; for a mesh that a search chooses, the nodes of the finest mesh of the
+/// ladder. The nodes of the run itself are checked when there is a model (Scene). Throws what the mesh
+/// throws.
 SurfaceSample surface_sample(const Parameters &parameters);
 
 /// Orthogonal maps of the plane that leave a symmetric scene as it is: mirrors, or turns about the axis and
 /// the mirror of the section's own plane.
 std::vector<Eigen::Matrix2d> symmetry_maps(const ModelSymmetry &symmetry);
 
-/// A value that messages tell: a number, "not a number" or "infinite".
+/// A value as messages print it: a number, "not a number" or "infinite".
 std::string value_text(double value);
 
 /// "(3, 4) mm", with four digits.

@@ -12,71 +12,75 @@
 
 namespace orthocone
 {
-/// A dense W, whoever owns its memory.
+/// A dense W, whoever owns its memory: 3 n x 3 n, mm/N.
 using DenseView = Eigen::Map<const Eigen::MatrixXd>;
 
-/// Compliance W of an elastic body condensed to its contact nodes: forces r of the obstacle on the body (N)
-/// -> displacements W r of the contact nodes (mm). Symmetric and positive definite. A direction in which a
-/// node cannot move (a symmetry plane) has a compliance of its own, coupled with nothing, so that it never
-/// carries a force.
+/// Compliance W (3 n x 3 n, mm/N) of an elastic body condensed to its n contact nodes: forces r of the
+/// obstacle on the body (N) cause displacements W r of the contact nodes (mm). W is symmetric and positive
+/// definite. A direction in which a node cannot move (a symmetry plane) has a compliance of its own, coupled
+/// with nothing, so that it never carries a force. docs/theory.md, section 2. Sizes are asserted, not
+/// checked. A body that is solved iteratively throws SolveError where it cannot be solved.
 class Compliance
 {
 public:
   virtual ~Compliance() = default;
 
+  /// n, the number of contact nodes.
   virtual Eigen::Index n_nodes() const = 0;
 
-  /// displacement = W force; both of size 3 n_nodes().
+  /// displacement (mm) = W force (N), both of size 3 n_nodes().
   virtual void vmult(NodeVector &displacement, const NodeVector &force) const = 0;
 
-  /// What is known of W force without long work: all of it, or a displacement and what the body lacks then.
-  /// No motion of a face.
+  /// The part of W force that is known without long work: all of it, or a displacement and the forces (N)
+  /// that the body lacks of its equilibrium then. Motions of a face are not included.
   virtual ContactChange near(const NodeVector &force) const;
 
-  /// The contact forces that hold a body whose free degrees of freedom are displaced so (mm), and what it
-  /// lacks then. Throws std::logic_error where there is no body.
+  /// The contact forces (N) that hold a body whose free degrees of freedom have this displacement (mm), and
+  /// what the body lacks then. Throws std::logic_error where there is no body.
   virtual ContactChange held_at(const Eigen::VectorXd &displacement) const;
 
-  /// Takes note of a body under these forces that somebody has found: later answers may start from it.
+  /// Remembers a body under these forces (N) that the caller has found: later answers may start from it.
   virtual void learn(const NodeVector &force, const BodyPart &body) const;
 
-  /// To be called with the forces of a state that is accepted. Keeps of all that was learned what the last
-  /// accepted states tell, and returns it: a new compliance of the same body that is given it answers from
-  /// then on as this one, to the last bit. Nothing where answers do not depend on earlier ones.
+  /// To be called with the forces (N) of an accepted state. Of all that was learned it keeps what comes from
+  /// the last accepted states, and returns that. A new compliance of the same body to which restore() gives
+  /// it answers as this one does from then on, to the last bit. Empty where answers do not depend on earlier
+  /// ones.
   virtual std::vector<Eigen::VectorXd> settle(const NodeVector &force) const;
   virtual void restore(const std::vector<Eigen::VectorXd> &settled) const;
 
-  /// Norm of the forces that a body lacks, BodyPart::rest, of all processes that have a part of it.
+  /// Norm (N) of the forces that the body lacks, BodyPart::rest, over all processes that have a part of it.
   virtual double norm(const Eigen::VectorXd &rest) const { return rest.norm(); }
 
-  /// The 3 x 3 block of W of one node.
+  /// The 3 x 3 block of W of one node, mm/N.
   virtual Eigen::Matrix3d diagonal_block(Eigen::Index node) const = 0;
 
-  /// W itself where the backend has it, else nullptr.
+  /// W itself where the backend has it, else null.
   virtual const DenseView *dense() const { return nullptr; }
 
-  /// A solver of linearized contact laws where the backend has one, else nullptr. `softness`: softness(). It
-  /// must not outlive the compliance.
+  /// A solver of linearized contact laws where the backend has one, else null. `softness` is softness(). The
+  /// solver must not outlive the compliance.
   virtual std::unique_ptr<ConditionSolver> condition_solver(double softness) const;
 
-  /// Largest eigenvalue of W (mm/N), from below, to about 0.1 %.
+  /// Largest eigenvalue of W (mm/N), estimated from below to about 0.1 %.
   virtual double softness() const;
 };
 
-/// Largest eigenvalue of a symmetric, positive definite matrix over the contact nodes that is known by its
-/// products, from below, by power iterations until one changes it by no more than the share `settled`.
+/// Largest eigenvalue of a symmetric, positive definite matrix (3 n_nodes x 3 n_nodes) that is known by its
+/// products. Power iterations approach it from below until one of them changes it by no more than the share
+/// `settled`.
 double largest_eigenvalue(Eigen::Index n_nodes, double settled,
                           const std::function<NodeVector(const NodeVector &)> &product);
 
-/// Compliance stored as a dense matrix. Remembers the last product, because solver, report and results ask
-/// for the same one; so only one thread at a time may ask.
+/// Compliance stored as a dense matrix. It remembers the last product, because solver, report and results ask
+/// for the same one. So only one thread at a time may use it.
 class DenseCompliance : public Compliance
 {
 public:
-  /// `matrix`: 3 n x 3 n, symmetric.
+  /// `matrix`: W, 3 n x 3 n, symmetric, mm/N.
   explicit DenseCompliance(Eigen::MatrixXd matrix);
 
-  /// The same without a copy: what `view` shows must outlive the compliance and stay as it is.
+  /// The same without a copy: the memory behind `view` must outlive the compliance and stay unchanged.
   explicit DenseCompliance(const DenseView &view);
 
   DenseCompliance(DenseCompliance &&) = default; // moved matrices keep their place

@@ -9,7 +9,8 @@
 namespace orthocone
 {
 #ifdef ORTHOCONE_EIGEN_ALIGNMENT
-// Of an installed library: Eigen frees memory in another way where it is compiled for wider registers.
+// For users of the installed library: Eigen frees memory in another way where it is compiled for wider
+// registers.
 static_assert(EIGEN_DEFAULT_ALIGN_BYTES == ORTHOCONE_EIGEN_ALIGNMENT,
               "compile for the processor that orthocone was compiled for, without -march=native");
 #endif
@@ -17,10 +18,11 @@ static_assert(EIGEN_DEFAULT_ALIGN_BYTES == ORTHOCONE_EIGEN_ALIGNMENT,
 /// Vectors over the contact nodes hold three numbers a node, in local axes: normal, x, y.
 using NodeVector = Eigen::VectorXd;
 
-/// What Newton's method wants of a contact node: its change of force is fixed + basis x with n unknowns x,
-/// and n equations hold, rows^T (change of displacement) + diagonal x = right_side. No unknowns: the force is
-/// given. Three: the displacement is. Two: a mixed relation, first along what is stiff, then along what
-/// friction makes soft.
+/// A linearized contact law at one node. Its change of force (N) is fixed + basis x with n unknowns x (N),
+/// which obey n equations: rows^T (change of displacement, mm) + diagonal x = right_side. Without unknowns
+/// the force is given. With three the displacement is given. With two there is a mixed relation: its first
+/// unknown is along the stiff direction, its second one along the direction that friction makes soft.
+/// docs/theory.md, section 3, "A body without a matrix".
 struct NodeCondition
 {
   Eigen::Index n_unknowns = 0;                     ///< 0, 2 or 3; as many columns of the next two count
@@ -31,8 +33,8 @@ struct NodeCondition
   Eigen::Vector3d fixed = Eigen::Vector3d::Zero();      ///< N
 };
 
-/// The conditions of all nodes, and of a face that is free to move: it moves the nodes by face y, and the
-/// change of force must obey face^T (change of force) = face_right_side.
+/// The conditions of all n nodes, and of a face that is free to move: its m unknowns y (mm) move the nodes by
+/// face y, and the change of force must obey face^T (change of force) = face_right_side.
 struct ContactConditions
 {
   std::vector<NodeCondition> nodes;
@@ -41,15 +43,15 @@ struct ContactConditions
   Eigen::VectorXd rest{};          ///< BodyPart::rest of the present state
 };
 
-/// What stands behind contact nodes where no dense compliance does: the displacement of all free degrees of
-/// freedom of the body (mm) that this process has, and the forces (N) that they lack of their equilibrium.
-/// Else both are empty.
+/// The body behind the contact nodes, where no dense compliance replaces it: displacement (mm) of all free
+/// degrees of freedom that this process has, and the forces (N) that they lack of their equilibrium. With a
+/// dense compliance both are empty.
 struct BodyPart
 {
   Eigen::VectorXd displacement{};
   Eigen::VectorXd rest{};
 
-  /// This and a share of a change.
+  /// This part, moved by a share of a change. A change that is empty changes nothing.
   BodyPart moved(const double share, const BodyPart &change) const
   {
     if (change.rest.size() == 0)
@@ -64,23 +66,25 @@ struct BodyPart
   }
 };
 
-/// Changes of the forces, of the motion y of the face, of the displacement and of the body behind it.
+/// Changes of the forces (3 n), of the motion y of the face (m), of the displacement (3 n) and of the body
+/// behind it.
 struct ContactChange
 {
   NodeVector force{};        ///< N
   Eigen::VectorXd face{};    ///< mm
-  NodeVector displacement{}; ///< with the motion of the face, mm; nothing: as the compliance says
+  NodeVector displacement{}; ///< with the motion of the face, mm; if empty, what the compliance gives
   BodyPart body{};
 };
 
-/// Solves for what a linearized contact law wants, by whatever means a body has: the cut between the law and
-/// the linear algebra behind it.
+/// Solves the conditions of a linearized contact law by whatever means a body has: the interface between the
+/// law and the linear algebra behind it.
 class ConditionSolver
 {
 public:
   virtual ~ConditionSolver() = default;
 
-  /// Up to a relative error `accuracy`, or what can be had. Not finite if the system is singular.
+  /// The change, up to a relative error `accuracy` or the best that can be reached. Not finite if the system
+  /// is singular. Throws SolveError where the body cannot be solved.
   virtual ContactChange solve(const ContactConditions &conditions, double accuracy) const = 0;
 };
 } // namespace orthocone

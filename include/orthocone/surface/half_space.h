@@ -10,22 +10,24 @@
 
 namespace orthocone
 {
-/// Elastic and isotropic, below the plane z = 0.
+/// An elastic, isotropic half-space below the plane z = 0.
 struct HalfSpace
 {
   double young_modulus; ///< MPa
   double poisson_ratio;
-  unsigned int n_points = 2; ///< Gauss points per direction of a part of a patch that takes up a near one
+  unsigned int n_points = 2; ///< Gauss points per direction and part of a patch, for forces on near patches
 };
 
 /// Compliance of the surface of a half-space at the contact nodes of a model: forces r that it puts on a body
-/// (N) move its own nodes by -W r (mm). 3 n x 3 n in the local axes of the nodes, symmetric and positive
-/// definite; directions that symmetry holds have a number of their own, coupled with nothing.
+/// (N) move its own nodes by -W r (mm). The matrix is 3 n x 3 n (mm/N) in the local axes of the nodes,
+/// symmetric and positive definite; directions that symmetry holds have a compliance of their own, coupled
+/// with nothing.
 ///
 /// A node's force is spread evenly over the node's patch, the part of the surface that its quadrature weight
 /// stands for, and its displacement is the mean over the patch. So a uniform pressure is uniform, forces that
 /// press everywhere make no tension anywhere, and W is symmetric as the solutions of Boussinesq and Cerruti
-/// are (Johnson, Contact Mechanics, 1985, 3.2 and 3.6). Images of the model count as what they are.
+/// are (Johnson, Contact Mechanics, 1985, 3.2 and 3.6). docs/theory.md, section 2, has the formulas. Images
+/// of the model are forces of their own.
 ///
 /// Throws std::logic_error for a revolved section: it would need the kernels of rings.
 Eigen::MatrixXd half_space_compliance(const HalfSpace &half_space, const ContactSurface &surface,

@@ -9,21 +9,22 @@
 
 namespace orthocone
 {
-/// Local axes of the contact nodes: normal z, and tangents x, y turned about it, by one angle for all nodes
-/// or by one a node.
+/// Local axes of the contact nodes: the normal z, and tangents x, y that are turned about it, by one angle
+/// for all nodes or by one for each.
 class LocalAxes
 {
 public:
-  /// `angle` in degrees from the global to the local x axis, of all nodes. Multiples of 90 degrees turn
-  /// without rounding.
+  /// `angle`, in degrees, leads from the global to the local x axis of all nodes. Multiples of 90 degrees
+  /// turn without rounding.
   explicit LocalAxes(double angle);
 
-  /// One angle a node, not empty.
+  /// One angle (degrees) for each node. Throws std::logic_error if there is none.
   explicit LocalAxes(const std::vector<double> &angles);
 
   /// Whether all nodes have one angle.
   bool is_uniform() const { return turns_.size() == 1; }
 
+  /// Tangential vectors (x, y), in any unit, in the local axes of a node, and back in global axes.
   Eigen::Vector2d to_local(const std::size_t node, const Eigen::Vector2d &global) const
   {
     return turn(node).transpose() * global;

@@ -33,7 +33,7 @@ struct WholeSurface
     unsigned int image; ///< index in `images`
   };
 
-  std::vector<Eigen::Matrix2d> images; ///< orthogonal maps of the plane, from the model to its images
+  std::vector<Eigen::Matrix2d> images; ///< orthogonal maps (2 x 2) of the plane, from the model to its images
   std::vector<Node> nodes;             ///< no two at one place
   std::vector<std::vector<unsigned int>>
       faces; ///< (degree + 1)^2 `nodes` a face, lexicographic, anticlockwise
@@ -49,7 +49,7 @@ public:
   {
   }
 
-  /// Of a section (r, z) that is revolved about the axis.
+  /// The symmetry of a section (r, z) that is revolved about the axis.
   static ModelSymmetry of_revolution();
 
   bool is_axisymmetric() const { return is_axisymmetric_; }
@@ -58,7 +58,8 @@ public:
   /// "full", "half", "quarter" or "axisymmetric".
   std::string name() const { return is_axisymmetric_ ? "axisymmetric" : planes_.name(); }
 
-  /// Number of copies of the model that make the whole body. Forces of a section are those of whole rings.
+  /// Number of copies of the model that make the whole body; 1 for a section, whose forces are those of whole
+  /// rings.
   unsigned int n_copies() const { return planes_.n_copies(); }
 
   /// Whether a symmetric body can have this component (0 to 5) of a rigid motion, or of its wrench.
@@ -67,19 +68,21 @@ public:
   /// Number of nodes of the whole surface that a node of the model stands for.
   unsigned int n_images(const ContactSurface &surface, const ContactNode &node) const;
 
-  /// Forces of the model's nodes relative to those of single nodes of the whole surface: a node on a plane of
-  /// symmetry carries in the model only its part of the force, a ring those of all its images.
+  /// Forces of the model's nodes relative to the forces of single nodes of the whole surface, one number a
+  /// contact node: a node on a plane of symmetry carries only its part of the force in the model, a ring
+  /// carries the forces of all its images.
   Eigen::VectorXd force_shares(const ContactSurface &surface) const;
 
-  /// Number of contact nodes in the counts of users: nodes of the whole body, or rings.
+  /// How many contact nodes this one is in counts that users see: nodes of the whole body, or one ring.
   unsigned int n_counted(const ContactSurface &surface, const ContactNode &node) const
   {
     return is_axisymmetric_ ? 1 : n_images(surface, node);
   }
 
-  /// The map from the model to a place of the whole surface.
+  /// The map (2 x 2) from the model to a place (x, y) of the whole surface, mm.
   Eigen::Matrix2d map_to(const Eigen::Vector2d &position) const;
 
+  /// The contact surface of the whole body; a section is drawn with 32 sectors.
   WholeSurface whole(const ContactSurface &surface) const;
 
 private:

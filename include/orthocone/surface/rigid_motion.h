@@ -8,9 +8,8 @@
 
 namespace orthocone
 {
-/// Motion of a rigid face: translation of its centre (mm) and rotation about it (rad), linearized: a point
-/// moves by translation + rotation x (point - centre). Exact for strains: a linearized rotation strains
-/// nothing.
+/// Motion of a rigid face: translation of its centre (mm) and rotation about it (rad). It is linearized: a
+/// point moves by translation + rotation x (point - centre). A linearized rotation causes no strain.
 struct RigidMotion
 {
   Eigen::Matrix<double, n_rigid_components, 1> components =
@@ -24,7 +23,7 @@ struct RigidMotion
   /// Displacement of a point that lies at `arm` (mm) from the centre, mm.
   Eigen::Vector3d at(const Eigen::Vector3d &arm) const { return translation() + rotation().cross(arm); }
 
-  /// Largest displacement of a point that is at most `radius` (mm) from the centre, at most, mm.
+  /// Upper bound of the displacement (mm) of points that are at most `radius` (mm) from the centre.
   double size(const double radius) const { return translation().norm() + radius * rotation().norm(); }
 
   bool operator==(const RigidMotion &other) const { return components == other.components; }

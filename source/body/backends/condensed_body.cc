@@ -36,8 +36,8 @@ MatrixXd CondensedBody::local_compliance(const MatrixXd &inverse) const
         for (Index d = 0; d < 3; ++d)
           if (nodes[i].is_free[d] && nodes[j].is_free[e])
             block(d, e) = inverse(nodes[i].dofs[d] - n_interior, nodes[j].dofs[e] - n_interior);
-      // Any positive number serves for a held direction; the node's own size keeps the matrix well
-      // conditioned.
+      // Any positive number serves as the compliance of a held direction; one of the node's own size keeps
+      // the matrix well conditioned.
       for (Index d = 0; d < 3; ++d)
         if (i == j && !nodes[i].is_free[d])
           block(d, d) = block(2, 2);
@@ -57,8 +57,8 @@ BodyMismatch CondensedBody::mismatch(const Stiffness &stiffness, const NodeVecto
   const VectorXd forces = frame_.on_free_unknowns(force);
   VectorXd u = factor_.solve(forces);
   VectorXd rest = forces - stiffness.vmult(u);
-  // Rounding grows with the condition of K (near-incompressibility, strong grading); one refinement removes
-  // it.
+  // Rounding errors grow with the condition number of K (near-incompressibility, strong grading); one
+  // refinement removes them.
   constexpr double share = 0.1;
   if (rest.norm() > share * bound * forces.norm())
   {
@@ -66,8 +66,8 @@ BodyMismatch CondensedBody::mismatch(const Stiffness &stiffness, const NodeVecto
     rest = forces - stiffness.vmult(u);
   }
   BodyMismatch mismatch{rest.norm(), 0, {}};
-  // What rounding alone may leave is no lack of balance: for a Poisson ratio next to 0.5 the terms of K u
-  // cancel.
+  // What rounding alone may leave does not count as a lack of balance: for a Poisson ratio close to 0.5 the
+  // terms of K u cancel.
   if (mismatch.unbalanced > share * bound * forces.norm())
     mismatch.unbalanced = std::max(0., mismatch.unbalanced - stiffness.rounding(u));
   if (mismatch.unbalanced != 0)

@@ -22,7 +22,7 @@ namespace
 {
 static_assert(std::is_same<idx_t, int>::value, "CHOLMOD's indices are METIS'");
 
-/// Memory that a child process shares.
+/// Memory that is shared with a child process.
 class SharedArray
 {
 public:
@@ -51,7 +51,8 @@ int dissect(std::vector<int> &starts, std::vector<int> &neighbours, int *const o
   return METIS_NodeND(&n, starts.data(), neighbours.data(), nullptr, nullptr, order, inverse.data());
 }
 
-/// What the child does: dies with its parent, says nothing, and tells METIS' result by its exit code.
+/// The work of the child: it dies with its parent, prints nothing, and returns METIS' result as its exit
+/// code.
 [[noreturn]] void dissect_and_exit(std::vector<int> &starts, std::vector<int> &neighbours, int *const order)
 {
   ::prctl(PR_SET_PDEATHSIG, SIGKILL);
@@ -71,8 +72,8 @@ int dissect(std::vector<int> &starts, std::vector<int> &neighbours, int *const o
   ::_exit(result == METIS_OK ? 0 : result == METIS_ERROR_MEMORY ? 1 : 2);
 }
 
-/// METIS' result, as the child's end tells it. A child that is killed was most likely the largest process of
-/// a machine without memory.
+/// METIS' result, from how the child ended. A child that is killed was most likely the largest process of a
+/// machine without memory.
 int result_of(const pid_t child)
 {
   int status = 0;

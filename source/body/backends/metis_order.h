@@ -6,12 +6,12 @@
 
 namespace orthocone
 {
-/// Nested dissection of a graph by METIS: `starts` and `neighbours` hold it in compressed rows, both
-/// directions of every edge. The first entries of `order` become the order. Throws std::bad_alloc, or
+/// Nested dissection of a graph by METIS: `starts` and `neighbours` have it in compressed rows, with both
+/// directions of every edge. The order becomes the first entries of `order`. Throws std::bad_alloc, or
 /// std::runtime_error if METIS fails.
 ///
 /// METIS catches SIGTERM, the signal of batch systems and containers, by a handler of its own that jumps out
-/// of whatever it does; what it frees then may be free already. So it runs in a process of its own, and this
-/// one keeps its handlers.
+/// of whatever it is doing; it then may free memory twice. So it runs in a process of its own, and this
+/// process keeps its handlers.
 void order_by_metis(std::vector<int> &starts, std::vector<int> &neighbours, std::vector<int> &order);
 } // namespace orthocone

@@ -17,8 +17,8 @@
 
 namespace orthocone
 {
-/// CHOLMOD's objects and their owners. Not anonymous: they are members of StiffnessFactor::Cholmod, which
-/// other files of a group see.
+/// CHOLMOD's objects and their owners. The namespace is not anonymous because they are members of
+/// StiffnessFactor::Cholmod, which other files of a group see.
 namespace cholmod
 {
 TooLargeError too_large()
@@ -88,7 +88,7 @@ using namespace cholmod;
 namespace
 {
 /// Leading n x n block of a matrix as CHOLMOD's sparse matrix, without values if `matrix` is null. Its
-/// columns are our rows: the upper triangle.
+/// columns are the rows of `matrix`, so that it has the upper triangle.
 Sparse leading_block(const dealii::SparsityPattern &pattern, const dealii::SparseMatrix<double> *const matrix,
                      const unsigned int n, Session &session)
 {
@@ -119,7 +119,7 @@ Sparse leading_block(const dealii::SparsityPattern &pattern, const dealii::Spars
   return block;
 }
 
-/// The graph of the leading n x n block, both triangles without the diagonal, as METIS wants it.
+/// The graph of the leading n x n block as METIS requires it: both triangles without the diagonal.
 struct Graph
 {
   Graph(const dealii::SparsityPattern &pattern, const unsigned int n)
@@ -150,7 +150,7 @@ struct Graph
   std::vector<int> neighbours;
 };
 
-/// Fill-reducing order of the interior unknowns, followed by the others as they are.
+/// Fill-reducing order of the interior unknowns, followed by the others in their own order.
 std::vector<int> elimination_order(const dealii::SparsityPattern &pattern, const unsigned int n_interior)
 {
   std::vector<int> order(pattern.n_rows());
@@ -250,7 +250,7 @@ Eigen::MatrixXd StiffnessFactor::trailing_inverse() const
   const auto n = static_cast<lapack_int>(inverse.rows());
   if (LAPACKE_dpotri(LAPACK_COL_MAJOR, 'L', n, inverse.data(), n) != 0)
     throw std::runtime_error("condensing the stiffness: the Schur complement is singular");
-  // CHOLMOD may have postponed unknowns among the last ones, but must not have mixed in others.
+  // CHOLMOD may have reordered the last unknowns, but must not have mixed in others.
   const auto *const order = static_cast<const int *>(cholmod_->factor->Perm) + n_interior_;
   Eigen::MatrixXd sorted(n, n);
   for (lapack_int j = 0; j < n; ++j)

@@ -14,7 +14,7 @@ using Eigen::VectorXd;
 
 namespace
 {
-/// Strain from values of the nodes, dim a + c.
+/// Strain from values at the nodes, numbered dim a + c.
 template<int dim>
 Strain strain_at(const dealii::FEValues<dim> &values, const unsigned int q, const VectorXd &nodal)
 {
@@ -59,7 +59,7 @@ CellFields<dim>::CellFields(const DisplacementSpace<dim> &space, const Materials
 {
 }
 
-/// Values of the nodes of FE_Q, dim a + c.
+/// Values at the nodes of FE_Q, numbered dim a + c.
 template<int dim>
 VectorXd CellFields<dim>::nodal_values(const typename DisplacementSpace<dim>::Cell &cell) const
 {

@@ -16,7 +16,7 @@
 
 namespace orthocone
 {
-/// Stiffness of one cell after the other, of a section those of the rings.
+/// Computes the stiffness of one cell after the other; in a section, the stiffness of the rings.
 template<int dim>
 class CellStiffness
 {
@@ -38,11 +38,12 @@ private:
   dealii::FEValues<dim> values_;
   std::optional<ProjectedDivergence<dim>> divergence_; ///< with reduced volumetric quadrature
   Materials materials_;
-  const Material *material_ = nullptr; ///< that the next numbers are of
+  const Material *material_ = nullptr; ///< the next numbers are its own
   double volumetric_modulus_ = 0;
-  double lambda_ = 0; ///< what combine() takes care of: 0 with reduced volumetric quadrature
+  double lambda_ = 0; ///< the part in combine(): 0 with reduced volumetric quadrature
   double mu_ = 0;
-  /// By components (dim c + d): what the products of terms of two nodes contribute to their entry (c, d).
+  /// For each pair of components (dim c + d) the factors by which the products of terms of two nodes
+  /// contribute to their entry (c, d).
   std::array<Eigen::Matrix3d, static_cast<std::size_t>(dim *dim)> factors_;
   std::array<Eigen::Vector3d, dim> divergence_factors_; ///< of the terms, by components
   Eigen::VectorXd terms_;                               ///< at a quadrature point, n_terms a node

@@ -11,7 +11,8 @@ namespace orthocone
 {
 namespace
 {
-/// Builds the surface face by face: numbers the nodes as they come, then hanging ones behind the others.
+/// Builds the surface face by face: it numbers the nodes in the order of the faces, and the hanging ones
+/// behind the others.
 class SurfaceBuilder
 {
 public:
@@ -65,8 +66,8 @@ private:
     return result;
   }
 
-  /// Number of the place where a node hangs, whose area goes to the contact nodes that move it. In the middle
-  /// of an edge of even degree this is a contact node.
+  /// Number of the place of a hanging node, whose area goes to the contact nodes that move it. In the middle
+  /// of an edge of even degree this place is a contact node.
   unsigned int hanging_place(ContactNode hanging, const FaceNode &node)
   {
     std::vector<HangingNode::Term> terms;
@@ -96,7 +97,7 @@ ContactFaces::ContactFaces(std::vector<ContactFace> of_this_process, const bool 
       faces_.insert(faces_.end(), faces.begin(), faces.end());
   else
     faces_ = std::move(of_this_process);
-  // A cell may have several.
+  // A cell may have several faces.
   std::stable_sort(faces_.begin(), faces_.end(),
                    [](const ContactFace &a, const ContactFace &b) { return a.cell < b.cell; });
 }

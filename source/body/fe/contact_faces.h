@@ -49,11 +49,13 @@ struct ContactFace
   }
 };
 
-/// The surface that these faces make, the same on every process and whatever their number.
+/// The surface that consists of these faces. It is the same on every process, and for any number of
+/// processes.
 class ContactFaces
 {
 public:
-  /// `of_this_process`: faces of the cells that it owns. `is_distributed`: others have more.
+  /// `of_this_process` are the faces of the cells that this process owns. `is_distributed`: other processes
+  /// have more.
   ContactFaces(std::vector<ContactFace> of_this_process, bool is_distributed);
 
   /// In the order of the surface's faces.

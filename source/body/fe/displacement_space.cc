@@ -22,7 +22,7 @@ namespace orthocone
 {
 namespace
 {
-/// The lower face of a cell, where the lexicographic numbering begins.
+/// The nodes of the lower face of a cell, where the lexicographic numbering begins.
 template<int dim>
 constexpr unsigned int lower_face = dealii::GeometryInfo<dim>::faces_per_cell - 2;
 
@@ -57,7 +57,7 @@ std::array<unsigned char, 3> directions<3>()
   return {{0, 1, 2}};
 }
 
-/// What a point of the section stands for in its ring; of a solid, 1.
+/// The length of ring that a point of the section stands for; 1 in a solid.
 template<int dim>
 double ring_length(const dealii::Point<dim> &point)
 {
@@ -68,7 +68,8 @@ double ring_length(const dealii::Point<dim> &point)
 std::vector<double> gauss_lobatto_jacobi_points(const unsigned int degree)
 {
   std::vector<double> points{0};
-  // Zeros of the polynomial that is orthogonal with weight (1 - r) r^2, which vanishes at the ends.
+  // The inner points are the zeros of the polynomial that is orthogonal with weight (1 - r) r^2, which
+  // vanishes at both ends.
   for (const double point : dealii::Polynomials::jacobi_polynomial_roots<double>(degree - 1, 1, 2))
     points.push_back(point);
   points.push_back(1);
@@ -236,7 +237,7 @@ FaceNode DisplacementSpace<dim>::face_node(const Cell &cell, const unsigned int 
   const Eigen::Vector3d place = in_space(mapping_.transform_unit_to_real_cell(cell, unit_point));
   FaceNode node{};
   node.place = {{place[0], place[1], place[2]}};
-  // Nothing moves around the axis: a section has no such degree of freedom.
+  // A section has no degree of freedom around the axis, because nothing moves there.
   node.dofs.fill(dealii::numbers::invalid_dof_index);
   for (unsigned int c = 0; c < dim; ++c)
   {

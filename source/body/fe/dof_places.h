@@ -29,8 +29,8 @@ inline Eigen::Vector3d in_space(const dealii::Point<2> &point)
   return {point[0], 0, point[1]};
 }
 
-/// Of all local degrees of freedom, the place (mm) and the direction, where component c moves along
-/// `axes[c]`. Those that no cell of this process has get none.
+/// Place (mm) and direction of all local degrees of freedom, where component c moves along `axes[c]`. Degrees
+/// of freedom that no cell of this process has get neither.
 struct DofPlaces
 {
   Eigen::Matrix3Xd positions;
@@ -76,8 +76,8 @@ inline double measure_of(const dealii::Triangulation<3>::face_iterator &face)
   return cross_product_3d(face->vertex(3) - face->vertex(0), face->vertex(2) - face->vertex(1)).norm() / 2;
 }
 
-/// Centroid of the held face of the whole body: of the modelled part's, but in the planes of symmetry, or on
-/// the axis.
+/// Centroid of the held face of the whole body (mm): the centroid of the modelled part, moved into the planes
+/// of symmetry, or onto the axis.
 template<int dim>
 Eigen::Vector3d held_centre_of(const dealii::Triangulation<dim> &triangulation)
 {

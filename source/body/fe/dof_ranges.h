@@ -16,8 +16,8 @@
 
 namespace orthocone
 {
-/// Ends of the ranges of the degrees of freedom that this process owns, from the first of them on: interior,
-/// contact, held; what is behind them hangs.
+/// Ends of the ranges of the degrees of freedom that this process owns, counted from the first of them:
+/// interior, contact, held. Those behind them hang.
 struct DofRanges
 {
   unsigned int n_interior;
@@ -34,8 +34,8 @@ void hold(const dealii::DoFHandler<dim> &dof_handler, const Boundary boundary,
       dealii::DoFTools::extract_boundary_dofs(dof_handler, dealii::ComponentMask(components), {boundary}));
 }
 
-/// Where cells border on smaller ones, the displacement of their common nodes by that of others: of all cells
-/// that this process knows.
+/// Constraints of the nodes where cells border on smaller ones, in all cells that this process knows: their
+/// displacement as a sum over other nodes.
 template<int dim>
 dealii::AffineConstraints<double> hanging_constraints(const dealii::DoFHandler<dim> &dof_handler)
 {
@@ -45,7 +45,7 @@ dealii::AffineConstraints<double> hanging_constraints(const dealii::DoFHandler<d
   return constraints;
 }
 
-/// The cells that this process owns, in an order that does not depend on how many there are.
+/// The cells that this process owns, in an order that does not depend on the number of processes.
 template<int dim>
 std::vector<typename dealii::DoFHandler<dim>::active_cell_iterator>
 owned_cells(const dealii::DoFHandler<dim> &dof_handler)
@@ -62,8 +62,8 @@ owned_cells(const dealii::DoFHandler<dim> &dof_handler)
   return sorted;
 }
 
-/// The degrees of freedom that this process owns, in the order of the cells: how they came to be numbered may
-/// depend on how the mesh came to be, where there are several processes.
+/// The degrees of freedom that this process owns, in the order of the cells. Where there are several
+/// processes, the original numbers may depend on how the mesh was made.
 template<int dim>
 std::vector<dealii::types::global_dof_index> in_order_of_cells(const dealii::DoFHandler<dim> &dof_handler)
 {
@@ -83,8 +83,8 @@ std::vector<dealii::types::global_dof_index> in_order_of_cells(const dealii::DoF
   return order;
 }
 
-/// Numbers the degrees of freedom that this process owns in these ranges; within a range their order stays
-/// where there is one process. What is held does not hang.
+/// Numbers the degrees of freedom that this process owns in these ranges. With one process their order within
+/// a range stays. What is held does not hang.
 template<int dim>
 DofRanges number_by_range(dealii::DoFHandler<dim> &dof_handler, const dealii::IndexSet &held)
 {

@@ -25,7 +25,7 @@ bool is_distributed(const dealii::Triangulation<dim> &triangulation)
 }
 
 /// The degrees of freedom that this process owns, and as ghosts the others of its cells and those that move
-/// what hangs there.
+/// hanging ones there.
 template<int dim>
 std::shared_ptr<const dealii::Utilities::MPI::Partitioner>
 make_partitioner(const dealii::DoFHandler<dim> &dof_handler, const dealii::AffineConstraints<double> &hanging)
@@ -46,7 +46,8 @@ make_partitioner(const dealii::DoFHandler<dim> &dof_handler, const dealii::Affin
                                                                dof_handler.get_communicator());
 }
 
-/// What hangs of the partitioner's degrees of freedom, by local numbers. Held ones have no part in it.
+/// The hanging ones of the partitioner's degrees of freedom, by local numbers. Held ones are left out of the
+/// sums.
 inline HangingDofs local_hanging_dofs(const dealii::Utilities::MPI::Partitioner &partitioner,
                                       const dealii::AffineConstraints<double> &hanging,
                                       const dealii::IndexSet &held)

@@ -118,7 +118,7 @@ double Stiffness::rounding(const Eigen::VectorXd &displacement) const
 
 Eigen::VectorXd Stiffness::vmult(const Eigen::VectorXd &displacement) const
 {
-  // Both triangles have the diagonal.
+  // Both products with a triangle include the diagonal.
   const dealii::Vector<double> u(displacement.begin(), displacement.end());
   dealii::Vector<double> forces(u.size());
   matrix_.vmult(forces, u);

@@ -13,9 +13,9 @@
 
 namespace orthocone
 {
-/// Derivatives that the strain of a shape function N is made of, three in solids and sections alike: d_x,
-/// d_y, d_z N, or d_r, d_z N and N / r. place() tells which entry of the displacement gradient (x, y, z; in a
-/// section r, hoop, z) one of them is if the component moves.
+/// The derivatives of a shape function N in its strain, three in solids and sections alike: d_x, d_y, d_z N,
+/// or d_r, d_z N and N / r. place() gives the entry of the displacement gradient (x, y, z; in a section r,
+/// hoop, z) that one of them is if the component moves.
 template<int dim>
 struct StrainTerms;
 
@@ -52,7 +52,7 @@ struct StrainTerms<2>
       return {{{2 * component, 2 * term}}};
     if (component == 0)
       return {{{1, 1}}};
-    return std::nullopt; // what moves along the axis leaves the ring as long as it is
+    return std::nullopt; // a motion along the axis does not change the length of the ring
   }
   static double volume(const dealii::FEValues<2> &values, const unsigned int q)
   {

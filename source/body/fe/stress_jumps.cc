@@ -18,7 +18,7 @@ namespace
 {
 using SharedVector = dealii::LinearAlgebra::distributed::Vector<double>;
 
-/// Of the degrees of freedom of this process's cells and of their neighbours.
+/// Displacements of the degrees of freedom of this process's cells and of their neighbours.
 template<int dim>
 SharedVector make_vector(const dealii::DoFHandler<dim> &dof_handler)
 {
@@ -29,7 +29,7 @@ SharedVector make_vector(const dealii::DoFHandler<dim> &dof_handler)
                       dof_handler.get_communicator());
 }
 
-/// Values of the nodes of FE_Q, which deal.II knows of.
+/// Values at the nodes of FE_Q, which is the basis that deal.II knows.
 template<int dim>
 SharedVector nodal_values(const DisplacementSpace<dim> &space, const Eigen::VectorXd &displacement)
 {
@@ -65,7 +65,7 @@ Eigen::VectorXd squared_jumps(const DisplacementSpace<dim> &space, const Eigen::
     if (!cell->is_locally_owned())
       continue;
     const double jump = jumps[cell->active_cell_index()];
-    // A ring is as long as its radius says.
+    // The length of a ring is proportional to its radius.
     squares[cell->active_cell_index()] = (dim == 2 ? cell->center()[0] : 1) * jump * jump;
   }
   return squares;

@@ -17,8 +17,8 @@ namespace orthocone
 {
 namespace
 {
-/// Places of the cells' faces along an axis, with 0 in the middle. Both sides mirror each other to the last
-/// bit.
+/// Places (mm) of the cells' faces along an axis, with 0 in the middle. Both sides mirror each other to the
+/// last bit.
 std::vector<double> places_about_middle(const double length, const unsigned int n, const double grading)
 {
   const std::vector<double> from_end = positions_graded_to_both_ends(length, n, grading);
@@ -66,7 +66,7 @@ std::vector<double> Box::places(const unsigned int direction, const SymmetryPlan
 
 void Box::make_solid(const SymmetryPlanes &planes, dealii::Triangulation<3> &triangulation) const
 {
-  // Cells of size 1 first: so their corners are exactly where places() says, in every model.
+  // Cells of size 1 come first, so that their corners can be moved exactly to places() in every model.
   constexpr bool colourize = true;
   std::array<std::vector<double>, 3> corners;
   std::vector<unsigned int> n_cells;
@@ -88,7 +88,7 @@ void Box::make_solid(const SymmetryPlanes &planes, dealii::Triangulation<3> &tri
         return place;
       },
       triangulation);
-  // Of a coloured rectangle: left, right, front, back, lower, upper.
+  // The order of the faces of a coloured box: left, right, front, back, lower, upper.
   const std::array<Boundary, 6> boundaries{
       {planes.normal_to_x ? Boundary::plane_normal_to_x : Boundary::lateral_surface,
        Boundary::lateral_surface,

@@ -34,15 +34,15 @@ double scaled_jacobian(const Cell &cell)
   return least;
 }
 
-/// Half the product of the diagonals of a quadrilateral, mm^2: its area and a normal, of a warped one those
-/// of its rim.
+/// Half the vector product of the diagonals of a quadrilateral, mm^2: its area and normal; for a warped one
+/// the vector area of its rim.
 template<typename Face>
 dealii::Tensor<1, 3> area_vector(const Face &face)
 {
   return cross_product_3d(face->vertex(3) - face->vertex(0), face->vertex(2) - face->vertex(1)) / 2;
 }
 
-/// In how many pieces, without a common face, the cells lie.
+/// Number of pieces without a common face that the cells form.
 inline unsigned int n_pieces(const dealii::Triangulation<3> &triangulation)
 {
   std::vector<bool> is_reached(triangulation.n_active_cells(), false);

@@ -9,8 +9,9 @@
 
 namespace orthocone
 {
-/// A cell by its number in the unhalved mesh and by the halvings behind it: the same in meshes of one process
-/// and of several, while deal.II's identifiers count the trees of p4est where cells are shared.
+/// Identifies a cell by its number in the unhalved mesh and by the halvings behind it. This is the same in
+/// meshes of one process and of several; deal.II's identifiers count the trees of p4est where cells are
+/// shared.
 template<typename Cell>
 dealii::CellId common_id(const Cell &cell)
 {

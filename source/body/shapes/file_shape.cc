@@ -13,7 +13,7 @@ namespace orthocone
 {
 namespace
 {
-/// Vertices, edges, faces and cells of a mesh; of a surface no cells.
+/// Numbers of vertices, edges, faces and cells of a mesh; a surface has no cells.
 struct Counts
 {
   double vertices, edges, faces, cells;
@@ -32,8 +32,9 @@ struct Counts
     const double inner = degree - 1;
     return vertices + inner * (edges + inner * (faces + inner * cells));
   }
-  /// Pairs of nodes that share a cell, if these are the ones inside and all cells: as in the plane, faces
-  /// have been counted twice, then edges once too little, and so on.
+  /// Number of pairs of nodes that share a cell, if these are the entities inside the mesh and all cells.
+  /// Cells count the pairs on a face between them twice; subtracting the faces takes off the pairs on an edge
+  /// too often, and so on, as in the plane.
   double pairs(const double degree) const
   {
     const double side = (degree + 1) * (degree + 1);
@@ -47,7 +48,7 @@ Counts count_all(const dealii::Triangulation<3> &mesh)
           static_cast<double>(mesh.n_quads()), static_cast<double>(mesh.n_cells())};
 }
 
-/// Of the boundary, or of one of its surfaces.
+/// Counts the boundary, or the contact surface alone.
 Counts count_surface(const dealii::Triangulation<3> &mesh, const bool contact_only)
 {
   std::set<unsigned int> vertices, lines;
@@ -80,7 +81,7 @@ public:
     imported_.copy_to(triangulation);
   }
 
-  /// With all refinements of all cells; held unknowns count as free ones in the stiffness.
+  /// This includes all refinements of all cells. Held unknowns count as free ones in the stiffness.
   ModelSize size(const ModelSymmetry &) const override
   {
     dealii::Triangulation<3> mesh;

@@ -22,7 +22,7 @@ namespace
 {
 using dealii::Point;
 
-constexpr double rounding = 1e-9; // of the extent: what programs for drawing leave
+constexpr double rounding = 1e-9; // of the extent: the rounding of mesh programs
 
 std::string place(const Point<3> &point)
 {
@@ -81,7 +81,8 @@ void ImportedMesh::read()
   triangulation_.reset_all_manifolds();
 }
 
-/// Each symmetry surface lies in one of the two planes, and the body on one side of it.
+/// Finds the plane of each symmetry surface. Each must be in one of the two planes, with the body on one side
+/// of it.
 void ImportedMesh::find_planes()
 {
   const double tolerance = rounding * extent_;
@@ -139,7 +140,8 @@ void ImportedMesh::check_cells()
                      " pieces without a common face: allowed is one body (gmsh: Coherence, Coherence Mesh)");
 }
 
-/// A quadrilateral that is no face of a cell is no surface of the body, which deal.II does not mind.
+/// Refuses quadrilaterals that are not faces of a cell: they are no surface of the body, but deal.II accepts
+/// them.
 void ImportedMesh::require_outside(const std::string &entry, const std::string &surface) const
 {
   const std::size_t given = file_.find(2, surface)->n_elements, outside = faces_of(number_of(surface)).size();

@@ -71,7 +71,7 @@ std::string ImportedMesh::describe() const
   return text.str();
 }
 
-/// Whether faces of a surface meet at angles that are neither none nor those of an edge.
+/// Whether faces of a surface meet at angles that are neither nearly 0 nor as large as at an edge.
 bool ImportedMesh::is_curved() const
 {
   const double least = std::cos(pi / 1800), most = std::cos(pi / 4);             // 0.1 and 45 degrees

@@ -11,8 +11,8 @@ namespace orthocone
 {
 namespace
 {
-/// What a level of the ladder has in the disc. The grading rises with the number of rings, so that the widest
-/// ring shrinks from level to level, too, not only the outermost.
+/// A level of the ladder in the disc. The grading rises with the number of rings, so that not only the
+/// outermost ring shrinks from level to level, but the widest one, too.
 struct Level
 {
   unsigned int core_cells;
@@ -30,13 +30,13 @@ const std::vector<Level> &levels(const bool is_axisymmetric)
   return is_axisymmetric ? section : solid;
 }
 
-constexpr double solid_core_ratio = 0.6;
-/// In a section, cells of the core are no dearer than rings: the core reaches to where stick and slip meet on
+constexpr double solid_core_ratio = 0.6; // docs/accuracy.md, "How good the estimates are"
+/// In a section, cells of the core cost no more than rings: the core reaches to where stick and slip meet on
 /// the way up.
 constexpr double section_core_ratio = 0.9;
 
-/// Grading that makes the thinnest of `n` intervals this share of all, 1 if they are thinner anyway. Rounded
-/// to two digits, for people who read it.
+/// Grading that makes the thinnest of `n` intervals this share of all of them; 1 if they are thinner anyway.
+/// It is rounded to two digits, because people read it.
 double fitting_grading(const unsigned int n, const double share)
 {
   constexpr double least = 0.05;
@@ -47,14 +47,15 @@ double fitting_grading(const unsigned int n, const double share)
   return std::round(digits * grading) / digits;
 }
 
-/// Width of all rings where they are narrowest: beside the corners of the core, of a section on its base.
+/// Width of all rings together where they are narrowest: beside the corners of the core, or on the base of a
+/// section.
 double width_of_rings(const double radius, const double core_ratio, const bool is_axisymmetric)
 {
   return radius * (is_axisymmetric ? 1 - core_ratio / std::sqrt(2.) : 1 - core_ratio);
 }
 
-/// Sets as few layers as let neighbours differ by little more than the rings do: between base and upper face
-/// less happens than in the disc, but layers have to shrink from level to level all the same.
+/// Sets the smallest number of layers with which neighbours differ by little more than the rings do. Fields
+/// vary less between base and upper face than in the disc, but layers must shrink from level to level, too.
 void choose_layers(const GeometryOptions &geometry, const bool is_axisymmetric, MeshOptions &mesh)
 {
   const double steepest = 0.7 * mesh.rim_grading;

@@ -16,7 +16,7 @@ namespace
 using dealii::CellData;
 using dealii::Point;
 
-/// Vertices and cells of the whole disc, by counting: the core block holds (n + 1)^2 vertices; every ring
+/// Numbers of vertices and cells of the whole disc: the core block has (n + 1)^2 vertices, and every ring
 /// adds one vertex for each of the 4 n places on the core's perimeter.
 class OGrid
 {

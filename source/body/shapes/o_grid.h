@@ -9,10 +9,11 @@
 
 namespace orthocone
 {
-/// Disc of quadrilaterals around the origin, straight-sided: core block and graded rings.
+/// Disc of straight-sided quadrilaterals around the origin: a core block and graded rings, mm.
 void make_o_grid_disc(double radius, const MeshOptions &options, const SymmetryPlanes &planes,
                       dealii::Triangulation<2> &triangulation);
 
-/// Half the side of the core square whose corners are `core_ratio` * `radius` off the axis.
+/// Half the side (mm) of the core square, whose corners are at the distance `core_ratio` * `radius` from the
+/// axis.
 double core_half_side(double radius, double core_ratio);
 } // namespace orthocone

@@ -21,8 +21,8 @@ namespace
 template<int dim>
 constexpr double n_children = 1 << dim;
 
-/// Single cells are counted by meshing them, which must not itself be too much: a million hexahedra take a
-/// GB.
+/// Single cells are counted by meshing them, which must not itself exceed the memory: a million hexahedra
+/// take 1 GB.
 void require_meshable(const double n_cells)
 {
   constexpr unsigned int most = 4000000;

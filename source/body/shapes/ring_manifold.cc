@@ -51,10 +51,10 @@ Point<3> RingManifold::push_forward(const Point<3> &chart) const
   return turned(in_block, block_);
 }
 
-/// x gives s for a given t, and y then is a rising function of t: Newton's method.
+/// For a given t, x gives s, and y is a rising function of t: Newton's method finds t.
 Point<3> RingManifold::pull_back(const Point<3> &point) const
 {
-  constexpr unsigned int most_steps = 30;
+  constexpr unsigned int most_steps = 30; // of Newton's method
   constexpr double settled = 1e-15;
   const Point<3> in_block = turned(point, 4 - block_);
   double t = std::atan2(in_block[1], in_block[0]) / eighth_turn;

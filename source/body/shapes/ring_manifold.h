@@ -7,8 +7,9 @@
 namespace orthocone
 {
 /// Geometry of one of the four outer blocks of the o-grid: lines from a side of the core square to the rim.
-/// Chart coordinates (s, t, z): depth s from core (0) to rim (1); place t along the side, from -1 to 1. A
-/// ring between two depths is equally thick all along, which chords between its vertices would not make it.
+/// The chart coordinates are (s, t, z): depth s from core (0) to rim (1), and place t along the side, from -1
+/// to 1. A ring between two depths has the same thickness everywhere, which chords between its vertices would
+/// not give.
 class RingManifold : public dealii::ChartManifold<3, 3>
 {
 public:

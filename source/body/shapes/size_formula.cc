@@ -6,7 +6,8 @@ namespace orthocone
 {
 namespace
 {
-/// Nodes of a grid, and pairs of nodes that share a cell: in both orders, and each node with itself.
+/// Numbers of nodes of a grid, and of pairs of nodes that share a cell: in both orders, and each node with
+/// itself.
 struct Grid
 {
   double nodes;
@@ -19,8 +20,9 @@ Grid row(const double cells, const double degree)
   return {cells * degree + 1, cells * side * side - (cells - 1)};
 }
 
-/// Cells count the pairs within their common edges twice, and at their common vertices once more: edges and
-/// vertices put that right. Their numbers follow from Euler's formula.
+/// Cells count the pairs within their common edges twice. Subtracting the edges takes off the pairs at inner
+/// vertices once too often, so that these are added. Numbers of edges and vertices follow from Euler's
+/// formula.
 Grid disc(const BaseSize &base, const double degree)
 {
   const double side = degree + 1;
@@ -32,13 +34,13 @@ Grid disc(const BaseSize &base, const double degree)
           base.faces * side * side * side * side - inner_edges * side * side + inner_vertices};
 }
 
-/// `sideways`: number of directions of displacement along the base; `share_free`: of their unknowns, what no
-/// symmetry holds.
+/// `sideways` is the number of directions of displacement along the base, `share_free` the share of their
+/// unknowns that no symmetry holds.
 ModelSize size_of(const double cells, const Grid &base, const Grid &height, const double sideways,
                   const double share_free, const double degree, const TopFace top_face)
 {
   const double directions = sideways + 1;
-  // Without the held node on one side of a pair, and on both sides.
+  // Pairs without the held node on one side, and on both sides.
   const double one_free = height.pairs - (degree + 1);
   const double both_free = one_free - degree;
   const bool is_clamped = top_face == TopFace::clamped;

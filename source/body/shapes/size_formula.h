@@ -8,7 +8,8 @@
 
 namespace orthocone
 {
-/// Of the modelled base: quadrilaterals, and edges around it; edges on each plane of symmetry, 0 for none.
+/// Numbers of the modelled base: quadrilaterals, edges around it, and edges on each plane of symmetry, 0 for
+/// none.
 struct BaseSize
 {
   double faces;
@@ -16,9 +17,9 @@ struct BaseSize
   std::array<double, 2> plane_edges;
 };
 
-/// Of hexahedra in layers above the base.
+/// Size of a model of hexahedra in layers above the base.
 ModelSize solid_size(const BaseSize &base, unsigned int layers, unsigned int degree, TopFace top_face);
 
-/// Of a section with so many cells along its base.
+/// Size of a section with so many cells along its base.
 ModelSize section_size(double base_cells, unsigned int layers, unsigned int degree, TopFace top_face);
 } // namespace orthocone

@@ -29,12 +29,12 @@ double norm_slope(const OrthotropicFriction &law, const Vector2d &r, const doubl
   return -(r[0] * r[0] / (x * (x + lambda)) + r[1] * r[1] / (y * (y + lambda))) / norm;
 }
 
-/// Multiplier of the nearest point for tau outside of the cone and of its polar: the only root of the
-/// decreasing function psi(lambda) = ||r_t(lambda)||_m (1 - lambda) - tau_n on (0, infinity).
+/// Multiplier of the nearest point for tau outside the cone and its polar: the only root of the decreasing
+/// function psi(lambda) = ||r_t(lambda)||_m (1 - lambda) - tau_n on (0, infinity).
 ///
 /// Newton's method runs on psi / ||r_t||_m, which is linear in lambda for a circular cone; a bracket catches
-/// the rest. The root of psi is 1 for tau_n = 0 and lies on the side of 1 that the sign of tau_n tells.
-/// The quartic that multiplying out gives is not used: its terms cancel for small coefficients.
+/// the rest. The root of psi is 1 for tau_n = 0; the sign of tau_n says on which side of 1 it lies.
+/// The paper's quartic, which multiplying out gives, is not used: its terms cancel for small coefficients.
 double multiplier(const OrthotropicFriction &law, const Vector3d &tau)
 {
   double lower = tau[0] > 0 ? 0 : 1;
@@ -49,7 +49,7 @@ double multiplier(const OrthotropicFriction &law, const Vector3d &tau)
     (value > 0 ? lower : upper) = lambda;
     const double slope = -1 + tau[0] * norm_slope(law, r, norm, lambda) / (norm * norm);
     const double change = value / slope;
-    // Before the bracket is looked at, one end of which is the root by now.
+    // This comes before the bracket, one end of which is the root by now.
     if (slope < 0 && std::abs(change) <= settled * lambda)
       return lambda - change;
     const double next = lambda - change;

@@ -18,7 +18,7 @@ namespace
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-constexpr unsigned int n_directions = 64;
+constexpr unsigned int n_directions = 64; // of the grid; pairs of zeros between its points are found, too
 
 /// k_0 + k_1 cos a + k_2 sin a.
 struct Harmonic
@@ -30,7 +30,7 @@ struct Harmonic
 
 /// Force r = r_n (1, mu_x cos a, mu_y sin a) of a slipping node. d_n = 0 gives r_n = -q_n / D(a) with
 /// D(a) = w_nn + w_nx mu_x cos a + w_ny mu_y sin a, and then D d_x = X(a) and D d_y = Y(a) are harmonics as
-/// well. The slip rule asks d_t to be antiparallel to (alpha cos a, beta sin a), alpha = mu_x/p_x^2, beta =
+/// well. By the slip rule d_t is antiparallel to (alpha cos a, beta sin a), alpha = mu_x/p_x^2, beta =
 /// mu_y/p_y^2.
 class SlipEquation
 {
@@ -80,7 +80,7 @@ Vector2d at_angle(const double angle)
   return {std::cos(angle), std::sin(angle)};
 }
 
-/// Newton's method from a good start; nothing if it does not settle on an admissible angle.
+/// Newton's method from a good start. Returns nothing if it does not converge to an admissible angle.
 std::optional<Vector2d> root_near(const SlipEquation &equation, double angle)
 {
   constexpr unsigned int most_steps = 8;
@@ -101,7 +101,7 @@ std::optional<Vector2d> root_near(const SlipEquation &equation, double angle)
   return std::nullopt;
 }
 
-/// Zero of `function` between two angles where its sign differs, to the last bit.
+/// Zero of `function`, to the last bit, between two angles at which its signs differ.
 template<typename Function>
 double bisect(const Function &function, const double left, const double right)
 {
@@ -112,9 +112,9 @@ double bisect(const Function &function, const double left, const double right)
   return 0.5 * (lower + upper);
 }
 
-/// All zeros over the circle. Every sign change counts, also the pairs that hide between two grid points
-/// (found by the extremum between them): for p_x/p_y far from mu_x/mu_y the admissible arc is far narrower
-/// than any grid.
+/// All zeros on the circle. Every sign change counts, and so do pairs that hide between two grid points (the
+/// extremum between them shows them): for p_x/p_y far from mu_x/mu_y the admissible arc is far narrower than
+/// any grid.
 class SlipRoots
 {
 public:
@@ -182,8 +182,8 @@ private:
   unsigned int n_roots_ = 0;
 };
 
-/// Damped prediction-correction on the natural map, for the degenerate case that no slip angle is admissible
-/// (w_nn too small against the coupling times mu: the node wedges).
+/// Damped prediction-correction on the natural map, for the degenerate case without any admissible slip
+/// angle: w_nn is too small against the coupling times mu, and the node wedges.
 Vector3d iterate_natural_map(const OneNodeProblem &problem, const Vector3d &q, Vector3d r)
 {
   constexpr unsigned int n_steps = 100;

@@ -17,7 +17,7 @@ using Eigen::VectorXd;
 
 namespace
 {
-/// Norm of the penetrations among gaps.
+/// Norm of the penetrations, which are the negative gaps of q, mm.
 double penetration(const NodeVector &q)
 {
   double sum = 0;
@@ -26,7 +26,7 @@ double penetration(const NodeVector &q)
   return std::sqrt(sum);
 }
 
-/// Norm of the forces that would hold the nodes where they go by `free`, but for gaps, which cost none.
+/// Norm of the forces (N) that would hold the nodes against the displacements `free`; open gaps cost none.
 double holding_force(const ContactSystem &system, const NodeVector &free)
 {
   double sum = 0;
@@ -136,7 +136,7 @@ double ContactStep::near_residual(const VectorXd &unknowns) const
 {
   const ContactChange near = this->near(unknowns);
   VectorXd map = natural_map(unknowns, near.displacement);
-  // To be asked where this process has no part of the body, too.
+  // All processes must ask, also one without a part of the body.
   if (const double rest = system_->compliance().norm(near.body.rest); !(rest == 0))
   {
     map.conservativeResize(map.size() + 1);
@@ -154,10 +154,10 @@ double ContactStep::residual_of(const VectorXd &map, const VectorXd &unknowns) c
   return error <= rounding_force_ ? 0 : relative(error, scale);
 }
 
-/// Relative to what would hold the nodes where they would go without forces, but for gaps, which cost none.
+/// A share of the largest force that would hold a node against its free displacement; open gaps cost none.
 double ContactStep::negligible_force(const VectorXd &unknowns) const
 {
-  constexpr double rounding = 1e-12;
+  constexpr double rounding = 1e-12; // of the displacements
   const NodeVector free = face_.n() == 0 ? q_ : NodeVector(q_ + face_.columns() * unknowns.tail(face_.n()));
   double largest = 0;
   for (Index node = 0; node < n_nodes(); ++node)

@@ -12,7 +12,7 @@ namespace
 {
 using Points = std::vector<TracePoint>;
 
-/// The point with half of the iterations of the last one: passes over it and what follows show the trend.
+/// The point with half as many iterations as the last one: what follows it shows the trend.
 Points::const_iterator middle_of(const Points &trace)
 {
   return std::find_if(trace.begin(), trace.end(),
@@ -75,7 +75,7 @@ const char *to_word(const Verdict verdict)
 
 Verdict judge(const Points &trace, const double tolerance, const double rounding)
 {
-  constexpr std::size_t few = 4;       // points that tell no trend
+  constexpr std::size_t few = 4;       // points that show no trend
   constexpr double growth = 10;        // of forces that have no bound, in half of the iterations
   constexpr double least_fall = 0.105; // a tenth of the residual in half of the iterations
   if (trace.empty())

@@ -19,8 +19,8 @@ using Eigen::Vector2d;
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
 
-/// Friction that resists a slip along a direction relative to that which the slip takes from the normal
-/// force.
+/// The friction that resists a slip along a direction, relative to the friction that is lost as the slip
+/// reduces the normal force.
 class SlipResistance
 {
 public:
@@ -49,10 +49,10 @@ private:
   Matrix3d stiffness_;
 };
 
-/// Least value over the half circle: the best point of a grid, and the minimum between its neighbours.
+/// Least value over the half circle: the minimum between the neighbours of a grid's best point.
 double least_over_directions(const SlipResistance &resistance)
 {
-  constexpr unsigned int n_grid = 90;
+  constexpr unsigned int n_grid = 90; // steps of two degrees
   constexpr double spacing = pi / n_grid;
   constexpr int bits = std::numeric_limits<double>::digits / 2;
   double best = 0;

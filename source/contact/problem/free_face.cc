@@ -11,7 +11,7 @@ using Eigen::VectorXd;
 
 FreeFace::FreeFace(const MatrixXd &motions, const VectorXd &balance)
 {
-  constexpr double dependent = 1e-10;
+  constexpr double dependent = 1e-10; // a column's own part, relative to the column
   const Eigen::HouseholderQR<MatrixXd> factorization(motions);
   columns_ = factorization.householderQ() * MatrixXd::Identity(motions.rows(), motions.cols());
   triangle_ = factorization.matrixQR().topRows(motions.cols()).triangularView<Eigen::Upper>();

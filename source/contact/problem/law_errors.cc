@@ -55,7 +55,7 @@ void LawErrors::merge(const LawErrors &other)
 
 namespace
 {
-/// What errors are related to.
+/// The scales of errors.
 struct Scales
 {
   double length = 0;   ///< mm
@@ -88,7 +88,7 @@ LawErrors errors_of_node(const OrthotropicFriction &law, const Eigen::Vector3d &
   errors.penetration = relative(std::max(0., -d[0]), scales.length);
   errors.complementarity = std::abs(std::min(relative(d[0], scales.length), relative(r[0], scales.strength)));
   errors.friction_cone = relative(std::max(0., friction_norm(law, r_t[0], r_t[1]) - r[0]), scales.strength);
-  // The weight is what friction can carry: the direction of a force that is next to nothing is not known.
+  // The weight is what friction can carry, because the direction of a tiny force is not known.
   if (const double friction = std::min(law.mu_x, law.mu_y) * r[0]; friction > 0)
     errors.slip_rule =
         friction / scales.strength * relative(forbidden_slip(law, r[0], r_t, d.tail<2>()), scales.slip);

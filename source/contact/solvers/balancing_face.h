@@ -6,25 +6,26 @@
 
 namespace orthocone
 {
-/// A face that forces drive, as sweeps over the nodes see it: a spring that follows what the face lacks of
-/// its balance while the sweep goes on, and whose length is taken over into the face's motion behind the
-/// sweep. To the nodes it is a compliance of rank m, as soft as the body; at the solution it carries nothing.
+/// A face that forces drive, as sweeps over the nodes see it: a spring. During a sweep its length follows
+/// what the face lacks of its balance; after the sweep this length becomes motion of the face. To the nodes
+/// the spring is a compliance of rank m, as soft as the body; at the solution it carries nothing.
+/// docs/theory.md, section 3.
 class BalancingFace
 {
 public:
   /// `unknowns`: those of the step at the beginning of the sweep.
   BalancingFace(const ContactStep &step, const Eigen::VectorXd &unknowns);
 
-  /// What the face and its spring move a node by now, mm.
+  /// How far the face and its spring move a node now, mm.
   Eigen::Vector3d displacement(Eigen::Index node) const;
 
-  /// What the spring adds to a node's own compliance, mm/N.
+  /// The spring's part in a node's compliance, mm/N.
   Eigen::Matrix3d compliance(Eigen::Index node) const;
 
-  /// A node's force changes.
+  /// To be called when a node's force changes, N.
   void add(Eigen::Index node, const Eigen::Vector3d &change);
 
-  /// Motion of the face behind the sweep, mm.
+  /// Motion of the face after the sweep: size m, mm.
   Eigen::VectorXd motion() const { return motion_ + softness_ * imbalance_; }
 
 private:
@@ -34,8 +35,8 @@ private:
   Eigen::VectorXd imbalance_;
 };
 
-/// Tells, from looks at an iteration every few sweeps, that no equilibrium is to be had: no node sticks, and
-/// what the face lacks of its balance does not fall, look after look, while the face moves on and on.
+/// Finds, from looks at an iteration every few sweeps, that there is no equilibrium: no node sticks, and what
+/// the face lacks of its balance does not fall from look to look while the face keeps moving.
 class BalanceWatch
 {
 public:

@@ -10,8 +10,8 @@ using Eigen::Vector3d;
 namespace
 {
 /// The paper's Box 3 for all nodes at once, as its text reads: prediction and correction with the
-/// displacements that the forces of the last iteration cause. Diverges where rho times the largest eigenvalue
-/// of W exceeds 2, which is nearly everywhere: for study only.
+/// displacements that the forces of the last iteration cause. It diverges where rho times the largest
+/// eigenvalue of W exceeds 2, which is nearly everywhere (docs/stability.md), and is there for study only.
 class Box3 : public ContactSolver
 {
 public:

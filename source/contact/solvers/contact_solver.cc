@@ -12,8 +12,8 @@ namespace orthocone
 {
 namespace
 {
-/// Whether forces drive the face and no node sticks. Where an iteration does not settle then, the load is at
-/// the border of what friction carries, or beyond.
+/// Whether forces drive the face and no node sticks. If an iteration does not converge then, the load is at
+/// the limit of what friction carries, or beyond.
 bool nothing_holds(const ContactStep &step, const Eigen::VectorXd &unknowns, const NodeVector &displacement)
 {
   const auto statuses = step.statuses(unknowns, displacement);

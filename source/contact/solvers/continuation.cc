@@ -13,8 +13,8 @@ using Eigen::VectorXd;
 
 namespace
 {
-/// A law on the way from the associated one (t = 0), whose natural map is that of a cone alone, to the given
-/// one (t = 1): the logarithms of the semi-axes of the slip ellipse go straight.
+/// A law on the way from the associated one (t = 0), whose natural map depends on the cone alone, to the
+/// given one (t = 1): the logarithms of the semi-axes of the slip ellipse are linear in t.
 OrthotropicFriction on_the_way(OrthotropicFriction law, const double t)
 {
   if (is_frictionless(law))
@@ -45,8 +45,8 @@ ContactSystem system_on_the_way(const ContactSystem &system, const double t)
   return {system.compliance(), std::move(laws)};
 }
 
-/// Newton's method, and where it does not settle on a slip rule far from the associated one, the same on slip
-/// rules between both, each from the solution of the one before: there is nothing that sweeps here.
+/// Newton's method. Where it does not converge for a slip rule far from the associated one, it solves with
+/// slip rules between both, each from the solution of the one before: without a dense W no sweeps can help.
 class Continuation : public ContactSolver
 {
 public:
@@ -60,7 +60,7 @@ public:
   SolverReport solve(const ContactStep &step, VectorXd &unknowns) const override;
 
 private:
-  /// The unknowns on the way, and what it took.
+  /// The unknowns on the way, and the work so far.
   struct Walk
   {
     VectorXd unknowns;
@@ -77,9 +77,10 @@ private:
 
 SolverReport Continuation::solve_at(const ContactStep &step, const double t, Walk &walk) const
 {
-  // Where slip is far from associated, a solution to 1e-5 is nowhere near. Short ways take few iterations.
+  // Where slip is far from associated, a residual of 1e-5 does not mean that the solution is near. Short ways
+  // take few iterations.
   constexpr double accurate = 1e-9;
-  constexpr unsigned int most_iterations = 20;
+  constexpr unsigned int most_iterations = 20; // docs/performance.md, "Multigrid"
   ContactSolverOptions options = options_;
   options.maximum_iterations = std::min(options.maximum_iterations, most_iterations);
   VectorXd unknowns = walk.unknowns;
@@ -99,10 +100,10 @@ SolverReport Continuation::solve_at(const ContactStep &step, const double t, Wal
   return report;
 }
 
-/// The way in steps that are as long as they may be; nothing where even short ones fail.
+/// Follows the way in steps that are as long as they may be; returns nothing where even short ones fail.
 std::optional<SolverReport> Continuation::follow(const ContactStep &step, Walk &walk) const
 {
-  constexpr double first = 0.25, least = 1. / 256;
+  constexpr double first = 0.25, least = 1. / 256; // of the way: docs/performance.md, "Multigrid"
   if (!solve_at(step, 0, walk).converged)
     return std::nullopt;
   for (double t = 0, length = first; length >= least;)

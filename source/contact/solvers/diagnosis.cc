@@ -21,8 +21,8 @@ std::string best_method()
   return ContactSolverOptions().method;
 }
 
-/// How many iterations would have been enough for the part of the step that was tried last, or 0 if nobody
-/// knows.
+/// How many iterations would have been enough for the part of the step that was tried last, or 0 if this is
+/// not known.
 double enough_iterations(const ContactSolverOptions &options, const SolverReport &report)
 {
   const double more = iterations_to_go(report.trace.points(), options.tolerance);
@@ -46,7 +46,7 @@ std::string why(const ContactSolverOptions &options, const SolverReport &report)
   case Verdict::slow:
     text << "The iteration is slow: "
          << (enough_iterations(options, report) > 0 ? "the residual still fell at the end"
-                                                    : "too few iterations to tell more");
+                                                    : "too few iterations to say more");
     break;
   case Verdict::rounding:
     text << "Rounding stops the iteration: the residual came down to " << least_residual(report);

@@ -11,8 +11,8 @@ using Eigen::Vector3d;
 
 namespace
 {
-/// The paper's Box 3 node by node: one prediction-correction a node and sweep with the literal p and
-/// rho = 1 / min(w_nn, w_xx, w_yy). No convergence is guaranteed: see docs/theory.md.
+/// The paper's Box 3 node by node: one prediction-correction for each node in a sweep, with the literal p and
+/// rho = 1 / min(w_nn, w_xx, w_yy). Its convergence is not guaranteed: docs/theory.md, section 3.
 class Feng2006 : public ContactSolver
 {
 public:

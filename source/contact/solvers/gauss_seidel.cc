@@ -48,7 +48,7 @@ void GaussSeidel::sweep(const ContactStep &step, Eigen::VectorXd &unknowns, cons
   }
 }
 
-/// The same, where every node feels the face besides the others, and itself through the face.
+/// The same, where every node feels the face besides the other nodes, and itself through the face.
 void GaussSeidel::sweep_with_face(const ContactStep &step, Eigen::VectorXd &unknowns,
                                   const double relaxation) const
 {

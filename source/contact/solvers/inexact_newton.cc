@@ -13,7 +13,7 @@ using Eigen::VectorXd;
 
 namespace
 {
-/// Unknowns, their displacement, the body behind them, and what the law says.
+/// Unknowns, their displacement, the body behind them, and the law linearized there.
 struct BodyIterate
 {
   BodyIterate(const ContactStep &step, VectorXd unknowns_, NodeVector displacement_, BodyPart body_,
@@ -36,8 +36,8 @@ struct BodyIterate
   double error;     ///< of the law and of the body's equilibrium, N
 };
 
-/// Contact forces that carry what drives the face, as evenly as can be: where nothing touches yet, no force
-/// depends on how the face moves.
+/// Contact forces that carry what drives the face, as evenly as they can. Newton's method cannot start
+/// without forces: where nothing touches yet, no force depends on how the face moves.
 VectorXd balancing_start(const ContactStep &step)
 {
   VectorXd unknowns = VectorXd::Zero(step.n_unknowns());
@@ -45,8 +45,8 @@ VectorXd balancing_start(const ContactStep &step)
   return step.admissible(unknowns);
 }
 
-/// How accurately the next linear system is solved: as well as Newton's method converges on the law, which is
-/// what is not linear, and not beyond what the tolerance asks for.
+/// How accurately the next linear system is solved: as accurately as Newton's method converges on the law,
+/// which is all that is not linear, and no better than the tolerance asks for.
 class Forcing
 {
 public:
@@ -65,7 +65,7 @@ private:
 };
 
 /// Semismooth Newton for a body without a dense compliance: linearized laws are solved on the whole body, and
-/// only as accurately as pays. Nothing sweeps here.
+/// only as accurately as it pays. There are no sweeps. docs/theory.md, section 3, "A body without a matrix".
 class InexactNewton : public ContactSolver
 {
 public:
@@ -90,8 +90,9 @@ private:
   std::unique_ptr<ConditionSolver> conditions_;
 };
 
-/// Newton's change, or the share of it that makes the error smaller; where none does, the one that makes it
-/// least, if that is little worse, or all of it: pieces of the natural map meet there.
+/// Newton's change, or the share of it that reduces the error. Where none does, pieces of the natural map
+/// meet: then it is the share with the least error if that is little worse than the last error, else all of
+/// it.
 BodyIterate InexactNewton::next(const ContactStep &step, const BodyIterate &last, const double accuracy) const
 {
   constexpr double sufficient_decrease = 1e-4, smallest_step = 1. / 64, bearable_growth = 1.2;
@@ -116,7 +117,7 @@ BodyIterate InexactNewton::next(const ContactStep &step, const BodyIterate &last
 }
 
 /// Whether the forces of an iterate, moved into their cones, solve the step with the displacement that they
-/// cause. Else the iterate becomes the state that they make.
+/// cause. If not, the iterate becomes the state of these forces.
 bool InexactNewton::is_solved(const ContactStep &step, BodyIterate &iterate, VectorXd &unknowns) const
 {
   step.system().compliance().learn(iterate.unknowns.head(iterate.displacement.size()), iterate.body);
@@ -129,9 +130,10 @@ bool InexactNewton::is_solved(const ContactStep &step, BodyIterate &iterate, Vec
 
 SolverReport InexactNewton::solve(const ContactStep &step, VectorXd &unknowns) const
 {
-  constexpr double rest_share = 0.3; // of the tolerance: what the displacement errs by is up to 30 times more
-  // Of a tall body it is more than that: where the forces do not solve the step with the displacement that
-  // they cause, the body must be nearer to its equilibrium.
+  constexpr double rest_share =
+      0.3; // of the tolerance: the error of the displacement is up to 30 times as large
+  // In a tall body it is larger still: where the forces do not solve the step with the displacement that they
+  // cause, the body must come closer to its equilibrium.
   constexpr double stricter = 0.1, strictest = 1e-3;
   const unsigned int most = std::min(options_.maximum_iterations, most_inexact_iterations);
   Trace trace;

@@ -13,8 +13,8 @@ using Eigen::Matrix3d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-/// An open node has no unknowns, a stuck one three, a slipping one two (along and across the generator of the
-/// cone): its third component the linearization fixes.
+/// An open node has no unknowns, a stuck one three, a slipping one two, along and across the generator of the
+/// cone: the linearization fixes its third component.
 NodeCondition condition_of(const OrthotropicFriction &law, const double rho, const Projection &projection,
                            const Vector3d &map, const Vector3d &displacement)
 {
@@ -33,7 +33,7 @@ NodeCondition condition_of(const OrthotropicFriction &law, const double rho, con
     condition.right_side = -map;
     return condition;
   }
-  // I - P = normal normal^T + (1 - stiffness) side side^T: the part along `normal` stands alone.
+  // I - P = normal normal^T + (1 - stiffness) side side^T: the part along `normal` is decoupled.
   condition.n_unknowns = 2;
   condition.basis.leftCols<2>() << projection.ray, projection.side;
   condition.rows.leftCols<2>() << slope.transpose() * projection.ray,

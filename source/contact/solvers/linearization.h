@@ -6,19 +6,20 @@
 
 namespace orthocone
 {
-/// The natural map at given unknowns, linearized: what Newton's method wants of every node and of the face.
+/// The natural map at given unknowns, linearized: the conditions of every node and of the face for Newton's
+/// method.
 struct Linearization
 {
   ContactConditions conditions;
   double error; ///< norm of the natural map, N
 };
 
-/// `displacement` belongs to `unknowns`; the map is the one with `rho_factor` times the rho of the system.
+/// `displacement` belongs to `unknowns`; the map has `rho_factor` times the rho of the system.
 Linearization linearize(const ContactStep &step, const Eigen::VectorXd &unknowns,
                         const NodeVector &displacement, double rho_factor = 1);
 
-/// Newton's change of the unknowns, up to a relative error `accuracy` or what can be had. Not finite if the
-/// linearization is singular.
+/// Newton's change of the unknowns, up to a relative error `accuracy` or the best that can be reached. Not
+/// finite if the linearization is singular.
 Eigen::VectorXd newton_change(const ConditionSolver &solver, const Linearization &linearization,
                               double accuracy);
 } // namespace orthocone

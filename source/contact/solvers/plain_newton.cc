@@ -7,8 +7,8 @@ namespace orthocone
 {
 namespace
 {
-/// Semismooth Newton on the natural map as textbooks have it, every step taken in full. Cycles where the
-/// pieces of the map send it to and fro: for study only.
+/// Semismooth Newton on the natural map as in textbooks, with every step taken in full. It cycles where the
+/// pieces of the map send it to and fro (docs/stability.md), and is there for study only.
 class PlainNewton : public ContactSolver
 {
 public:

@@ -13,7 +13,7 @@ using Eigen::VectorXd;
 
 namespace
 {
-/// Unknowns, their displacement and what the natural map says there.
+/// Unknowns, their displacement, and the natural map there.
 struct Iterate
 {
   Iterate(const ContactStep &step, VectorXd unknowns_, NodeVector displacement_, const double rho_factor)
@@ -28,8 +28,8 @@ struct Iterate
   Linearization linearization;
 };
 
-/// The first of the iterates along `change`, each half as far as the one before, that makes the natural map
-/// smaller; nothing if none does. W is linear, so that they cost no product with it.
+/// The first of the iterates along `change`, each half as far as the one before, that reduces the natural
+/// map; nothing if none does. Since W is linear, they cost no product with it.
 std::optional<Iterate> line_search(const ContactStep &step, const Iterate &start, const VectorXd &change,
                                    const double rho_factor)
 {
@@ -45,9 +45,9 @@ std::optional<Iterate> line_search(const ContactStep &step, const Iterate &start
   return std::nullopt;
 }
 
-/// Relaxation of the sweeps of a round. Where rounds keep stalling, exact sweeps send the forces to and fro,
-/// as single nodes have no solution or several (friction above the critical one): relaxed ones find a common
-/// solution.
+/// Relaxation of the sweeps of a round. Where rounds keep stalling, exact sweeps send the forces to and fro
+/// because single nodes have no solution or several (friction above the critical one, docs/theory.md, section
+/// 8). Relaxed sweeps find a common solution.
 double relaxation_of_round(const unsigned int round)
 {
   constexpr unsigned int first_relaxed = 5;
@@ -56,8 +56,8 @@ double relaxation_of_round(const unsigned int round)
   return round % 4 == 1 ? 0.3 : 0.05;
 }
 
-/// Semismooth Newton on the natural map with a backtracking line search, started by exact sweeps and
-/// returning to them from the best iterate whenever it stalls, so that it inherits their robustness.
+/// Semismooth Newton on the natural map with a backtracking line search. Exact sweeps start it, and it
+/// returns to them from the best iterate whenever it stalls, so that it inherits their robustness.
 class SemismoothNewton : public ContactSolver
 {
 public:
@@ -101,15 +101,15 @@ SemismoothNewton::SemismoothNewton(const ContactSystem &system, const ContactSol
 {
 }
 
-/// Newton iterations while each of them pays.
+/// Newton iterations, as long as each of them pays.
 void SemismoothNewton::iterate_while_it_pays(Progress &progress) const
 {
   constexpr unsigned int most_iterations = 12;
-  constexpr double paying_reduction = 0.9; // what sweeps gain costs more (docs/performance.md)
+  constexpr double paying_reduction = 0.9; // sweeps pay more for the same gain (docs/performance.md)
   constexpr double inexactness = 0.01;     // tighter costs more products than it saves iterations
   const ContactStep &step = progress.step;
   Iterate best(step, progress.unknowns, step.displacement(progress.unknowns), options_.rho_factor);
-  // Not the error of the linearization, whose rho may be another one.
+  // The error of the linearization would not do: its rho may be another one.
   const auto residual = [&] { return step.residual(best.unknowns, best.displacement); };
   progress.residual = residual();
   for (unsigned int i = 0; i < most_iterations && progress.iterations < options_.maximum_iterations; ++i)
@@ -137,8 +137,8 @@ void SemismoothNewton::iterate_while_it_pays(Progress &progress) const
   }
 }
 
-/// Newton's steps in full from `trial` on, whatever the residual does on the way: where pieces of the natural
-/// map meet, the line search may stop at a corner that full steps pass over.
+/// Takes Newton's steps in full from `trial` on, whatever the residual does on the way: where pieces of the
+/// natural map meet, the line search may stop at a corner that full steps pass.
 void SemismoothNewton::iterate_in_full(VectorXd trial, Progress &progress) const
 {
   constexpr unsigned int most_iterations = 15;
@@ -164,11 +164,11 @@ void SemismoothNewton::iterate_in_full(VectorXd trial, Progress &progress) const
   }
 }
 
-/// Sweeps and Newton's steps. Returns whether the face runs away.
+/// Runs sweeps, then Newton's steps. Returns whether the face runs away.
 bool SemismoothNewton::run_round(const unsigned int round, const unsigned int n_sweeps,
                                  Progress &progress) const
 {
-  constexpr unsigned int first_full_round = 2; // where line search and sweeps have stalled twice
+  constexpr unsigned int first_full_round = 2; // line search and sweeps have stalled twice by then
   for (unsigned int i = 0; i < n_sweeps && progress.iterations < options_.maximum_iterations;
        ++i, ++progress.iterations)
     sweeps_.sweep(progress.step, progress.unknowns, relaxation_of_round(round));
@@ -181,9 +181,9 @@ bool SemismoothNewton::run_round(const unsigned int round, const unsigned int n_
 
 SolverReport SemismoothNewton::solve(const ContactStep &step, VectorXd &unknowns) const
 {
-  constexpr unsigned int first_sweeps = 10;
+  constexpr unsigned int first_sweeps = 10; // then twice as many each time: docs/theory.md, section 3
   constexpr unsigned int most_sweeps = 160;
-  constexpr double good_start = 0.1; // sweeps are for starts that are farther off, and for stalls
+  constexpr double good_start = 0.1; // sweeps are for worse starts, and for stalls
   Progress progress{step, unknowns, unknowns, step.residual(unknowns)};
   progress.note(progress.residual, unknowns);
   unsigned int n_sweeps = progress.residual > good_start ? first_sweeps : 0;

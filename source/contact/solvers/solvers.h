@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// What the contact solvers share, and the list of them for contact_methods.cc.
+// Code that the contact solvers share, and their list for contact_methods.cc.
 #pragma once
 
 #include "balancing_face.h"
@@ -15,7 +15,7 @@
 
 namespace orthocone
 {
-/// Gauss-Seidel sweeps: every node in turn is solved exactly with the forces of the others fixed.
+/// Gauss-Seidel sweeps: every node in turn is solved exactly, with the forces of the others fixed.
 class GaussSeidel : public ContactSolver
 {
 public:
@@ -34,7 +34,7 @@ private:
   std::vector<OneNodeProblem> nodes_;
 };
 
-/// Of Newton's method without a dense compliance: more have never helped, and each is dear.
+/// Iterations of Newton's method without a dense compliance: more have never helped, and each is expensive.
 constexpr unsigned int most_inexact_iterations = 60;
 
 /// make_report() of a step without equilibrium.
@@ -42,8 +42,8 @@ SolverReport unbalanced_report(const ContactStep &step, const Eigen::VectorXd &u
                                unsigned int iterations, double tolerance, Trace trace);
 
 /// Calls `iterate` until the residual is within the tolerance, the iterations are used up, the unknowns are
-/// no longer numbers or the face runs away. The residual costs about as much as an iteration and is looked at
-/// every `interval` of them.
+/// no longer numbers or the face runs away. The residual costs about as much as an iteration and is evaluated
+/// after every `interval` of them.
 template<typename Iterate>
 SolverReport iterate_until_converged(const ContactStep &step, const ContactSolverOptions &options,
                                      const unsigned int interval, Eigen::VectorXd &unknowns,
@@ -65,33 +65,34 @@ SolverReport iterate_until_converged(const ContactStep &step, const ContactSolve
   return make_report(step, unknowns, n_iterations, options.tolerance, std::move(trace));
 }
 
-/// Step of the paper's Box 3 at a node: factor / min(w_nn, w_xx, w_yy).
+/// Step of the paper's Box 3 at a node: factor / min(w_nn, w_xx, w_yy), N/mm.
 inline double rho_of_box3(const ContactSystem &system, const Eigen::Index node, const double factor)
 {
   return factor / system.compliance().diagonal_block(node).diagonal().minCoeff();
 }
 
-/// The dense compliance, or std::invalid_argument naming the method that wants it.
+/// The dense compliance. Throws std::invalid_argument, which names the method, where there is none.
 const DenseView &dense_compliance(const ContactSystem &system, const char *method);
 
-/// The backend's solver of linearized laws, or std::invalid_argument naming the method that wants it.
+/// The backend's solver of linearized laws. Throws std::invalid_argument, which names the method, where there
+/// is none.
 std::unique_ptr<ConditionSolver> condition_solver(const ContactSystem &system, const char *method);
 
-/// ContactMethod::make of a solver that is constructed from both.
+/// ContactMethod::make of a solver that is constructed from a system and options.
 template<typename Solver>
 std::unique_ptr<ContactSolver> make(const ContactSystem &system, const ContactSolverOptions &options)
 {
   return std::make_unique<Solver>(system, options);
 }
 
-/// Newton's method where the backend has no dense compliance, and the method `newton` there, which follows
-/// the solution from the associated slip rule where that fails.
+/// The first one is Newton's method where the backend has no dense compliance. The second one is the method
+/// `newton` there: it follows the solution from the associated slip rule where the first one fails.
 std::unique_ptr<ContactSolver> make_inexact_newton(const ContactSystem &system,
                                                    const ContactSolverOptions &options);
 std::unique_ptr<ContactSolver> make_continuation(const ContactSystem &system,
                                                  const ContactSolverOptions &options);
 
-// Each in the file of its solver.
+// The file of each solver defines its method.
 ContactMethod newton_method();
 ContactMethod gauss_seidel_method();
 ContactMethod uzawa_method();

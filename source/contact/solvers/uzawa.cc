@@ -12,8 +12,8 @@ using Eigen::VectorXd;
 
 namespace
 {
-/// The method's iterations on one step. What a face lacks of its balance stands beside the displacements, and
-/// its motion beside the forces: together a monotone problem, too.
+/// The method's iterations on one step. A face's lack of balance is put beside the displacements, and its
+/// motion beside the forces: the problem of both together is monotone, too.
 class Projections
 {
 public:
@@ -59,8 +59,8 @@ VectorXd Projections::predicted(const VectorXd &unknowns, const VectorXd &direct
 
 void Projections::iterate(VectorXd &unknowns, double &factor) const
 {
-  // Values that He and Liao recommend: the prediction is accepted while `ratio` <= largest_ratio, and the
-  // step grows when it was far too careful.
+  // He and Liao recommend these values: a prediction is accepted if `ratio` <= largest_ratio, and the step
+  // grows where it was far too careful.
   constexpr double largest_ratio = 0.9;
   constexpr double careful_ratio = 0.5;
   constexpr double growth = 1.5;
@@ -93,7 +93,7 @@ void Projections::iterate(VectorXd &unknowns, double &factor) const
 }
 
 /// Simultaneous projections with a self-adaptive step: the projection-contraction method of He and Liao (J.
-/// Optim. Theory Appl. 112 (2002) 111-128). Needs products with W only.
+/// Optim. Theory Appl. 112 (2002) 111-128). It needs products with W only.
 class Uzawa : public ContactSolver
 {
 public:
@@ -116,7 +116,7 @@ SolverReport Uzawa::solve(const ContactStep &step, VectorXd &unknowns) const
 {
   constexpr unsigned int iterations_between_checks = 10;
   const Projections projections(step);
-  // Nothing is kept from one load step to the next: a resumed run must go the same way.
+  // Nothing is kept from one load step to the next, because a resumed run must take the same steps.
   double factor = 1 / (system_.softness() * projections.rho().head(3 * step.n_nodes()).maxCoeff());
   return iterate_until_converged(step, options_, iterations_between_checks, unknowns,
                                  [&](VectorXd &x) { projections.iterate(x, factor); });

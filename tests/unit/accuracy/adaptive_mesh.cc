@@ -86,10 +86,10 @@ TEST(AdaptiveMesh, StandsInTheParameters)
 TEST(AdaptiveMesh, EndsWhereMemoryDoes)
 {
   const Parameters adaptive = coarse_case_a(ModelKind::axisymmetric, 3);
-  std::string told;
+  std::string reported;
   const MeshOptions mesh = adapted_mesh(
-      adaptive, choose_model(adaptive), [&](const std::string &line) { told += line + "\n"; }, 1e-3);
+      adaptive, choose_model(adaptive), [&](const std::string &line) { reported += line + "\n"; }, 1e-3);
   EXPECT_TRUE(mesh.refined_cells.empty());
-  EXPECT_NE(told.find("would need more memory"), std::string::npos) << told;
+  EXPECT_NE(reported.find("would need more memory"), std::string::npos) << reported;
 }
 } // namespace orthocone::test

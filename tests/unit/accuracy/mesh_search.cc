@@ -139,8 +139,8 @@ TEST(MeshLadder, IsFinerOnEveryLevelAndFitsTheHeight)
     }
 }
 
-/// Whatever all levels have in common no difference between them tells. (Layers of flat bodies are nearly
-/// even on the first levels, and thin.)
+/// No difference between levels shows what all of them have in common. (Layers of flat bodies are nearly even
+/// on the first levels, and thin.)
 TEST(MeshLadder, HasNoCellsThatAreTheSameOnAllLevels)
 {
   for (const double height : {10., 30., 100.})
@@ -225,15 +225,16 @@ TEST(MeshSearch, DoesNotTryAMeshThatDoesNotFitIntoTheMemory)
   Parameters parameters;
   parameters.load.legs = {move_to(0, 0, -0.1, 1)};
   parameters.mesh.accuracy = 10;
-  std::string told;
+  std::string reported;
   constexpr double gigabytes = 1e-3; // less than any model needs
   const ChosenModel chosen = find_mesh(
-      parameters, choose_model(parameters), [&](const std::string &line) { told += line + "\n"; }, gigabytes);
+      parameters, choose_model(parameters), [&](const std::string &line) { reported += line + "\n"; },
+      gigabytes);
   ASSERT_TRUE(chosen.accuracy);
   EXPECT_FALSE(chosen.accuracy->is_reached());
   ASSERT_TRUE(chosen.scene);
   EXPECT_EQ(chosen.parameters.mesh.core_cells, ladder_mesh({}, parameters.mesh, false, 0).core_cells);
-  EXPECT_NE(told.find("level 1 would need more memory"), std::string::npos) << told;
-  EXPECT_NE(told.find("NOT reached"), std::string::npos) << told;
+  EXPECT_NE(reported.find("level 1 would need more memory"), std::string::npos) << reported;
+  EXPECT_NE(reported.find("NOT reached"), std::string::npos) << reported;
 }
 } // namespace orthocone::test

@@ -32,7 +32,7 @@ TEST(Threads, LeaveCoresToOthers)
   EXPECT_EQ(choose_threads(large, two, 4).reason, "2 cores, others busy on 4");
 }
 
-/// Of a container on a large machine: others have their own cores.
+/// In a container on a large machine others have their own cores.
 TEST(Threads, AreNoMoreThanAControlGroupGrants)
 {
   EXPECT_EQ(choose_threads(large, {64, 4}, 20).number, 4u);
@@ -66,7 +66,7 @@ TEST(Threads, AreNoMoreThanTheCoresOfTheProcess)
   ASSERT_EQ(sched_setaffinity(0, sizeof before, &before), 0);
 }
 
-TEST(Threads, OfBlasAreWhatItIsTold)
+TEST(Threads, OfBlasAreWhatIsSet)
 {
   const unsigned int before = blas_threads();
   {

@@ -19,35 +19,35 @@ Parameters small()
   return parameters;
 }
 
-/// Writes down what it is told, as "next 1, solved 1, accepted 1".
+/// Records its calls, as "next 1, solved 1, accepted 1".
 class Recorder : public MarchObserver
 {
 public:
   bool goes_on(const LoadStep &next) override
   {
-    told += "next " + std::to_string(next.number) + ", ";
+    calls += "next " + std::to_string(next.number) + ", ";
     return next.number != stop_before;
   }
   bool accepts(const MarchedStep &solved) override
   {
     EXPECT_LT(solved.before.step, solved.step.number);
     EXPECT_EQ(solved.after.step, solved.step.number);
-    told += "solved " + std::to_string(solved.step.number) + ", ";
+    calls += "solved " + std::to_string(solved.step.number) + ", ";
     return solved.step.number != wrong_step;
   }
   void accepted(ContactState &state) override
   {
-    told += "accepted " + std::to_string(state.step) + ", ";
+    calls += "accepted " + std::to_string(state.step) + ", ";
     if (state.step == jump_from)
       state.step = jump_to;
   }
   void failed(const LoadStep &step, const SolverReport &report, double) override
   {
     EXPECT_FALSE(report.converged);
-    told += "failed " + std::to_string(step.number);
+    calls += "failed " + std::to_string(step.number);
   }
 
-  std::string told;
+  std::string calls;
   unsigned int stop_before = 0, wrong_step = 0, jump_from = 0, jump_to = 0;
 };
 
@@ -68,8 +68,8 @@ TEST(March, TellsOfEveryStep)
   unsigned int last = 0;
   EXPECT_EQ(marched(small(), recorder, last), MarchEnd::done);
   EXPECT_EQ(last, 4u);
-  EXPECT_EQ(recorder.told, "next 1, solved 1, accepted 1, next 2, solved 2, accepted 2, next 3, solved 3, "
-                           "accepted 3, next 4, solved 4, accepted 4, ");
+  EXPECT_EQ(recorder.calls, "next 1, solved 1, accepted 1, next 2, solved 2, accepted 2, next 3, solved 3, "
+                            "accepted 3, next 4, solved 4, accepted 4, ");
 }
 
 TEST(March, EndsWhereItsObserverSaysSo)
@@ -79,7 +79,7 @@ TEST(March, EndsWhereItsObserverSaysSo)
   stopper.stop_before = 2;
   EXPECT_EQ(marched(small(), stopper, last), MarchEnd::stopped);
   EXPECT_EQ(last, 1u);
-  EXPECT_EQ(stopper.told, "next 1, solved 1, accepted 1, next 2, ");
+  EXPECT_EQ(stopper.calls, "next 1, solved 1, accepted 1, next 2, ");
   judge.wrong_step = 2;
   EXPECT_EQ(marched(small(), judge, last), MarchEnd::refused);
   EXPECT_EQ(last, 1u) << "a wrong step is not accepted";
@@ -93,7 +93,7 @@ TEST(March, GoesOnBehindTheStateThatAnObserverLeaves)
   jumper.jump_to = 3;
   Parameters parameters = small();
   EXPECT_EQ(marched(parameters, jumper, last), MarchEnd::done);
-  EXPECT_EQ(jumper.told, "next 1, solved 1, accepted 1, next 4, solved 4, accepted 4, ");
+  EXPECT_EQ(jumper.calls, "next 1, solved 1, accepted 1, next 4, solved 4, accepted 4, ");
 }
 
 TEST(March, EndsAtAStepThatIsNotSolved)
@@ -105,7 +105,7 @@ TEST(March, EndsAtAStepThatIsNotSolved)
   parameters.contact_solver.maximum_iterations = 1;
   EXPECT_EQ(marched(parameters, recorder, last), MarchEnd::unsolved);
   EXPECT_EQ(last, 0u);
-  EXPECT_EQ(recorder.told, "next 1, failed 1");
+  EXPECT_EQ(recorder.calls, "next 1, failed 1");
 }
 
 /// Case B on few cells, pressed, moved and released.
@@ -126,8 +126,8 @@ TEST(March, SolvesPartsAsSmallerSteps)
   ContactState state(scene.gaps()), other(scene.gaps());
   Recorder recorder;
   EXPECT_EQ(march(load_steps(divided.load), by_parts, state, recorder), MarchEnd::done);
-  EXPECT_EQ(recorder.told, "next 1, solved 1, accepted 1, next 2, solved 2, accepted 2, next 3, solved 3, "
-                           "accepted 3, ");
+  EXPECT_EQ(recorder.calls, "next 1, solved 1, accepted 1, next 2, solved 2, accepted 2, next 3, solved 3, "
+                            "accepted 3, ");
   MarchObserver silent;
   EXPECT_EQ(march(load_steps(smaller.load), by_steps, other, silent), MarchEnd::done);
   EXPECT_EQ(state.step, 3u);
@@ -192,7 +192,7 @@ TEST(March, LeavesNothingOfAStepWhosePartIsNotSolved)
   const ContactState before = state;
   const StartMemory starts = solver.memory();
   EXPECT_EQ(march(load_steps(parameters.load), solver, state, recorder), MarchEnd::unsolved);
-  EXPECT_EQ(recorder.told, "next 2, failed 2");
+  EXPECT_EQ(recorder.calls, "next 2, failed 2");
   EXPECT_EQ(state.step, 1u);
   EXPECT_EQ(state.force, before.force);
   EXPECT_EQ(state.work, before.work);

@@ -14,7 +14,7 @@ using Eigen::VectorXd;
 namespace
 {
 
-/// As mixed_conditions(), but for `follows`, which is not carried over to the levels.
+/// As mixed_conditions(), except for `follows`, which is not transferred to the levels.
 std::vector<NodeRelation> mixed_relations(const RefinedBody &refined)
 {
   std::vector<NodeRelation> relations;

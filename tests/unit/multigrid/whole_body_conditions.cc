@@ -20,9 +20,9 @@ namespace
 std::pair<Vector3d, double> unknowns_of(const NodeCondition &condition, const Vector3d &force)
 {
   const Vector3d x = condition.basis.transpose() * (force - condition.fixed);
-  Vector3d told = condition.fixed;
-  told += condition.basis.leftCols(condition.n_unknowns) * x.head(condition.n_unknowns);
-  return {x, (force - told).norm()};
+  Vector3d force_given = condition.fixed;
+  force_given += condition.basis.leftCols(condition.n_unknowns) * x.head(condition.n_unknowns);
+  return {x, (force - force_given).norm()};
 }
 
 /// Largest error of the nodes' equations, N, with the displacements that the compliance makes of the forces.

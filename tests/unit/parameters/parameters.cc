@@ -109,7 +109,7 @@ TEST(Parameters, EntryValuesAreThoseOfTheFile)
 {
   const auto entries = entry_values(unusual_parameters());
   const std::map<std::string, std::string> values(entries.begin(), entries.end());
-  EXPECT_EQ(values.size(), entries.size()) << "an entry is told twice";
+  EXPECT_EQ(values.size(), entries.size()) << "an entry is listed twice";
   EXPECT_EQ(values.at("Geometry/Radius"), "7.25");
   EXPECT_EQ(values.at("Contact solver/Method"), "gauss-seidel");
   EXPECT_EQ(values.at("Load program/Legs"), "0.001 -2 -0.1 : 3; 0 0 0 : 4");

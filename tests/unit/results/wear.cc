@@ -113,8 +113,8 @@ TEST(WearJumps, ErrByLessThanTheyEstimate)
     }
     const double error = state.wear_depth[0] - exact;
     EXPECT_GT(error, 0); // each jump goes on at the rate of its beginning
-    // Of the volume, on an area of 2. What is worn too deep wears less later: the sum of all jumps is a
-    // bound.
+    // Errors of the volume, on an area of 2. What is worn too deep wears less later: the sum of all jumps is
+    // a bound.
     EXPECT_GE(-jumps.memory().error / (2 * error), 1) << largest;
     EXPECT_LE(-jumps.memory().error / (2 * error), 2) << largest;
     EXPECT_LT(error, 0.5 * last_error);

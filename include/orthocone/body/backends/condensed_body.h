@@ -10,19 +10,20 @@
 
 namespace orthocone
 {
-/// The body as its contact nodes feel it. The displacement under a motion of the held face and contact forces
-/// r is that rigid motion plus K^-1 r, because the rest of the body is free: the plane alone keeps it from
-/// following it.
+/// The body condensed to its n contact nodes. Its displacement under a motion of the held face and contact
+/// forces r is the rigid motion plus K^-1 r, because the rest of the body is free: only the plane keeps it
+/// from following the face (docs/theory.md, section 2).
 class CondensedBody
 {
 public:
+  /// `unknowns` and `factor` must outlive the body. Throws as StiffnessFactor::trailing_inverse() does.
   CondensedBody(const BodyUnknowns &unknowns, const StiffnessFactor &factor, LocalAxes axes);
 
-  const DenseCompliance &compliance() const { return compliance_; }
+  const DenseCompliance &compliance() const { return compliance_; } ///< W, 3 n x 3 n, local axes, mm/N
 
   const ContactFrame &frame() const { return frame_; }
 
-  /// K^-1 r of all free unknowns under the contact forces `force` (local axes, N).
+  /// K^-1 r (mm, size n_free()) under the contact forces r = `force` (3 n, local axes, N).
   Eigen::VectorXd elastic_displacement(const NodeVector &force) const;
 
   /// ElasticBody::mismatch().

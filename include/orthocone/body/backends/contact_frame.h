@@ -9,8 +9,8 @@
 
 namespace orthocone
 {
-/// The contact nodes of a body in their local axes: what motions of the held face and contact forces are in
-/// the unknowns of the body, and back. It is the same for every backend.
+/// The n contact nodes of a body in their local axes: converts motions of the held face and contact forces
+/// into unknowns of the body, and back. It is the same for every backend, and throws nothing.
 class ContactFrame
 {
 public:
@@ -20,19 +20,20 @@ public:
   const std::vector<ContactNode> &nodes() const { return unknowns_.contact_surface().nodes; }
   unsigned int n_free() const { return unknowns_.n_free(); }
 
-  /// Row d: the global direction d (x, y, z) in local components (normal, x, y) of the node.
+  /// 3 x 3; row d is the global direction d (x, y, z) in local components (normal, x, y) of the node.
   Eigen::Matrix3d global_in_local(const std::size_t node) const { return axes_.global_in_local(node); }
 
-  /// ElasticBody::moved_with(), wrench(), with_motion(); `elastic` may have all local degrees of freedom.
+  /// ElasticBody::moved_with(), wrench() and with_motion(); `elastic` may also have all local degrees of
+  /// freedom.
   NodeVector moved_with(const RigidMotion &held) const;
   Wrench wrench(const NodeVector &force) const;
   Eigen::VectorXd with_motion(const RigidMotion &held, const Eigen::VectorXd &elastic) const;
 
-  /// Contact forces (N) as forces on the free degrees of freedom of this process.
+  /// Contact forces (3 n, N) as forces on the n_free() free degrees of freedom of this process.
   Eigen::VectorXd on_free_unknowns(const NodeVector &force) const;
 
-  /// Largest difference between displacements of the contact nodes and those of the free degrees of freedom,
-  /// mm, of all processes.
+  /// Largest difference (mm, over all processes) between displacements of the contact nodes (3 n) and the
+  /// displacements of the free degrees of freedom there (n_free()).
   double difference(const NodeVector &displacement, const Eigen::VectorXd &free) const;
 
 private:

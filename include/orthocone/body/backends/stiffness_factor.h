@@ -13,15 +13,16 @@
 
 namespace orthocone
 {
-/// What a factorization costs, found without computing it.
+/// The cost of a factorization, found without computing it.
 struct FactorizationCost
 {
   double entries; ///< of the factor
   double flops;
 };
 
-/// Cost of the factorization that StiffnessFactor does of a matrix with these entries on and below the
-/// diagonal. Throws TooLargeError.
+/// Cost of StiffnessFactor's factorization of a matrix with these entries on and below the diagonal, whose
+/// last unknowns, from `n_interior` on, are eliminated last. Throws TooLargeError if CHOLMOD cannot count
+/// them.
 FactorizationCost factorization_cost(const dealii::SparsityPattern &pattern, unsigned int n_interior);
 
 /// Sparse Cholesky factorization (CHOLMOD, supernodal) of a symmetric positive definite matrix whose last
@@ -32,16 +33,18 @@ class StiffnessFactor
 public:
   /// `matrix` holds the entries on and below the diagonal; unknowns from `n_interior` on come last. Throws
   /// std::runtime_error if the matrix is not positive definite, std::bad_alloc if memory runs out,
-  /// TooLargeError.
+  /// TooLargeError if CHOLMOD cannot count the entries.
   StiffnessFactor(const dealii::SparseMatrix<double> &matrix, unsigned int n_interior);
   ~StiffnessFactor();
   StiffnessFactor(const StiffnessFactor &) = delete;
   StiffnessFactor &operator=(const StiffnessFactor &) = delete;
 
-  /// Solution of matrix x = right_side.
+  /// Solution x of matrix x = right_side, both of the matrix's size. Throws std::bad_alloc if memory runs
+  /// out.
   Eigen::VectorXd solve(const Eigen::VectorXd &right_side) const;
 
-  /// Inverse of the Schur complement of the last unknowns, in their order; dense and symmetric.
+  /// Inverse of the Schur complement of the last m unknowns, in their order: m x m, dense and symmetric (mm/N
+  /// for a stiffness). Throws std::runtime_error if it is singular, std::bad_alloc if memory runs out.
   Eigen::MatrixXd trailing_inverse() const;
 
 private:

@@ -13,7 +13,7 @@
 
 namespace orthocone
 {
-/// Local degrees of freedom of a cell, numbered node by node.
+/// Local degrees of freedom of a cell, node by node: component c of scalar node a is entry dim a + c.
 template<int dim>
 std::vector<dealii::types::global_dof_index> dofs_by_node(const DisplacementSpace<dim> &space,
                                                           const typename DisplacementSpace<dim>::Cell &cell)
@@ -30,7 +30,8 @@ std::vector<dealii::types::global_dof_index> dofs_by_node(const DisplacementSpac
   return sorted;
 }
 
-/// Adds a cell's matrix on and below the diagonal, to the rows of free degrees of freedom.
+/// Adds a cell's matrix (N/mm) to the entries of `matrix` on and below the diagonal, in rows of free degrees
+/// of freedom.
 inline void add_cell_matrix(const Eigen::MatrixXd &cell_matrix,
                             const std::vector<dealii::types::global_dof_index> &dofs,
                             dealii::SparseMatrix<double> &matrix)

@@ -13,7 +13,7 @@
 
 namespace orthocone
 {
-/// Fields at a point of the body; a section lies in the plane y = 0, where r is x and the hoop direction y.
+/// Fields at a point of the body. A section lies in the plane y = 0: its r is x, its hoop direction is y.
 struct PointFields
 {
   Eigen::Vector3d place = Eigen::Vector3d::Zero();        ///< mm
@@ -21,20 +21,21 @@ struct PointFields
   Stress stress{};                                        ///< MPa
 };
 
-/// Fields of a displacement at the same points of one cell after the other.
+/// Fields of a displacement, at the same points in one cell after the other.
 ///
-/// With reduced volumetric quadrature the stress has the change of volume that this quadrature sees. That of
-/// the displacement itself is noise where the material is nearly incompressible, and lambda times it much
-/// larger than the stress.
+/// With reduced volumetric quadrature the stress has the projected change of volume (ProjectedDivergence).
+/// The pointwise change of volume would be noise where the material is nearly incompressible, and lambda
+/// times this noise would be much larger than the stress (docs/theory.md, section 2).
 template<int dim>
 class CellFields
 {
 public:
-  /// `points` in the unit cell; `displacement` of all degrees of freedom. `space` and `displacement` must
-  /// outlive this.
+  /// `points` are in the unit cell; `displacement` (mm) is of all degrees of freedom, size n_dofs(). `space`
+  /// and `displacement` must outlive this object.
   CellFields(const DisplacementSpace<dim> &space, const Materials &materials,
              const dealii::Quadrature<dim> &points, const Eigen::VectorXd &displacement);
 
+  /// The fields at the points of a cell, in the order of the points.
   std::vector<PointFields> in(const typename DisplacementSpace<dim>::Cell &cell);
 
 private:
@@ -46,7 +47,7 @@ private:
   const Eigen::VectorXd &displacement_;
   Materials materials_;
   dealii::FEValues<dim> values_;
-  dealii::FEValues<dim> quadrature_values_; ///< with reduced volumetric quadrature, as the next two
+  dealii::FEValues<dim> quadrature_values_; ///< with reduced volumetric quadrature only, as the next two
   ProjectedDivergence<dim> divergence_;
   Eigen::MatrixXd polynomials_; ///< of the projection, at the points
 };

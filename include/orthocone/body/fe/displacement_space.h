@@ -23,14 +23,16 @@ namespace orthocone
 struct ContactFace;
 struct FaceNode;
 
-/// Displacement space FE_Q on a mesh: of a solid (u_x, u_y, u_z), isoparametric, or of a section (u_r, u_z).
-/// Forces and areas of a section are those of whole rings.
+/// Displacement space FE_Q on a mesh (mm): isoparametric for a solid (u_x, u_y, u_z), or of a section (u_r,
+/// u_z), whose forces and areas are those of whole rings.
 ///
-/// Contact nodes stand at the points of FE_Q, but in the face on the axis of a section at those of the
-/// Gauss-Lobatto-Jacobi rule of weight r. The nodes of FE_Q have the weights of the Gauss-Lobatto rule times
-/// r, for degrees from 2 on: nothing at the axis. The node there could carry no pressure, nor the plane hold
-/// it. At the points of the other rule all weights are positive. Only the degrees of freedom within that face
-/// change their meaning: they are values at its points.
+/// Contact nodes are at the points of FE_Q, except in the face on the axis of a section: there they are at
+/// the points of the Gauss-Lobatto-Jacobi rule of weight r (docs/theory.md, section 2, "The node on the
+/// axis"). From degree 2 on the weights of FE_Q's nodes would be those of the Gauss-Lobatto rule times r,
+/// which is 0 on the axis: the node there could carry no pressure, and the plane could not hold it. At the
+/// points of the other rule all weights are positive. Only the degrees of freedom within that face change
+/// their meaning: they are values at its points. The constructor throws an exception of deal.II if a contact
+/// node has no positive area.
 template<int dim>
 class DisplacementSpace : public BodyUnknowns
 {
@@ -47,7 +49,7 @@ public:
   unsigned int n_quadrature_points() const { return n_quadrature_points_; }
   VolumetricQuadrature volumetric_quadrature() const { return volumetric_quadrature_; }
 
-  /// Which degrees of freedom of the DoFHandler this process owns or works with; their order here.
+  /// Which degrees of freedom of the DoFHandler this process owns or works with, and their order here.
   const std::shared_ptr<const dealii::Utilities::MPI::Partitioner> &partitioner() const
   {
     return partitioner_;
@@ -60,20 +62,20 @@ public:
   /// Whether several processes share its cells.
   bool is_shared() const;
 
-  /// Held and hanging degrees of freedom of all cells that this process knows as constraints, by the
-  /// DoFHandler's numbers: zero, or as others move them.
+  /// Constraints, by the DoFHandler's numbers, of the held degrees of freedom (zero) and of the hanging ones
+  /// (moved by others) in all cells that this process knows.
   dealii::AffineConstraints<double> constraints() const;
 
-  /// Number of the active cell that every face of the contact surface belongs to, if it is of this process.
+  /// For each face of the contact surface the number of its active cell, if this process has it.
   const std::vector<unsigned int> &contact_cells() const { return contact_cells_; }
 
   using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
-  /// Whether the cell has the contact face on the axis, which only a cell of a section can have.
+  /// Whether the cell has the contact face on the axis. Only a cell of a section can have it.
   bool has_axis_face(const Cell &cell) const;
 
-  /// Values of the nodes of FE_Q in such a cell from those of its degrees of freedom, both numbered dim a + c
-  /// by scalar node a and component c.
+  /// Maps values of the degrees of freedom of such a cell to values at the nodes of FE_Q; both are numbered
+  /// dim a + c by scalar node a and component c.
   const Eigen::MatrixXd &axis_face_basis() const { return axis_face_basis_; }
 
 private:
@@ -90,15 +92,15 @@ private:
   dealii::FESystem<dim> fe_;
   dealii::MappingQ<dim> mapping_;
   dealii::DoFHandler<dim> dof_handler_;
-  dealii::IndexSet held_; ///< of all that this process knows
+  dealii::IndexSet held_; ///< of all cells that this process knows
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner_;
   unsigned int n_quadrature_points_;
   VolumetricQuadrature volumetric_quadrature_;
   std::vector<unsigned int> hierarchic_; ///< numbers in scalar_fe_ of the nodes in lexicographic order
   std::vector<unsigned int> contact_cells_;
-  // Of a section:
+  // For a section:
   std::vector<double> axis_face_points_; ///< 0 to 1
-  Eigen::MatrixXd axis_face_values_;     ///< at the face's nodes of FE_Q, of the basis at axis_face_points_
+  Eigen::MatrixXd axis_face_values_;     ///< of the basis for these points, at the face's nodes of FE_Q
   Eigen::MatrixXd axis_face_basis_;
 };
 

@@ -9,6 +9,7 @@ namespace orthocone
 /// Lame's parameters in MPa.
 struct LameParameters
 {
+  /// lambda = E nu / ((1 + nu) (1 - 2 nu)), mu = E / (2 (1 + nu)), of the isotropic constants.
   explicit LameParameters(const MaterialOptions &material);
 
   double lambda;

@@ -14,11 +14,13 @@ using Strain = dealii::SymmetricTensor<2, 3>;
 using Stress = dealii::SymmetricTensor<2, 3>;         ///< MPa
 using ElasticTangent = dealii::SymmetricTensor<4, 3>; ///< MPa
 
-/// Orthotropic linear elasticity along x, y, z: the inverse of the compliance that the nine constants make.
-/// nu_xy is - strain along y / strain along x under a stress along x alone.
+/// Orthotropic linear elasticity along x, y, z (MPa): the inverse of the compliance that the nine constants
+/// define (docs/theory.md, section 2, "Materials"). nu_xy is - strain along y / strain along x under a stress
+/// along x alone. Does not check that every strain stores energy.
 ElasticTangent orthotropic_tangent(const MaterialOptions &options);
 
-/// Linear elasticity at small strain, isotropic, the same in solids and sections, or orthotropic.
+/// Linear elasticity at small strain, orthotropic or isotropic; the same in solids and sections. Nothing here
+/// throws.
 class Material
 {
 public:
@@ -31,9 +33,11 @@ public:
 
   bool is_isotropic() const { return !orthotropic_; }
 
+  /// Stress (MPa) of a strain.
   Stress stress(const Strain &strain) const { return stress(strain, trace(strain)); }
 
-  /// Of elements that see another change of volume than the trace of `strain`, which isotropic ones may.
+  /// Stress (MPa) in elements whose change of volume is not the trace of `strain`; orthotropic materials
+  /// ignore `volume_change`.
   Stress stress(const Strain &strain, const double volume_change) const
   {
     if (orthotropic_)
@@ -41,7 +45,7 @@ public:
     return lame_.lambda * volume_change * dealii::unit_symmetric_tensor<3>() + 2 * lame_.mu * strain;
   }
 
-  /// Derivative of the stress by the strain.
+  /// Derivative of the stress with respect to the strain, MPa.
   ElasticTangent tangent() const
   {
     if (orthotropic_)
@@ -50,12 +54,12 @@ public:
     return lame_.lambda * outer_product(one, one) + tangent_at_constant_volume();
   }
 
-  /// What is left of it if the stress from the change of volume is taken care of elsewhere; isotropic.
+  /// The part of the tangent without the stress from the change of volume, MPa; for isotropic materials only.
   ElasticTangent tangent_at_constant_volume() const { return 2 * lame_.mu * dealii::identity_tensor<3>(); }
 
-  double shear_modulus() const { return lame_.mu; } ///< MPa, isotropic
+  double shear_modulus() const { return lame_.mu; } ///< MPa, for isotropic materials only
 
-  /// Stress from a change of volume by 1, MPa, isotropic.
+  /// Stress from a change of volume by 1, MPa; for isotropic materials only.
   double volumetric_modulus() const { return lame_.lambda; }
 
 private:

@@ -10,11 +10,12 @@
 
 namespace orthocone
 {
-/// The material of every cell, by the number of its volume: that of a region, or the one of all others.
+/// The material of every cell, by the number of its volume: the material of a region, or the one for all
+/// other cells.
 class Materials
 {
 public:
-  /// One everywhere. Not explicit: a material is such a choice.
+  /// One material everywhere. Not explicit, because a material is such a choice.
   Materials(const Material &everywhere)
       : other_(everywhere)
   {
@@ -24,9 +25,10 @@ public:
   {
   }
 
-  /// With the regions of a mesh file, whose names it has. Throws as read_gmsh_file().
+  /// With the regions of a mesh file, which has their names. Throws as read_gmsh_file() does.
   explicit Materials(const Parameters &parameters);
 
+  /// The material of the cells with this number; throws nothing.
   const Material &of(const dealii::types::material_id volume) const
   {
     const auto found = regions_.find(volume);

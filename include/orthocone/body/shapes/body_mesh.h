@@ -14,7 +14,7 @@
 
 namespace orthocone
 {
-/// Of every active cell its place among them.
+/// For each active cell its place among the active cells.
 template<int dim>
 std::vector<unsigned int> numbers_in_order(const dealii::Triangulation<dim> &triangulation)
 {
@@ -23,10 +23,10 @@ std::vector<unsigned int> numbers_in_order(const dealii::Triangulation<dim> &tri
   return numbers;
 }
 
-/// Hexahedra of the modelled part of the body whose shape the options name. The mesh of a half or a quarter
-/// consists of exactly those cells of the full mesh that lie there. Where cells of different sizes meet,
-/// their edges differ by a factor of two at most, also across an edge or a corner. Several processes share
-/// the cells.
+/// Hexahedra (mm) of the modelled part of the body whose shape the options name. The mesh of a half or a
+/// quarter consists of exactly those cells of the full mesh that lie there. Where cells of different sizes
+/// meet, their edges differ by a factor of two at most, also across an edge or a corner. Several processes
+/// share the cells.
 class BodyMesh
 {
 public:
@@ -34,8 +34,8 @@ public:
 
   const dealii::Triangulation<3> &triangulation() const { return *triangulation_; }
 
-  /// Of every active cell its number in Mesh/Refined cells; of other processes' cells none. Where several
-  /// share the cells each makes the whole mesh for it.
+  /// For each active cell its number in Mesh/Refined cells; cells of other processes have none. Where several
+  /// processes share the cells, each of them makes the whole mesh for this.
   std::vector<unsigned int> cell_numbers() const;
 
 private:
@@ -47,7 +47,8 @@ private:
   std::unique_ptr<dealii::Triangulation<3>> triangulation_;
 };
 
-/// Rectangles of the section (r, z) of a body of revolution.
+/// Rectangles (mm) of the section (r, z) of a body of revolution. The constructor throws what make_shape(),
+/// make_section() and refine() throw.
 class SectionMesh
 {
 public:
@@ -60,14 +61,15 @@ public:
 
   const dealii::Triangulation<2> &triangulation() const { return triangulation_; }
 
-  /// As BodyMesh's: one process has all.
+  /// As BodyMesh::cell_numbers(); one process has all cells.
   std::vector<unsigned int> cell_numbers() const { return numbers_in_order(triangulation_); }
 
 private:
   dealii::Triangulation<2> triangulation_;
 };
 
-/// Longest edge of a cell / its shortest one, the largest of all cells.
+/// The longest edge of a cell divided by its shortest one: the largest ratio of all cells, over all
+/// processes.
 template<int dim>
 double stretch(const dealii::Triangulation<dim> &triangulation)
 {
@@ -87,8 +89,8 @@ double stretch(const dealii::Triangulation<dim> &triangulation)
   return largest_of_ranks(largest);
 }
 
-/// Throws InputError if Mesh/Refined cells names a cell that the mesh of the model does not have, or
-/// TooLargeError as refine().
+/// Throws InputError if Mesh/Refined cells names a cell that the mesh of the model does not have, and
+/// TooLargeError as refine() does.
 inline void require_refined_cells(const GeometryOptions &geometry, const MeshOptions &options,
                                   const ModelSymmetry &symmetry)
 {

@@ -13,13 +13,15 @@
 
 namespace orthocone
 {
-/// The mesh of a file, checked: one piece of hexahedra that are not inverted, on or above the plane z = 0,
-/// with surfaces for contact, hold and symmetry. Boundary and material ids are the numbers of the physical
-/// groups, 0 for none. What rounding leaves between nodes and the planes that they lie in is taken away.
+/// The checked mesh of a file (mm): one piece of hexahedra that are not inverted, on or above the plane z =
+/// 0, with surfaces for contact, hold and symmetry (docs/theory.md, section 2, "Bodies from files"). Boundary
+/// and material ids are the numbers of the physical groups, 0 for none. Nodes that rounding has left beside
+/// their plane are moved into it.
 class ImportedMesh
 {
 public:
-  /// Throws InputError with the path of the file, or the entry, and what is allowed; FileError.
+  /// Throws InputError, which names the path of the file or the entry and what is allowed, and FileError if
+  /// the file cannot be read.
   explicit ImportedMesh(const GeometryOptions &geometry);
 
   const dealii::Triangulation<3> &triangulation() const { return triangulation_; }
@@ -28,10 +30,10 @@ public:
   /// The same cells with the boundary ids of boundary.h.
   void copy_to(dealii::Triangulation<3> &triangulation) const;
 
-  /// Volumes, surfaces with areas, worst cell and height of the contact surface, a line each.
+  /// Describes volumes, surfaces with areas, worst cell and height of the contact surface, in a line each.
   std::string describe() const;
 
-  /// What makes such a mesh suspicious, a sentence each.
+  /// Warnings of a suspicious mesh, in a sentence each.
   std::vector<std::string> warnings(const MeshOptions &mesh) const;
 
 private:

@@ -6,18 +6,20 @@
 
 namespace orthocone
 {
-/// Meshes that get finer everywhere from level to level: more cells around; rings and layers that shrink
-/// geometrically towards the rim, the base and the upper face, the less so the more there are. So cells at
-/// these edges get smaller by a factor on every level, and the widest in the middle get smaller, too: what
-/// all levels have in common no difference between them tells. Layers fit the height: the lowest is as thick
-/// as the outermost ring. A section has more cells and degree 4.
+/// The mesh of a `level`, counted from 0. Meshes get finer everywhere from level to level: there are more
+/// cells around, and rings and layers shrink geometrically towards the rim, the base and the upper face, by a
+/// smaller factor the more there are. So cells at these edges get smaller by a factor on every level, and the
+/// widest in the middle get smaller, too: no difference between levels would show an error that all of them
+/// have in common. Layers fit the height: the lowest is as thick as the outermost ring. A section has more
+/// cells and degree 4. Throws std::out_of_range beyond the last level.
 MeshOptions ladder_mesh(const GeometryOptions &geometry, const MeshOptions &given, bool is_axisymmetric,
                         unsigned int level);
 
-/// Number of levels that are meant to be solved. The finest has some 1400 contact nodes in a quarter, 300
-/// rings in a section.
+/// Number of levels. The finest one has some 1400 contact nodes in a quarter, 300 rings in a section
+/// (docs/accuracy.md, "A number").
 unsigned int n_ladder_levels(bool is_axisymmetric);
 
-/// `given` with the entries that its resolution stands for, as Resolution = custom.
+/// `given` with Resolution = custom and the entries that its resolution stands for (docs/accuracy.md, "One
+/// word").
 MeshOptions resolved_mesh(const GeometryOptions &geometry, const MeshOptions &given, bool is_axisymmetric);
 } // namespace orthocone

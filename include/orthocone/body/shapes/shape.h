@@ -11,17 +11,18 @@
 
 namespace orthocone
 {
-/// Size of a model, found from the numbers of cells alone.
+/// Size of a model, found from the numbers of cells alone. Counts are real numbers, because they may exceed
+/// any integer.
 struct ModelSize
 {
   double cells;
   double contact_nodes;
   double dofs;
-  double stiffness_entries; ///< on and below the diagonal; where there is symmetry, to some 10 %
+  double stiffness_entries; ///< on and below the diagonal; with symmetry to about 10 %
 };
 
-/// Shape of the body: what is meshed, and how large that is. Its base lies in z = 0, its axis is z. A new
-/// shape is a file with a class of this kind and a line in make_shape().
+/// Shape of the body: what is meshed, and how large the model is. Its base is in z = 0, its axis is z;
+/// lengths are in mm. A new shape is a file with a class derived from this one and a line in make_shape().
 class Shape
 {
 public:
@@ -30,12 +31,15 @@ public:
   /// Fills `triangulation` with the hexahedra of the modelled part; its boundary ids are those of boundary.h.
   virtual void make_solid(const SymmetryPlanes &planes, dealii::Triangulation<3> &triangulation) const = 0;
 
-  /// The same with the section (r, z) of a body of revolution. Throws std::logic_error for any other.
+  /// The same for the section (r, z) of a body of revolution. Throws std::logic_error for any other body.
   virtual void make_section(dealii::Triangulation<2> &triangulation) const;
 
+  /// Size of the model with this symmetry. A file throws std::logic_error for another part of the body than
+  /// it has.
   virtual ModelSize size(const ModelSymmetry &symmetry) const = 0;
 };
 
-/// The shape that the options name, with the cells that they say.
+/// The shape that the options name, with the cells that they ask for. A mesh file throws as ImportedMesh
+/// does.
 std::unique_ptr<Shape> make_shape(const GeometryOptions &geometry, const MeshOptions &mesh);
 } // namespace orthocone

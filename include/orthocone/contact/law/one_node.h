@@ -6,19 +6,19 @@
 
 namespace orthocone
 {
-/// The contact problem of one node with the forces of all others fixed: relative displacement d = q + W r.
-/// W symmetric positive definite; its inverse is kept because sweeps solve with it again and again.
+/// The contact problem of one node with the forces of all others fixed: its relative displacement is d = q +
+/// W r (mm). W must be symmetric and positive definite; its inverse is kept because every sweep needs it.
 struct OneNodeProblem
 {
   OrthotropicFriction law;
-  Eigen::Matrix3d compliance;
-  Eigen::Matrix3d stiffness; ///< inverse of `compliance`
+  Eigen::Matrix3d compliance; ///< W, mm/N
+  Eigen::Matrix3d stiffness;  ///< inverse of `compliance`, N/mm
 };
 
-/// Exact solution r of the law for d = q + W r: open if q_n >= 0; stick if -W^-1 q lies in the cone;
-/// otherwise slip, where d_n = 0 and the slip rule leave one equation for the angle of the force on the
-/// friction ellipse. `guess` is the force of the last sweep: of several slip solutions the one next to it is
-/// taken.
+/// Exact solution r (N) of the law for d = q + W r, q in mm. The node is open if q_n >= 0 and sticks if -W^-1
+/// q lies in the cone. Otherwise it slips: d_n = 0 and the slip rule leave one equation for the angle of the
+/// force on the friction ellipse (docs/theory.md, section 3, `gauss-seidel`). `guess` is the force of the
+/// last sweep (N): if there are several slip solutions, the one nearest to it is taken. Throws nothing.
 Eigen::Vector3d solve_one_node(const OneNodeProblem &problem, const Eigen::Vector3d &q,
                                const Eigen::Vector3d &guess);
 } // namespace orthocone

@@ -15,20 +15,24 @@ enum class NodeStatus : int
   slip = 2,
 };
 
-/// The displacement q of a step: the free gap, and the change of the free slip. `free`: displacements (gap,
-/// x, y) relative to the obstacle without forces; `previous`: those at the end of the last step, mm.
+/// The displacement q of a step (mm): the free gap, and the change of the free slip. `free` are the
+/// displacements (gap, x, y) relative to the obstacle without forces, `previous` those at the end of the last
+/// step; each has three numbers a node, mm.
 NodeVector step_displacement(const NodeVector &free, const NodeVector &previous);
 
-/// What happens at the contact nodes in one load step, a value: the system, and the displacement q = (gap,
-/// slip since the last step) that the nodes would have without forces. With forces r (N) the relative
-/// displacement is d = q + W r (mm), and r and d obey the law node by node. Where forces drive the held face,
-/// its motion y is unknown, too: d = q + face y + W r, and r obeys the balance of the face.
+/// The contact problem of one load step, a value: the system, and the displacement q = (gap, slip since the
+/// last step) that the nodes would have without forces (docs/theory.md, section 3). With forces r (N) the
+/// relative displacement is d = q + W r (mm), and r and d obey the law at every node. Where forces drive the
+/// held face, its motion y is unknown, too: d = q + C y + W r with the columns C of the face, and r obeys the
+/// balance of the face.
 ///
-/// Unknowns are one vector: three forces a node (N), and behind them y (mm).
+/// The unknowns are one vector of size n_unknowns() = 3 n + m: three forces a node (N), and behind them y
+/// (mm). Vectors of displacements have size 3 n. Sizes are asserted, not checked. It throws only what the
+/// compliance throws.
 class ContactStep
 {
 public:
-  /// `system` must outlive the step.
+  /// `system` must outlive the step; `q` has size 3 n, mm.
   ContactStep(const ContactSystem &system, NodeVector q, FreeFace face = {});
 
   const ContactSystem &system() const { return *system_; }
@@ -38,48 +42,50 @@ public:
   const NodeVector &q() const { return q_; }
   const FreeFace &face() const { return face_; }
 
-  /// d, mm.
+  /// d, mm, size 3 n.
   NodeVector displacement(const Eigen::VectorXd &unknowns) const;
 
-  /// d as far as it is known without long work, and what the rest of the body lacks of its equilibrium then
-  /// (Compliance::near()).
+  /// d (mm) as far as it is known without long work, and what the rest of the body lacks of its equilibrium
+  /// then (N): Compliance::near().
   ContactChange near(const Eigen::VectorXd &unknowns) const;
 
-  /// W and the face times a change of the unknowns, mm.
+  /// W and C times a change of the unknowns: the change of d, mm.
   NodeVector change_of_displacement(const Eigen::VectorXd &change) const;
 
-  /// Unknowns with forces moved to the nearest ones in the cone, where the law wants them.
+  /// The unknowns with every force moved to the nearest one in its cone, where the law wants it.
   Eigen::VectorXd admissible(Eigen::VectorXd unknowns) const;
 
-  /// Natural map r - project(r - rho G(d)) of all nodes, and what the face lacks of its balance behind it
-  /// (N); both vanish at the solution.
+  /// Natural map r - project(r - rho G(d)) of all nodes, and behind it what the face lacks of its balance:
+  /// size n_unknowns(), N. Both vanish at the solution and only there.
   Eigen::VectorXd natural_map(const Eigen::VectorXd &unknowns, const NodeVector &displacement) const;
 
-  /// Columns of the face times the forces less the balance wanted, N.
+  /// C^T r less the balance wanted: size m, N.
   Eigen::VectorXd imbalance(const Eigen::VectorXd &unknowns) const;
 
-  /// Force to which residuals are related: max(||r||, the least force that a solution can have). This is what
-  /// closes the free penetration, ||min(q_n, 0)|| / softness, or what the face must carry. Gaps that stay
-  /// open and free slides cost no force and do not count.
+  /// Force (N) to which residuals are related: max(||r||, the least force that a solution can have). This
+  /// least force closes the free penetration, ||min(q_n, 0)|| / softness, or is what the face must carry.
+  /// Gaps that stay open and free slides cost no force and do not count.
   double force_scale(const Eigen::VectorXd &unknowns) const;
 
-  /// ||natural map|| / force scale, from the unknowns alone: the measure that every solver stops on; 0 where
-  /// no more than rounding of q is left. NaN-safe: unknowns that are not finite give infinity.
+  /// ||natural map|| / force_scale(), from the unknowns alone: the measure that every solver stops on
+  /// (docs/theory.md, section 3). It is 0 where no more than rounding of q is left, and infinite for unknowns
+  /// that are not finite.
   double residual(const Eigen::VectorXd &unknowns) const;
   double residual(const Eigen::VectorXd &unknowns, const NodeVector &displacement) const;
 
-  /// The same without long work: with d and the rest of near(), which counts as the natural map does.
+  /// The same without long work: with the d of near(), and with its rest as one more entry of the natural
+  /// map.
   double near_residual(const Eigen::VectorXd &unknowns) const;
 
   /// The same from the natural map at `unknowns`.
   double residual_of(const Eigen::VectorXd &map, const Eigen::VectorXd &unknowns) const;
 
-  /// Status of every node. One is open if it carries no force, or one so small that only rounding tells it
-  /// from none.
+  /// Status of each of the n nodes. A node is open if it carries no force, or one that differs from none by
+  /// rounding only.
   std::vector<NodeStatus> statuses(const Eigen::VectorXd &unknowns, const NodeVector &displacement) const;
 
-  /// Whether a node without force has a gap, or none to close: it obeys the law, whatever rounding makes of
-  /// its slip.
+  /// Whether a node carries no force and does not penetrate. Then it obeys the law, whatever rounding makes
+  /// of its slip.
   static bool is_free(const Eigen::Vector3d &force, const Eigen::Vector3d &displacement)
   {
     return force.isZero(0) && displacement[0] >= 0;

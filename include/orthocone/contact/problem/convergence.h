@@ -7,7 +7,7 @@
 
 namespace orthocone
 {
-/// What a solver saw at one moment of a load step.
+/// Residual and force at one moment of a load step.
 struct TracePoint
 {
   unsigned int iterations; ///< done so far
@@ -16,10 +16,11 @@ struct TracePoint
   double seconds;          ///< wall time since the solver began
 };
 
-/// The residuals that a solver looked at in a load step, in their order.
+/// The residuals that a solver has evaluated in a load step, in their order.
 class Trace
 {
 public:
+  /// Adds a point at the present time; `force` is in N.
   void add(unsigned int iterations, double residual, double force);
   const std::vector<TracePoint> &points() const { return points_; }
 
@@ -29,7 +30,7 @@ private:
   std::vector<TracePoint> points_;
 };
 
-/// How an iteration went.
+/// How an iteration ended.
 enum class Verdict
 {
   converged,  ///< within the tolerance
@@ -43,10 +44,11 @@ enum class Verdict
 /// The word of a verdict.
 const char *to_word(Verdict verdict);
 
-/// Judges an iteration by its trace. `rounding`: residual below which rounding decides.
+/// Judges an iteration by its trace (docs/theory.md, section 3). `tolerance` bounds the relative residual;
+/// `rounding` is the residual below which rounding decides. An empty trace is slow.
 Verdict judge(const std::vector<TracePoint> &trace, double tolerance, double rounding);
 
-/// How many iterations more would bring the residual within the tolerance if it went on falling as in the
-/// second half of the trace; 0 where it does not fall.
+/// How many more iterations would bring the residual within the tolerance if it kept falling as in the second
+/// half of the trace; 0 where it does not fall.
 double iterations_to_go(const std::vector<TracePoint> &trace, double tolerance);
 } // namespace orthocone

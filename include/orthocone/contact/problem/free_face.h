@@ -6,28 +6,29 @@
 
 namespace orthocone
 {
-/// A rigid face that forces drive: m of its motions are not given, but what the contact forces must balance.
-/// Its unknowns y are combinations of these motions that move the nodes by orthonormal columns, so that no
-/// unit and no lever makes one of them dominate: rotations and translations move a far surface nearly alike.
+/// A rigid face that forces drive: instead of m of its motions, the forces and moments are given that the
+/// contact forces must balance (docs/theory.md, section 3, "Forces that drive the held face"). Its unknowns y
+/// (mm) are combinations of these motions that move the nodes by orthonormal columns, so that neither a unit
+/// nor a lever makes one of them dominate: rotations and translations move a far surface nearly alike.
 class FreeFace
 {
 public:
-  /// The face does not move by itself.
+  /// A face that does not move by itself: m = 0.
   FreeFace() = default;
 
-  /// `motions`: 3 n x m, what a unit of each motion moves the nodes by. `balance`: m, what motions^T r must
-  /// be. Throws std::invalid_argument if the motions are not independent.
+  /// `motions`: 3 n x m, how far a unit of each motion (mm or rad) moves the nodes, mm. `balance`: size m,
+  /// what motions^T r must be (N or N mm). Throws std::invalid_argument if the motions are not independent.
   FreeFace(const Eigen::MatrixXd &motions, const Eigen::VectorXd &balance);
 
-  Eigen::Index n() const { return columns_.cols(); }
+  Eigen::Index n() const { return columns_.cols(); } ///< m
 
-  /// 3 n x m, orthonormal: displacement of the nodes by the unknowns.
+  /// C, 3 n x m, orthonormal: C y is the displacement of the nodes (mm).
   const Eigen::MatrixXd &columns() const { return columns_; }
 
-  /// columns^T r - this vanishes in equilibrium, N.
+  /// The value of C^T r in equilibrium: size m, N.
   const Eigen::VectorXd &balance() const { return balance_; }
 
-  /// The unknowns as motions, and back.
+  /// The m unknowns (mm) as motions (mm and rad), and back.
   Eigen::VectorXd motions(const Eigen::VectorXd &unknowns) const;
   Eigen::VectorXd unknowns(const Eigen::VectorXd &motions) const;
 

@@ -13,7 +13,7 @@ namespace orthocone
 class ContactSolver;
 class ContactSystem;
 
-/// What users are told of a contact solver, and how it is made. It stands in the file of the solver.
+/// The help texts of a contact solver, and the function that makes it. Each solver's own file defines it.
 struct ContactMethod
 {
   std::string_view word; ///< of Contact solver/Method
@@ -22,7 +22,7 @@ struct ContactMethod
   std::string_view rho{};      ///< what Rho factor is a factor of, a clause; nothing if it has no rho
   bool has_relaxation = false; ///< whether it reads Relaxation
   bool needs_dense = true;     ///< whether it works with a dense compliance only
-  bool is_for_study = false;   ///< there to show where it fails (docs/stability.md)
+  bool is_for_study = false;   ///< it is there to show where it fails (docs/stability.md)
 };
 
 /// All contact solvers, the one to work with first.

@@ -10,15 +10,15 @@
 
 namespace orthocone
 {
-/// A contact problem, and what solves it.
+/// A contact problem and its solution.
 struct SolvedProblem
 {
   ContactStep problem;
-  Eigen::VectorXd unknowns;
+  Eigen::VectorXd unknowns; ///< size ContactStep::n_unknowns(), N and mm
 };
 
-/// What a solver tells of one load step. All figures are recomputed from the final forces by make_report(),
-/// so that no solver judges itself.
+/// A solver's report on one load step. All numbers are recomputed from the final forces by make_report(), so
+/// that no solver judges itself.
 struct SolverReport
 {
   bool converged = false;
@@ -27,31 +27,32 @@ struct SolverReport
   Eigen::Index worst_node = 0; ///< node with the largest part of the residual
   double penetration = 0;      ///< largest -gap (mm), the paper's own measure of convergence
   unsigned int n_parts = 1;    ///< 1, unless the step had to be divided
-  bool is_released = false;    ///< no force presses any more: the motion of the face is the first that opens
-  LawErrors law;               ///< the same solution against the contact law in its own terms
-  Trace trace{};               ///< of the step, or of the part of it that failed
+  bool is_released = false; ///< nothing presses any more: the face has its first motion that opens all nodes
+  LawErrors law;            ///< errors of the same solution in the contact law's own terms
+  Trace trace{};            ///< of the step, or of its part that failed
   Verdict verdict = Verdict::slow;
-  std::shared_ptr<const SolvedProblem> last_part{}; ///< of a step of a march: what was solved last of it
+  std::shared_ptr<const SolvedProblem> last_part{}; ///< in a march: the part of the step that was solved last
 };
 
-/// Report on `unknowns` as the solution of `step`.
+/// Report on `unknowns` as the solution of `step`, whoever found them. `tolerance` bounds the residual.
 SolverReport make_report(const ContactStep &step, const Eigen::VectorXd &unknowns, unsigned int iterations,
                          double tolerance, Trace trace = {});
 
-/// Solver of the contact problem of a load step. Failure is a value of the report, not an exception.
+/// Solver of the contact problem of a load step. A failure to converge is a value of the report, not an
+/// exception.
 class ContactSolver
 {
 public:
   virtual ~ContactSolver() = default;
 
-  /// Improves `unknowns` (ContactStep), on entry the start, until the residual of the step is within the
-  /// tolerance.
+  /// Improves `unknowns` (ContactStep; on entry the start) until the residual of the step is within the
+  /// tolerance. Throws SolveError where the body itself cannot be solved (multigrid).
   virtual SolverReport solve(const ContactStep &step, Eigen::VectorXd &unknowns) const = 0;
 };
 
-/// The solver that the options name, for all steps of `system`, which must outlive it. The constructor
-/// prepares what stays the same from step to step. Throws std::invalid_argument if the method needs what the
-/// backend of the compliance does not have.
+/// The solver that the options name, for all steps of `system`, which must outlive it. Construction prepares
+/// what stays the same from step to step. Throws std::invalid_argument if there is no such method, or if it
+/// needs what the backend of the compliance does not have.
 std::unique_ptr<ContactSolver> make_contact_solver(const ContactSystem &system,
                                                    const ContactSolverOptions &options);
 } // namespace orthocone

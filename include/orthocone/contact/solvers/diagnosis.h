@@ -8,7 +8,7 @@
 
 namespace orthocone
 {
-/// Why a contact solver did not solve a step, and what the user may try, in one or two sentences. `is_dense`:
-/// whether there is a dense compliance, with which a solver can do more.
+/// Says in one or two sentences why a contact solver did not solve a step and what the user may try.
+/// `is_dense`: whether there is a dense compliance, which allows more methods.
 std::string diagnosis(const ContactSolverOptions &options, const SolverReport &report, bool is_dense);
 } // namespace orthocone

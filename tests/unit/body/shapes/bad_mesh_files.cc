@@ -44,9 +44,9 @@ void expect_rejected(const std::vector<Row> &rows)
   {
     GeometryOptions geometry = imported(folder.write("bad.msh", row.text), {"x0", "y0"});
     row.options(geometry);
-    const std::string told = sentence(geometry);
-    EXPECT_NE(told.find(expected(row)), std::string::npos) << row.fault << ": " << told;
-    EXPECT_EQ(told.find('\n'), std::string::npos) << row.fault;
+    const std::string message = sentence(geometry);
+    EXPECT_NE(message.find(expected(row)), std::string::npos) << row.fault << ": " << message;
+    EXPECT_EQ(message.find('\n'), std::string::npos) << row.fault;
   }
 }
 } // namespace

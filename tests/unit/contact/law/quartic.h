@@ -56,7 +56,7 @@ inline QuarticRoots companion_roots(const Quartic &quartic)
 }
 
 /// The root that is the multiplier of a point outside of the cone and its polar, or NaN: real, positive, and
-/// on the side of 1 that the sign of tau_n tells. Roots that rounding has split into a complex pair count as
+/// on the side of 1 that the sign of tau_n gives. Roots that rounding has split into a complex pair count as
 /// real; of several, the one that fulfils the equation before squaring best.
 inline double wanted_root(const OrthotropicFriction &law, const Eigen::Vector3d &tau,
                           const QuarticRoots &roots)

@@ -60,6 +60,6 @@ TEST(Diagnosis, NamesOnlyWhatABodyWithoutADenseComplianceHas)
 TEST(Diagnosis, TellsHowManyIterationsWouldDo)
 {
   expect_words(report(Verdict::slow, 0.9), {}, {"still fell", "some 219 for each part"});
-  expect_words(report(Verdict::slow), {}, {"too few iterations to tell", "Maximum iterations."});
+  expect_words(report(Verdict::slow), {}, {"too few iterations to say", "Maximum iterations."});
 }
 } // namespace orthocone::test

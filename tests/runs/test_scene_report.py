@@ -1,8 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""What summary, tables and progress lines tell of the scene: body, program, and what moves when.
+"""What summary, tables and progress lines report of the scene: body, program, and what moves when.
 
-Usage: test_scene_told.py PROGRAM [unittest options]"""
+Usage: test_scene_report.py PROGRAM [unittest options]"""
 import json
 import math
 import re
@@ -21,7 +21,7 @@ class SceneTest(RunTest):
         self.assertEqual((result.returncode, result.stderr), (DONE, ""))
         return (self.folder / "run/log.txt").read_text()
 
-    def test_summary_tells_the_scene(self):
+    def test_summary_states_the_scene(self):
         """A reader need not guess body, program and units from other files."""
         for model in ("full", "quarter"):
             self.run_with("Mesh/Core cells=6", "Geometry/Radius=12", f"Mesh/Model={model}", "Load program/Cycles=1")
@@ -34,7 +34,7 @@ class SceneTest(RunTest):
             self.assertEqual(scene["friction"], summary["friction"])
             self.assertEqual(scene["units"]["force"], "N")
 
-    def test_rows_and_lines_tell_what_moves_when(self):
+    def test_rows_and_lines_say_what_moves_when(self):
         log = self.run_with("Load program/Preload=0 0 -0.1 : 2", "Load program/Cycles=2",
                             "Load program/Legs=0.01 0 -0.1 : 2 ; 0 0 -0.1 : 1")
         rows = self.rows("run")
@@ -61,10 +61,10 @@ class SceneTest(RunTest):
 
     def test_the_time_of_a_check_says_that_jumps_take_none(self):
         wear = ["Wear/Law=energy", "Wear/Coefficient=1e-6"]
-        jumped, told = "less for each cycle that is jumped$", r"^time +{} .* s: .* s \(to a factor of 3\)"
-        for settings, expected in ((wear, told.format("about") + "$"),
-                                   ([*wear, "Wear/Largest depth of a jump=1e-5"], told.format("up to") + ", " + jumped),
-                                   (["Load program/Jump when periodic=1e-6"], told.format("up to") + ", " + jumped)):
+        jumped, time = "less for each cycle that is jumped$", r"^time +{} .* s: .* s \(to a factor of 3\)"
+        for settings, expected in ((wear, time.format("about") + "$"),
+                                   ([*wear, "Wear/Largest depth of a jump=1e-5"], time.format("up to") + ", " + jumped),
+                                   (["Load program/Jump when periodic=1e-6"], time.format("up to") + ", " + jumped)):
             words = [f"--set={setting}" for setting in settings]
             result = subprocess.run([PROGRAM, self.FILE, "--check", *words], capture_output=True, text=True, check=True)
             self.assertRegex(result.stdout, "(?m)" + expected)
