@@ -2,12 +2,13 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 #
-#   tools/setup.sh PRESET [figures] [benchmark] [study] [problems] [tests]
+#   tools/setup.sh PRESET [figures] [benchmark] [study] [problems] [peers] [tests]
 #
 # Installs what is missing, configures and builds with a CMake preset (release, debug, fuzz); `figures` adds the packages
 # of the tools that draw, `benchmark` those and the kernels that tools/benchmark times, `study` those of figures and the
-# small experiments of tools/study, `problems` orthocone-solve and the entry Output/Problems, `tests` all of these and the
-# tests. Called by ./run, ./test and the tools. Nothing is done twice: installed packages, a configured build folder and
+# small experiments of tools/study, `problems` orthocone-solve and the entry Output/Problems, `peers` those of problems and
+# figures and the programs of tools/peers, as far as this Debian has them, `tests` all but these programs, and the tests.
+# Called by ./run, ./test and the tools. Nothing is done twice: installed packages, a configured build folder and
 # compiled files are left alone.
 set -eu
 
@@ -22,25 +23,45 @@ problems_packages="libfclib-dev"
 tests_packages="$benchmark_packages $problems_packages paraview python3-paraview xvfb xauth chromium chromium-driver
   python3-selenium python3-hypothesis clang-format clang-tidy"
 fuzz_packages="clang libclang-rt-dev"
+peers_packages="calculix-ccx python3-getfem libsiconos-numerics-dev" # not every Debian has them all
 
 say() { echo "setup: $*" >&2; }
 
-missing_packages() {
-  for package in $packages; do
+missing_of() {
+  for package in "$@"; do
     dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || printf '%s ' "$package"
   done
 }
 
+# What is optional is named and left out where there is no such package.
+available_of() {
+  for package in "$@"; do
+    if apt-cache policy "$package" | grep -q 'Candidate: [0-9]'; then
+      printf '%s ' "$package"
+    else
+      say "there is no package $package here: it is left out"
+    fi
+  done
+}
+
 install_packages() {
-  missing=$(missing_packages)
-  [ -n "$missing" ] || return 0
+  # shellcheck disable=SC2086
+  missing=$(missing_of $packages) wanted=$(missing_of $optional)
+  [ -n "$missing$wanted" ] || return 0
   as_root=
   if [ "$(id -u)" -ne 0 ]; then
-    command -v sudo >/dev/null 2>&1 || { say "please install as root: apt-get install $missing"; exit 1; }
+    if ! command -v sudo >/dev/null 2>&1; then
+      say "please install as root: apt-get install $missing$wanted"
+      [ -n "$missing" ] || return 0
+      exit 1
+    fi
     as_root=sudo
   fi
+  $as_root apt-get update -q -o DPkg::Lock::Timeout=600 >&2 || [ -z "$missing" ]
+  # shellcheck disable=SC2086
+  missing=$missing$(available_of $wanted)
+  [ -n "$missing" ] || return 0
   say "installing $missing"
-  $as_root apt-get update -q -o DPkg::Lock::Timeout=600 >&2
   # shellcheck disable=SC2086
   $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y -o DPkg::Lock::Timeout=600 --no-install-recommends $missing >&2
 }
@@ -49,12 +70,16 @@ preset=$1
 shift
 targets="orthocone orthocone_python"
 kernels=OFF
+optional=
 for group in "$preset" "$@"; do
   case $group in
     figures) packages="$packages $figures_packages" ;;
     benchmark) packages="$packages $benchmark_packages" targets="$targets kernels" kernels=ON ;;
     study) packages="$packages $figures_packages" targets="$targets studies" ;;
     problems) packages="$packages $problems_packages" targets="$targets orthocone_solve" ;;
+    peers)
+      packages="$packages $figures_packages $problems_packages" optional=$peers_packages targets="$targets orthocone_solve"
+      ;;
     tests) packages="$packages $tests_packages" targets=all kernels=ON ;;
     fuzz) packages="$packages $fuzz_packages" targets=all ;;
   esac
@@ -68,7 +93,7 @@ if command -v apt-get >/dev/null 2>&1; then
 else
   say "no apt-get here; these Debian packages, or what corresponds to them, must be installed:"
   # shellcheck disable=SC2086
-  say $packages
+  say $packages $optional
 fi
 
 build=build
@@ -83,7 +108,7 @@ if [ $kernels = ON ] && ! grep -q '^ORTHOCONE_BENCHMARKS:BOOL=ON' "$build/CMakeC
 fi
 # What was missing when the folder was configured is looked for again.
 case " $* " in
-  *" problems "* | *" tests "*) ! grep -q '^FCLIB_LIBRARY:.*NOTFOUND' "$build/CMakeCache.txt" || cmake "$build" >&2 ;;
+  *" problems "* | *" peers "* | *" tests "*) ! grep -q '^FCLIB_LIBRARY:.*NOTFOUND' "$build/CMakeCache.txt" || cmake "$build" >&2 ;;
 esac
 say "building $build (the first time takes some minutes)"
 # shellcheck disable=SC2086
