@@ -36,7 +36,7 @@ missing_of() {
 # What is optional is named and left out where there is no such package.
 available_of() {
   for package in "$@"; do
-    if apt-cache policy "$package" | grep -q 'Candidate: [0-9]'; then
+    if LC_ALL=C apt-cache policy "$package" | grep -q 'Candidate: [0-9]'; then
       printf '%s ' "$package"
     else
       say "there is no package $package here: it is left out"

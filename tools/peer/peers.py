@@ -5,6 +5,7 @@ tools/peers."""
 import argparse
 import dataclasses
 import pathlib
+import random
 import subprocess
 import sys
 import time
@@ -36,6 +37,7 @@ def parsed_options():
     parser.add_argument("--list", action="store_true", help="tell the problems with their commands, and stop")
     parser.add_argument("--docs", action="store_true", help="also refresh page, pictures and tables in docs/")
     parser.add_argument("--anew", action="store_true", help="compute also what is there already")
+    parser.add_argument("--minutes", type=float, default=30, help="no new problem after this time (30); the same command goes on")
     parser.add_argument("--quick", action="store_true", help="few problems and steps: a test of this tool, not a study")
     parser.add_argument("--output", type=pathlib.Path, help="folder of the results (output/peers)")
     options = parser.parse_args()
@@ -68,14 +70,18 @@ def raced(options, tools, found):
     """Rows of all problems."""
     answers = race.Answers(options.output / "answers.csv", options.anew)
     missing = [problem for problem in found if not answers.has(problem.name)]
+    random.Random(0).shuffle(missing)  # so that what is there of an interrupted run is a sample of them all
     say(f"{len(found)} problems, of which {len(missing)} are to be solved")
     racer, begin = race.Racer(tools, options.output), time.monotonic()
     for count, problem in enumerate(missing, 1):
+        if time.monotonic() - begin > 60 * options.minutes:
+            say(f"the time is up: {len(missing) - count + 1} problems are left out; the same command goes on")
+            break
         answers.add(racer.race(problem))
         if count % 10 == 0 or count == len(missing):
             say(f"{len(found) - len(missing) + count} of {len(found)} problems, {time.monotonic() - begin:.0f} s")
     names = {problem.name for problem in found}
-    return [row for row in answers.rows if row["problem"] in names]
+    return [row for row in race.within_limits(answers.rows) if row["problem"] in names]
 
 
 def raced_errors(options, tools, found):
@@ -88,7 +94,7 @@ def raced_errors(options, tools, found):
             if name in named and not answers.has(key):
                 problem = dataclasses.replace(named[name], name=key)
                 answers.add(race.Racer(tools, options.output, bound).race(problem, 1))
-    return [{**row, "problem": row["problem"].split(" ")[0]} for row in answers.rows]
+    return answers.rows
 
 
 def problems_part(options):
@@ -106,7 +112,8 @@ def problems_part(options):
     folders = [options.output, *([ROOT / "docs/images"] if options.docs else [])]
     profiles.save(profiles.figures(rows, errors), folders)
     if options.docs:
-        write_rows(ROOT / "docs/data/peers.csv", rows + [{**row, "family": "error chart"} for row in errors])
+        write_rows(ROOT / "docs/data/peers.csv", rows)
+        write_rows(ROOT / "docs/data/peers_errors.csv", errors)
         commands = {problem.name: problem.command for problem in found}
         write_rows(ROOT / "docs/data/peers_problems.csv", [{"problem": name, "command": text} for name, text in commands.items()])
     return tables.all_tables(rows)

@@ -8,7 +8,7 @@ import race
 import style
 
 COLOURS = {**dict(zip(race.OURS, ("#0072b2", "#56b4e9", "#009e73", "#000000"))),
-           **dict(zip(race.PEERS, ("#d55e00", "#e69f00", "#cc79a7", "#9a3a70", "#7a5195", "#b8860b", "#8c8c8c")))}
+           **dict(zip(race.PEERS, ("#d55e00", "#e69f00", "#cc79a7", "#882255", "#332288", "#8c564b", "#8c8c8c")))}
 GROUPS = {"all": None, "associated": ("isotropic", "orthotropic"), "not associated": ("non-associated",)}
 FARTHEST = 1000  # ratio at the right end of the profiles
 
@@ -90,6 +90,7 @@ def over_nodes(times):
 
 def time_against_error(rows):
     """Seconds to an error of 1e-2 to 1e-11 on some problems."""
+    rows = [{**row, "problem": row["problem"].split(" to ")[0]} for row in rows]
     names = list(dict.fromkeys(row["problem"] for row in rows))
     figure = plt.figure(figsize=(11, 4.4))
     charts, legend = figure.subfigures(2, 1, height_ratios=(3.7, 0.7))
