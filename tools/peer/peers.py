@@ -4,6 +4,7 @@
 tools/peers."""
 import argparse
 import dataclasses
+import os
 import pathlib
 import random
 import subprocess
@@ -14,6 +15,8 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 sys.path[:0] = [str(ROOT / "tools/studies"), str(ROOT / "tools/plots")]
 
 from points import StudyError, write_rows  # noqa: E402
+
+from benchmark_measure import processor  # noqa: E402
 
 import bodies  # noqa: E402
 import docs_page  # noqa: E402
@@ -97,6 +100,13 @@ def raced_errors(options, tools, found):
     return answers.rows
 
 
+def conditions(n_raced, n_found):
+    """With what the rows were measured."""
+    versions = subprocess.run([ROOT / "build/orthocone", "--version"], capture_output=True, text=True, check=True).stdout
+    return (f"{n_raced} of {n_found} problems, one thread, {os.cpu_count()} cores ({processor()}), load average at the end "
+            f"{os.getloadavg()[0]:.1f}; {versions.splitlines()[0]}.\n")
+
+
 def problems_part(options):
     """Pictures and tables of the problems; in docs/ also their rows and commands."""
     if not any((pathlib.Path(path) / "fc3d_Solvers.h").exists() for path in SICONOS_HEADERS):
@@ -116,7 +126,7 @@ def problems_part(options):
         write_rows(ROOT / "docs/data/peers_errors.csv", errors)
         commands = {problem.name: problem.command for problem in found}
         write_rows(ROOT / "docs/data/peers_problems.csv", [{"problem": name, "command": text} for name, text in commands.items()])
-    return tables.all_tables(rows)
+    return {**tables.all_tables(rows), "conditions": conditions(len({row["problem"] for row in rows}), len(found))}
 
 
 def scenes_part(options):

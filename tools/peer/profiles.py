@@ -29,8 +29,8 @@ class Times:
         self.problems = list(dict.fromkeys(row["problem"] for row in rows))
         self.law = {row["problem"]: row["law"] for row in rows}
         self.nodes = {row["problem"]: int(row["nodes"]) for row in rows if row["nodes"]}
-        self.family = {row["problem"]: row["family"] for row in rows}
-        self._seconds = {(row["problem"], row["solver"]): float(row["seconds"]) for row in rows if row["verdict"] == "solved"}
+        self._seconds = {(row["problem"], row["solver"]): float(row["seconds"]) for row in rows
+                         if row["verdict"] == "solved"}
 
     def of(self, solver, problems=None):
         return np.array([self._seconds.get((problem, solver), np.inf) for problem in
@@ -47,10 +47,11 @@ def draw_profile(axes, times, problems):
     best = times.best(race.SOLVERS, problems)
     for solver in race.SOLVERS:
         ratios = np.sort(times.of(solver, problems) / best)
-        ratios = ratios[np.isfinite(ratios)]
+        ratios = ratios[ratios <= FARTHEST]
         shares = 100 * np.arange(1, len(ratios) + 1) / len(problems)
-        axes.step([1, *ratios, FARTHEST], [100 * np.mean(times.of(solver, problems) <= best), *shares, shares[-1] if len(shares)
-                  else 0], where="post", label=label(solver), **line_of(solver))
+        last = shares[-1] if len(shares) else 0
+        axes.step([1, *ratios, FARTHEST], [100 * np.sum(ratios == 1) / len(problems), *shares, last], where="post",
+                  label=label(solver), **line_of(solver))
     axes.set(xscale="log", xlim=(1, FARTHEST), ylim=(0, 101), xlabel="time / that of the fastest")
 
 
@@ -100,7 +101,7 @@ def time_against_error(rows):
             points = [row for row in own if row["solver"] == solver and row["verdict"] == "solved"]
             axes.plot([float(row["seconds"]) for row in points], [max(float(row["error"]), 1e-14) for row in points],
                       marker="o", markersize=3, label=label(solver), **line_of(solver))
-        axes.set(xscale="log", yscale="log", xlabel="s", ylim=(1e-14, 1e-1))
+        axes.set(xscale="log", yscale="log", xlabel="s", ylim=(4e-15, 1e-1))
         axes.set_title(f"{name}: {own[0]['nodes']} nodes", fontsize=9)
     charts.axes[0].set_ylabel("error")
     legend.legend(*axes.get_legend_handles_labels(), fontsize=8, loc="center", ncols=6)

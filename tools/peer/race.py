@@ -18,7 +18,7 @@ PEERS = ("nsgs-ac", "nsgs-pli", "nsn-ac", "nsn-ac-new", "nsn-hybrid", "admm", "a
 SOLVERS = OURS + PEERS
 TIMES_OF_NEWTON, LEAST_LIMIT, MOST_LIMIT = 100, 0.2, 10.  # seconds of CPU time for one solution
 LIMIT_WITHOUT_NEWTON = 1.
-ROUNDS, ATTEMPTS = 2, 8
+ROUNDS, ATTEMPTS = 2, 10
 START = 0.3  # s of CPU time, of a process that reads a file
 ENOUGH, MOST_REPEATS = 0.05, 9  # seconds, solutions of a process whose median is taken; siconos_solve does the same
 FAILURES = {3: "slow, cycling or diverging", -27: "time", -9: "time", -6: "abort"}
@@ -64,7 +64,8 @@ class Racer:
         code, values = self._run(words, limit * repeats + START)
         if len(values) < 7 or (is_written and not self._answer.exists()):
             return {"verdict": FAILURES.get(code, f"exit code {code}")}
-        row = {"nodes": values[0], "verdict": values[3], "iterations": values[4], "tolerance": f"{tolerance:.3g}", "seconds": float(values[5])}
+        row = {"nodes": values[0], "verdict": values[3], "iterations": values[4], "tolerance": f"{tolerance:.3g}",
+               "seconds": float(values[5])}
         if row["seconds"] > limit:
             return {"verdict": "time", "nodes": values[0]}
         return {**row, **(self._judged(path) if is_written else {})}
@@ -77,8 +78,10 @@ class Racer:
             if "error" not in row or row["error"] <= self._bound or row["verdict"] != "converged":
                 break
             tolerance *= min(0.5, 0.7 * self._bound / row["error"])
-        if "error" in row:
-            row["verdict"] = "solved" if row["error"] <= self._bound else row["verdict"] if row["verdict"] != "converged" else "error"
+        if "error" in row and row["error"] <= self._bound:
+            row["verdict"] = "solved"
+        elif row["verdict"] == "converged":
+            row["verdict"] = "error"
         return row
 
     def peer(self, path, solver, limit):

@@ -16,7 +16,7 @@ import ccx_scene
 from points import ROOT, program_point
 
 HERE = pathlib.Path(__file__).resolve().parent
-ROUNDS = 3
+ROUNDS = 1
 TIME_LIMIT = 300  # s of CPU time
 COLUMNS = ("force_x", "force_y", "force_z", "max_slip")
 GETFEM = {"cylinder": ("2e5", "1e-8"), "block": ("2e5", "1e-9")}  # augmentation, N/mm; the least residual that it reaches
@@ -66,7 +66,8 @@ def by_calculix(scene, variant, folder):
 
 def there(program):
     if program == "getfem":
-        return subprocess.run([ROOT / "tools/python", "numpy,getfem", "-c", ""], capture_output=True, check=False).returncode == 0
+        words = [ROOT / "tools/python", "numpy,getfem", "-c", ""]
+        return subprocess.run(words, capture_output=True, check=False).returncode == 0
     return program == "orthocone" or shutil.which("ccx") is not None
 
 
@@ -108,7 +109,8 @@ def raced_scene(name, folder, orthocone, rounds):
     for program in programs:
         code, steps, _ = answers[0][program]
         is_done = code == 0 and len(steps) == len(ours)
-        row = {"scene": name, "program": program, "steps": len(ours), "verdict": "solved" if is_done else f"ends after step {len(steps)}",
+        row = {"scene": name, "program": program, "steps": len(ours),
+               "verdict": "solved" if is_done else f"ends after step {len(steps)}",
                "seconds": statistics.median(answer[program][2] for answer in answers),
                "ratio": statistics.median(answer[program][2] / answer["orthocone"][2] for answer in answers)}
         is_sheared = max(abs(our["force_x"]) for our in ours) > 1e-6 * max(abs(our["force_z"]) for our in ours)

@@ -38,6 +38,7 @@ typedef struct
 
 /* What Siconos' manual names first, and of its options those that served best on a sample of the problems. */
 static const Preset presets[] = {
+    {"nsgs", F3D(NSGS), 0, {-1}},
     {"nsgs-ac", F3D(NSGS), F3D(ONECONTACT_NSN), {-1}},
     {"nsgs-pli", F3D(NSGS), F3D(ONECONTACT_ProjectionOnConeWithLocalIteration), {-1}},
     {"nsn-ac", F3D(NSN_AC), 0, {F3D(NSN_LINEAR_SOLVER), F3D(NSN_USE_CSLUSOL), -1}},
@@ -135,15 +136,16 @@ static int tighten(const Problem *problem, const Preset *preset, const double bo
 {
   enum
   {
-    attempts = 8
+    careful = 4,
+    attempts = 10
   };
   for (int i = 0; i < attempts; ++i)
   {
     solve(problem, preset, limit, answer);
     if (answer->judgement.error <= bound)
       return 1;
-    answer->tolerance *=
-        isfinite(answer->judgement.error) ? fmin(0.5, 0.7 * bound / answer->judgement.error) : 0.1;
+    const double wanted = 0.7 * bound / answer->judgement.error;
+    answer->tolerance *= i < careful && isfinite(wanted) ? fmin(0.5, wanted) : 0.1;
   }
   return 0;
 }

@@ -51,12 +51,13 @@ def solvers(times, rows):
         own = [row for row in rows if row["solver"] == solver and row["verdict"] == "solved"]
         ratios = seconds[both] / newton[both]
         table.append((f"`{label(solver)}`", int(np.isfinite(seconds).sum()), f"{100 * np.mean(seconds <= every):.0f}",
-                      short(np.median(ratios)), short(np.percentile(ratios, 90)),
+                      f"{100 * np.mean(newton < seconds):.0f}" if solver != "newton" else "", short(np.median(ratios)),
+                      short(np.percentile(ratios, 90)),
                       f"{np.median([float(row['error']) for row in own]):.1e}",
                       f"{np.median([float(row['merit']) for row in own]):.1e}",
                       f"{-np.log10(np.median([float(row['difference']) for row in own])):.1f}"))
-    return markdown(("solver", "solved", "first, %", "time / `newton`, median", "90 % below", "error, median", "`MERIT_1`, median",
-                     "digits of the forces, median"), table)
+    return markdown(("solver", "solved", "first, %", "behind `newton`, %", "time / `newton`, median", "90 % below", "error, median",
+                     "`MERIT_1`, median", "digits of the forces, median"), table)
 
 
 def failures(times, rows):
@@ -88,10 +89,28 @@ def losses(times, most=12):
     return markdown(("problem", "law", "nodes", "`newton`, ms", "best of Siconos", "ms", "ratio"), rows)
 
 
+def summary(times):
+    """The first sentences of the page."""
+    newton, peers, every = times.of("newton"), times.best(race.PEERS), times.best(race.SOLVERS)
+    counts = {solver: int(np.isfinite(times.of(solver)).sum()) for solver in race.SOLVERS}
+    most = max(race.PEERS, key=counts.get)
+    both = np.isfinite(newton) & np.isfinite(peers)
+    ratios = newton[both] / peers[both]
+    worst = np.array(times.problems)[both][np.argmax(ratios)]
+    rivals = {solver: 100 * np.mean(newton < times.of(solver)) for solver in race.PEERS}
+    nearest = min(rivals, key=rivals.get)
+    return (f"Of {len(times.problems)} problems `newton` solves {counts['newton']}. The most that a solver of Siconos solves is "
+            f"{counts[most]} (`{most}`).\n`newton` is the fastest of all {len(race.SOLVERS)} solvers on "
+            f"{100 * np.mean(newton <= every):.0f} %. It is faster than all {len(race.PEERS)} of\nSiconos on "
+            f"{100 * np.mean(newton < peers):.0f} %, and faster than each single one of them on {rivals[nearest]:.0f} % at least "
+            f"(`{nearest}`).\nAgainst the best of Siconos on each problem its worst ratio is {ratios.max():.3g} (`{worst}`), its "
+            f"best {ratios.min():.2g}.\n")
+
+
 def all_tables(rows):
     times = Times(rows)
-    return {"fastest": fastest(times), "solvers": solvers(times, rows), "failures": failures(times, rows),
-            "losses": losses(times)}
+    return {"summary": summary(times), "fastest": fastest(times), "solvers": solvers(times, rows),
+            "failures": failures(times, rows), "losses": losses(times)}
 
 
 def digits(value):
@@ -101,7 +120,7 @@ def digits(value):
 
 def scenes(rows):
     """What the programs say of the same scenes, and how long they take."""
-    return markdown(("scene and program", "", "CPU s", "/ orthocone", "digits of the force", "of the shear force", "of the slip"),
-                    [(f"{row['scene']}: {row['program']}", row["verdict"], f"{row['seconds']:.2g}", f"{row['ratio']:.2g}",
-                      *(digits(row[name]) if row["program"] != "orthocone" else "" for name in ("force", "shear", "slip")))
-                     for row in rows])
+    head = ("scene and program", "", "CPU s", "/ orthocone", "digits of the force", "of the shear force", "of the slip")
+    return markdown(head, [(f"{row['scene']}: {row['program']}", row["verdict"], f"{row['seconds']:.2g}",
+                            f"{row['ratio']:.2g}", *(digits(row[name]) if row["program"] != "orthocone" else ""
+                                                     for name in ("force", "shear", "slip"))) for row in rows])
