@@ -8,7 +8,7 @@ import numpy as np
 import bodies
 
 PLATE = (bodies.SIZE * 1.5, 2.)  # half of its edges, height: the rigid plane, one brick
-# Kind of contact, stiffness against penetration and against slip of what sticks, MPa/mm. Stiffer ones do not converge.
+# Kind of contact, stiffness against penetration and against slip of what sticks, MPa/mm.
 VARIANTS = {"face to face": ("SURFACE TO SURFACE", 1e8, 1e7), "mortar": ("LINMORTAR", 1e9, 1e8)}
 CORNERS = (0, 1, 3, 2, 4, 5, 7, 6)  # x fastest to around
 

@@ -75,7 +75,8 @@ def over_nodes(times):
              ("gauss-seidel", ("nsgs-ac",), "gauss-seidel / Siconos nsgs-ac"))
     for axes, (ours, theirs, title) in zip(charts, pairs):
         for name, laws in list(GROUPS.items())[1:]:
-            problems = [problem for problem in times.group(laws) if problem in times.nodes]
+            problems = [problem for problem in times.group(laws)
+                        if np.isfinite(times.of(ours, [problem]) + times.best(theirs, [problem]))]
             ratios = times.of(ours, problems) / times.best(theirs, problems)
             axes.plot([times.nodes[problem] for problem in problems], ratios, ".", markersize=5, label=name,
                       color=COLOURS["newton"] if name == "associated" else COLOURS["nsgs-ac"])
