@@ -2,14 +2,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 #
-#   tools/setup.sh PRESET [benchmark] [study] [problems] [package] [tests]
+#   tools/setup.sh PRESET [benchmark] [study] [problems] [peers] [package] [tests]
 #   tools/setup.sh docs
 #
 # Installs what is missing, configures and builds with a CMake preset (release, debug, fuzz); `benchmark` adds the kernels
 # that tools/benchmark times, `study` the small experiments of tools/study, `problems` orthocone-solve and the entry
-# Output/Problems, `package` what makes and checks a Debian package, `tests` all of these and the tests. `docs` alone
-# installs what makes the site of these pages, and builds nothing. Called by ./run, ./test and the tools. Nothing is done
-# twice: installed packages, a configured build folder and compiled files are left alone.
+# Output/Problems, `peers` those and the programs of tools/peers, as far as this Debian has them, `package` what makes and
+# checks a Debian package, `tests` all but the programs of tools/peers, and the tests. `docs` alone installs what makes the
+# site of these pages, and builds nothing. Called by ./run, ./test and the tools. Nothing is done twice: installed packages,
+# a configured build folder and compiled files are left alone.
 set -eu
 
 # mold is the linker that the flags of Debian 13's deal.II ask for; libdeal.ii-dev only recommends it.
@@ -25,25 +26,45 @@ docs_packages="python3 python3-sphinx python3-myst-parser furo python3-breathe d
 tests_packages="$benchmark_packages $package_packages $docs_packages paraview python3-paraview xvfb xauth chromium
   chromium-driver python3-selenium python3-hypothesis clang-format clang-tidy"
 fuzz_packages="clang libclang-rt-dev"
+peers_packages="calculix-ccx python3-getfem libsiconos-numerics-dev" # not every Debian has them all
 
 say() { echo "setup: $*" >&2; }
 
-missing_packages() {
-  for package in $packages; do
+missing_of() {
+  for package in "$@"; do
     dpkg-query -W -f '${Status}' "$package" 2>/dev/null | grep -q 'install ok installed' || printf '%s ' "$package"
   done
 }
 
+# What is optional is named and left out where there is no such package.
+available_of() {
+  for package in "$@"; do
+    if LC_ALL=C apt-cache policy "$package" | grep -q 'Candidate: [0-9]'; then
+      printf '%s ' "$package"
+    else
+      say "there is no package $package here: it is left out"
+    fi
+  done
+}
+
 install_packages() {
-  missing=$(missing_packages)
-  [ -n "$missing" ] || return 0
+  # shellcheck disable=SC2086
+  missing=$(missing_of $packages) wanted=$(missing_of $optional)
+  [ -n "$missing$wanted" ] || return 0
   as_root=
   if [ "$(id -u)" -ne 0 ]; then
-    command -v sudo >/dev/null 2>&1 || { say "please install as root: apt-get install $missing"; exit 1; }
+    if ! command -v sudo >/dev/null 2>&1; then
+      say "please install as root: apt-get install $missing$wanted"
+      [ -n "$missing" ] || return 0
+      exit 1
+    fi
     as_root=sudo
   fi
+  $as_root apt-get update -q -o DPkg::Lock::Timeout=600 >&2 || [ -z "$missing" ]
+  # shellcheck disable=SC2086
+  missing=$missing$(available_of $wanted)
+  [ -n "$missing" ] || return 0
   say "installing $missing"
-  $as_root apt-get update -q -o DPkg::Lock::Timeout=600 >&2
   # shellcheck disable=SC2086
   $as_root env DEBIAN_FRONTEND=noninteractive apt-get install -q -y -o DPkg::Lock::Timeout=600 --no-install-recommends $missing >&2
 }
@@ -53,12 +74,14 @@ shift
 targets="orthocone orthocone_python"
 kernels=OFF
 [ "$preset" != docs ] || packages='' targets=''
+optional=
 for group in "$preset" "$@"; do
   case $group in
     benchmark) packages="$packages $benchmark_packages" targets="$targets kernels" kernels=ON ;;
     study) targets="$targets studies" ;;
     problems) packages="$packages $problems_packages" targets="$targets orthocone_solve" ;;
     package) packages="$packages $package_packages" targets="$targets orthocone_solve" ;;
+    peers) packages="$packages $problems_packages" optional=$peers_packages targets="$targets orthocone_solve" ;;
     tests) packages="$packages $tests_packages" targets=all kernels=ON ;;
     fuzz) packages="$packages $fuzz_packages" targets=all ;;
     docs) packages="$packages $docs_packages" ;;
@@ -73,7 +96,7 @@ if command -v apt-get >/dev/null 2>&1; then
 else
   say "no apt-get here; these Debian packages, or what corresponds to them, must be installed:"
   # shellcheck disable=SC2086
-  say $packages
+  say $packages $optional
 fi
 [ -n "$targets" ] || exit 0
 
@@ -89,7 +112,9 @@ if [ $kernels = ON ] && ! grep -q '^ORTHOCONE_BENCHMARKS:BOOL=ON' "$build/CMakeC
 fi
 # What was missing when the folder was configured is looked for again.
 case " $* " in
-  *" problems "* | *" package "* | *" tests "*) ! grep -q '^FCLIB_LIBRARY:.*NOTFOUND' "$build/CMakeCache.txt" || cmake "$build" >&2 ;;
+  *" problems "* | *" peers "* | *" package "* | *" tests "*)
+    ! grep -q '^FCLIB_LIBRARY:.*NOTFOUND' "$build/CMakeCache.txt" || cmake "$build" >&2
+    ;;
 esac
 say "building $build (the first time takes some minutes)"
 # shellcheck disable=SC2086

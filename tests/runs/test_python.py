@@ -76,14 +76,14 @@ class PythonTest(RunTest):
     def test_drawing_tools_take_the_python_that_is_named(self):
         """Their scripts are replaced by one that prints who runs it, their set-up by one that does nothing."""
         tools = self.folder / "tools"
-        for name in ("plots", "studies"):
+        for name in ("plots", "studies", "peer"):
             (tools / name).mkdir(parents=True)
         self.fake(BARE)
         mine = self.folder / "mine"
         mine.write_text(f'#!/bin/sh\nMINE=1 exec {sys.executable} "$@"\n')
         mine.chmod(0o755)
         for name, script in (("figures", "plots/paper_figures.py"), ("benchmark", "plots/benchmark.py"),
-                             ("study", "studies/study.py")):
+                             ("study", "studies/study.py"), ("peers", "peer/peers.py")):
             for file in (name, "python"):
                 shutil.copy(ROOT / "tools" / file, tools)
             (tools / "setup.sh").write_text("#!/bin/sh\n")

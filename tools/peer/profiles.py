@@ -1,0 +1,122 @@
+# SPDX-License-Identifier: LGPL-2.1-or-later
+# Copyright (C) 2026 the orthocone authors
+"""Pictures of the race: performance profiles after Dolan and More, ratios over the nodes, time against error."""
+import matplotlib.pyplot as plt
+import numpy as np
+
+import race
+import style
+
+COLOURS = {**dict(zip(race.OURS, ("#0072b2", "#56b4e9", "#009e73", "#000000"))),
+           **dict(zip(race.PEERS, ("#d55e00", "#e69f00", "#cc79a7", "#882255", "#332288", "#8c564b", "#8c8c8c")))}
+GROUPS = {"all": None, "associated": ("isotropic", "orthotropic"), "not associated": ("non-associated",)}
+FARTHEST = 1000  # ratio at the right end of the profiles
+
+
+def label(solver):
+    return solver if solver in race.OURS else f"Siconos {solver}"
+
+
+def line_of(solver):
+    is_ours = solver in race.OURS
+    return {"color": COLOURS[solver], "linewidth": 2 if solver == "newton" else 1.2, "linestyle": "-" if is_ours else "--"}
+
+
+class Times:
+    """Seconds by problem and solver; infinite where a solver failed."""
+
+    def __init__(self, rows):
+        self.problems = list(dict.fromkeys(row["problem"] for row in rows))
+        self.law = {row["problem"]: row["law"] for row in rows}
+        self.nodes = {row["problem"]: int(row["nodes"]) for row in rows if row["nodes"]}
+        self._seconds = {(row["problem"], row["solver"]): float(row["seconds"]) for row in rows
+                         if row["verdict"] == "solved"}
+
+    def of(self, solver, problems=None):
+        return np.array([self._seconds.get((problem, solver), np.inf) for problem in
+                         (self.problems if problems is None else problems)])
+
+    def best(self, solvers, problems=None):
+        return np.min([self.of(solver, problems) for solver in solvers], axis=0)
+
+    def group(self, laws):
+        return [problem for problem in self.problems if laws is None or self.law[problem] in laws]
+
+
+def draw_profile(axes, times, problems):
+    best = times.best(race.SOLVERS, problems)
+    for solver in race.SOLVERS:
+        ratios = np.sort(times.of(solver, problems) / best)
+        ratios = ratios[ratios <= FARTHEST]
+        shares = 100 * np.arange(1, len(ratios) + 1) / len(problems)
+        last = shares[-1] if len(shares) else 0
+        axes.step([1, *ratios, FARTHEST], [100 * np.sum(ratios == 1) / len(problems), *shares, last], where="post",
+                  label=label(solver), **line_of(solver))
+    axes.set(xscale="log", xlim=(1, FARTHEST), ylim=(0, 101), xlabel="time / that of the fastest")
+
+
+def profiles(times):
+    figure = plt.figure(figsize=(11, 5))
+    charts, legend = figure.subfigures(2, 1, height_ratios=(4.2, 0.8))
+    for axes, (name, laws) in zip(charts.subplots(1, 3, sharey=True), GROUPS.items()):
+        problems = times.group(laws)
+        draw_profile(axes, times, problems)
+        axes.set_title(f"{name}: {len(problems)} problems", fontsize=9)
+        if laws is None:
+            axes.set_ylabel("% of the problems solved in that time")
+    legend.legend(*axes.get_legend_handles_labels(), fontsize=8, loc="center", ncols=6)
+    return figure
+
+
+def over_nodes(times):
+    """Newton's method against the best of the peers, and against Gauss-Seidel of both."""
+    figure, charts = plt.subplots(1, 2, figsize=(11, 3.4), sharey=True)
+    pairs = (("newton", race.PEERS, "newton / fastest solver of Siconos"),
+             ("gauss-seidel", ("nsgs-ac",), "gauss-seidel / Siconos nsgs-ac"))
+    for axes, (ours, theirs, title) in zip(charts, pairs):
+        for name, laws in list(GROUPS.items())[1:]:
+            problems = [problem for problem in times.group(laws)
+                        if np.isfinite(times.of(ours, [problem]) + times.best(theirs, [problem]))]
+            ratios = times.of(ours, problems) / times.best(theirs, problems)
+            axes.plot([times.nodes[problem] for problem in problems], ratios, ".", markersize=5, label=name,
+                      color=COLOURS["newton"] if name == "associated" else COLOURS["nsgs-ac"])
+        axes.axhline(1, color="0.3", linewidth=0.8)
+        axes.set(xscale="log", yscale="log", xlabel="contact nodes", title=title)
+        axes.xaxis.set_major_formatter("{x:.0f}")
+        axes.set_xticks((10, 20, 50, 100, 200, 400), minor=False)
+        axes.minorticks_off()
+    charts[0].set_ylabel("ratio of times, below 1: ours is faster")
+    charts[0].legend(fontsize=8)
+    return figure
+
+
+def time_against_error(rows):
+    """Seconds to an error of 1e-2 to 1e-11 on some problems."""
+    rows = [{**row, "problem": row["problem"].split(" to ")[0]} for row in rows]
+    names = list(dict.fromkeys(row["problem"] for row in rows))
+    figure = plt.figure(figsize=(11, 4.4))
+    charts, legend = figure.subfigures(2, 1, height_ratios=(3.7, 0.7))
+    for axes, name in zip(np.atleast_1d(charts.subplots(1, len(names))), names):
+        own = [row for row in rows if row["problem"] == name]
+        for solver in race.SOLVERS:
+            points = [row for row in own if row["solver"] == solver and row["verdict"] == "solved"]
+            axes.plot([float(row["seconds"]) for row in points], [max(float(row["error"]), 1e-14) for row in points],
+                      marker="o", markersize=3, label=label(solver), **line_of(solver))
+        axes.set(xscale="log", yscale="log", xlabel="s", ylim=(4e-15, 1e-1))
+        axes.set_title(f"{name}: {own[0]['nodes']} nodes", fontsize=9)
+    charts.axes[0].set_ylabel("error")
+    legend.legend(*axes.get_legend_handles_labels(), fontsize=8, loc="center", ncols=6)
+    return figure
+
+
+def figures(rows, error_rows):
+    times = Times(rows)
+    found = {"peers_profiles": profiles(times), "peers_nodes": over_nodes(times)}
+    if error_rows:
+        found["peers_errors"] = time_against_error(error_rows)
+    return found
+
+
+def save(found, folders):
+    for name, figure in found.items():
+        style.save(figure, name, folders)
