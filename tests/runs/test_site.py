@@ -99,7 +99,7 @@ class SiteTest(unittest.TestCase):
     def test_functions_are_described(self):
         page = SITE.pages["api/contact.html"]
         self.assertRegex(page.words(), r"project.{0,40}\( const OrthotropicFriction & law , const Eigen :: Vector3d & tau \)"
-                                       r".{0,20}Nearest point of the cone K = { r : \|\|r_t\|\|_m <= r_n }\.")
+                                       r".{0,20}Nearest point of the cone K = { r : \|\|r_t\|\|_m <= r_n },")
         self.assertTrue(any("orthocone7project" in place for place in page.places))
         for name, library in (("OrthotropicFriction", "contact"), ("make_contact_solver", "contact"), ("moved_by", "surface"),
                               ("FactorizedBody", "body"), ("read_parameter_file", "parameters"), ("InputError", "base")):
