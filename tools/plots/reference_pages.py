@@ -18,6 +18,7 @@ RESULTS = """# Columns and fields
 Every column of the tables and every field of the VTU files, as `build/orthocone --columns` prints them.
 `tools/reference_pages` writes this page, and `ctest -R run_reference_pages` checks that it is current.
 [manual.md](manual.md) explains the other files of a run folder, and what the numbers mean.
+The files `lower-NNNN.vtu` of a second body have the fields of `volume-NNNN.vtu`.
 """
 
 
