@@ -51,17 +51,28 @@ double Compliance::softness() const
 double largest_eigenvalue(const Eigen::Index n_nodes, const double settled,
                           const std::function<NodeVector(const NodeVector &)> &product)
 {
-  constexpr unsigned int least_iterations = 15, most_iterations = 200;
+  constexpr double rounding = 1e-12;
+  constexpr Eigen::Index least_products = 5, most_products = 60;
   // A push on the whole surface is close to the softest mode; the tilt keeps other modes in reach.
-  NodeVector vector = NodeVector::LinSpaced(3 * n_nodes, 1, 1.1);
+  NodeVector vector = NodeVector::LinSpaced(3 * n_nodes, 1, 1.1).normalized();
+  NodeVector last = NodeVector::Zero(vector.size());
+  Eigen::VectorXd diagonal(most_products), beside(most_products); // of the tridiagonal matrix
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> ritz;
   double eigenvalue = 0;
-  for (unsigned int iteration = 0; iteration < most_iterations; ++iteration)
+  for (Eigen::Index k = 0; k < most_products; ++k)
   {
-    vector = product(vector.normalized());
-    const double last = eigenvalue;
-    eigenvalue = vector.norm();
-    if (iteration >= least_iterations && std::abs(eigenvalue - last) <= settled * eigenvalue)
+    NodeVector next = product(vector);
+    diagonal[k] = next.dot(vector);
+    ritz.computeFromTridiagonal(diagonal.head(k + 1), beside.head(k), Eigen::EigenvaluesOnly);
+    const double before = std::exchange(eigenvalue, ritz.eigenvalues().maxCoeff());
+    next -= diagonal[k] * vector;
+    if (k > 0)
+      next -= beside[k - 1] * last;
+    beside[k] = next.norm();
+    const bool has_settled = k + 1 >= least_products && eigenvalue - before <= settled * eigenvalue;
+    if (has_settled || !(beside[k] > rounding * eigenvalue))
       break;
+    last = std::exchange(vector, next / beside[k]);
   }
   return eigenvalue;
 }

@@ -2,7 +2,10 @@
 // Copyright (C) 2026 the orthocone authors
 #include "dense_conditions.h"
 
+#include "direct_conditions.h"
 #include "krylov.h"
+
+#include <utility>
 
 namespace orthocone
 {
@@ -221,14 +224,18 @@ ContactChange System::change(const VectorXf &unknowns, const double size) const
 
 DenseConditionSolver::DenseConditionSolver(const DenseView &compliance, const double softness)
     : compliance_(compliance),
-      inner_(compliance, softness)
+      softness_(softness)
 {
 }
 
 ContactChange DenseConditionSolver::solve(const ContactConditions &conditions, const double accuracy) const
 {
   constexpr Index most_iterations = 60;
-  const System system(conditions, compliance_, inner_);
+  if (auto change = solve_directly(conditions, compliance_, softness_))
+    return *std::move(change);
+  if (!inner_)
+    inner_ = std::make_unique<InnerCompliance>(compliance_, softness_);
+  const System system(conditions, compliance_, *inner_);
   const VectorXd right = system.right_side();
   const double size = right.norm();
   VectorXf unknowns = VectorXf::Zero(system.n_unknowns());

@@ -8,8 +8,8 @@
 
 namespace orthocone
 {
-/// Solves conditions of contact nodes on a dense compliance by GMRES in single precision: Newton's next
-/// iteration corrects its errors.
+/// Solves conditions of contact nodes on a dense compliance: few unknowns directly, and many by GMRES in
+/// single precision, whose errors Newton's next iteration corrects. Only one thread at a time may use it.
 class DenseConditionSolver : public ConditionSolver
 {
 public:
@@ -20,6 +20,7 @@ public:
 
 private:
   const DenseView &compliance_;
-  InnerCompliance inner_;
+  double softness_;
+  mutable std::unique_ptr<InnerCompliance> inner_{}; ///< made where it is needed first
 };
 } // namespace orthocone

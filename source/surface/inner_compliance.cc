@@ -29,42 +29,53 @@ std::vector<Index> nearest_nodes(const MatrixXf &compliance, const Index node, c
   }
   return nodes;
 }
-
-/// Forces on `nodes` that move the first of them by one unit in each direction and hold the others.
-Eigen::Matrix<float, Eigen::Dynamic, 3> holding_forces(const MatrixXf &compliance,
-                                                       const std::vector<Index> &nodes)
-{
-  const auto n = static_cast<Index>(nodes.size());
-  MatrixXf patch(3 * n, 3 * n);
-  for (Index j = 0; j < n; ++j)
-    for (Index i = 0; i < n; ++i)
-      patch.block<3, 3>(3 * i, 3 * j) = compliance.block<3, 3>(3 * nodes[i], 3 * nodes[j]);
-  return patch.selfadjointView<Eigen::Lower>().ldlt().solve(MatrixXf::Identity(3 * n, 3));
-}
 } // namespace
 
 InnerCompliance::InnerCompliance(const DenseView &compliance, const double scale)
     : scale_(scale),
       matrix_((compliance / scale).cast<float>()),
-      stiffness_(local_stiffness())
+      held_(n_held, matrix_.rows() / 3),
+      holding_forces_(3 * n_held, matrix_.rows())
 {
+  for (Index node = 0; node < held_.cols(); ++node)
+    hold(node);
 }
 
-Eigen::SparseMatrix<float, Eigen::RowMajor> InnerCompliance::local_stiffness() const
+/// Forces on the nearest nodes of `node` that move it by one unit in each direction and hold the others.
+void InnerCompliance::hold(const Index node)
 {
-  constexpr std::size_t n_neighbours = 8;
-  std::vector<Eigen::Triplet<float>> entries;
-  for (Index node = 0; node < matrix_.rows() / 3; ++node)
+  using Patch = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 3 * n_held, 3 * n_held>;
+  using Columns = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::ColMajor, 3 * n_held, 3>;
+  const std::vector<Index> nodes = nearest_nodes(matrix_, node, n_held);
+  const auto n = static_cast<Index>(nodes.size());
+  Patch patch(3 * n, 3 * n);
+  for (Index j = 0; j < n; ++j)
+    for (Index i = j; i < n; ++i)
+      patch.block<3, 3>(3 * i, 3 * j) = matrix_.block<3, 3>(3 * nodes[i], 3 * nodes[j]);
+  Columns forces = Columns::Identity(3 * n, 3);
+  if (const Eigen::LLT<Patch> factor(patch); factor.info() == Eigen::Success)
+    for (Index d = 0; d < 3; ++d)
+      forces.col(d) = factor.solve(forces.col(d));
+  else // rounding, or rigid bodies
+    forces = patch.selfadjointView<Eigen::Lower>().ldlt().solve(forces);
+  held_.col(node).setConstant(node);
+  holding_forces_.middleCols<3>(3 * node).setZero();
+  for (Index i = 0; i < n; ++i)
+    held_(i, node) = nodes[i];
+  holding_forces_.block(0, 3 * node, 3 * n, 3) = forces;
+}
+
+Eigen::VectorXf InnerCompliance::multiply_stiffness(const Eigen::VectorXf &vector) const
+{
+  Eigen::VectorXf forces(vector.size());
+  Eigen::Matrix<float, 3 * n_held, 1> moved;
+  for (Index node = 0; node < held_.cols(); ++node)
   {
-    const std::vector<Index> nodes = nearest_nodes(matrix_, node, n_neighbours);
-    const auto forces = holding_forces(matrix_, nodes);
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-      for (Index d = 0; d < 3; ++d)
-        for (Index e = 0; e < 3; ++e)
-          entries.emplace_back(3 * node + e, 3 * nodes[i] + d, forces(3 * static_cast<Index>(i) + d, e));
+    for (Index i = 0; i < n_held; ++i)
+      moved.segment<3>(3 * i) = vector.segment<3>(3 * held_(i, node));
+    for (Index d = 0; d < 3; ++d)
+      forces[3 * node + d] = holding_forces_.col(3 * node + d).dot(moved);
   }
-  Eigen::SparseMatrix<float, Eigen::RowMajor> stiffness(matrix_.rows(), matrix_.cols());
-  stiffness.setFromTriplets(entries.begin(), entries.end());
-  return stiffness;
+  return forces;
 }
 } // namespace orthocone

@@ -4,8 +4,6 @@
 
 #include <orthocone/surface/compliance.h>
 
-#include <Eigen/Sparse>
-
 namespace orthocone
 {
 /// The compliance as inner iterations use it. Single precision halves the memory to read. It is relative to
@@ -27,13 +25,16 @@ public:
   /// About scale W^-1 v: for each node its nearest neighbours are held, and the others carry no force. The
   /// inverse of a compliance decreases so fast with the distance that more neighbours make no better
   /// preconditioner.
-  Eigen::VectorXf multiply_stiffness(const Eigen::VectorXf &vector) const { return stiffness_ * vector; }
+  Eigen::VectorXf multiply_stiffness(const Eigen::VectorXf &vector) const;
 
 private:
-  Eigen::SparseMatrix<float, Eigen::RowMajor> local_stiffness() const;
+  static constexpr Eigen::Index n_held = 8; ///< a node and its neighbours
+
+  void hold(Eigen::Index node);
 
   double scale_;
   Eigen::MatrixXf matrix_;
-  Eigen::SparseMatrix<float, Eigen::RowMajor> stiffness_;
+  Eigen::Matrix<Eigen::Index, n_held, Eigen::Dynamic> held_;        ///< the nodes held for each node
+  Eigen::Matrix<float, 3 * n_held, Eigen::Dynamic> holding_forces_; ///< on them, 3 columns a node
 };
 } // namespace orthocone

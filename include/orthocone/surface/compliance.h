@@ -67,7 +67,7 @@ public:
 };
 
 /// Largest eigenvalue of a symmetric, positive definite matrix (3 n_nodes x 3 n_nodes) that is known by its
-/// products. Power iterations approach it from below until one of them changes it by no more than the share
+/// products. Lanczos' method approaches it from below until a product changes it by no more than the share
 /// `settled`.
 double largest_eigenvalue(Eigen::Index n_nodes, double settled,
                           const std::function<NodeVector(const NodeVector &)> &product);

@@ -26,7 +26,7 @@ using NodeVector = Eigen::VectorXd;
 struct NodeCondition
 {
   Eigen::Index n_unknowns = 0;                     ///< 0, 2 or 3; as many columns of the next two count
-  Eigen::Matrix3d basis = Eigen::Matrix3d::Zero(); ///< orthonormal columns
+  Eigen::Matrix3d basis = Eigen::Matrix3d::Zero(); ///< columns of length 1
   Eigen::Matrix3d rows = Eigen::Matrix3d::Zero();  ///< N/mm
   Eigen::Vector3d diagonal = Eigen::Vector3d::Zero();
   Eigen::Vector3d right_side = Eigen::Vector3d::Zero(); ///< N

@@ -10,6 +10,7 @@ namespace
 {
 using Eigen::Index;
 using Eigen::Matrix3d;
+using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
@@ -43,10 +44,82 @@ NodeCondition condition_of(const OrthotropicFriction &law, const double rho, con
   condition.fixed = -projection.normal.dot(map) * projection.normal;
   return condition;
 }
-} // namespace
+/// A node's part of a map: its linearization, and its value where it is not 0.
+struct NodePart
+{
+  NodeCondition condition;
+  Vector3d value; ///< N
+};
 
-Linearization linearize(const ContactStep &step, const VectorXd &unknowns, const NodeVector &displacement,
-                        const double rho_factor)
+NodePart natural_part(const OrthotropicFriction &law, const double rho, const Vector3d &force,
+                      const Vector3d &displacement)
+{
+  const Projection projection =
+      ContactStep::is_free(force, displacement)
+          ? Projection()
+          : project_with_derivative(law, force - rho * modified_displacement(law, displacement));
+  const Vector3d map = force - projection.point;
+  return {condition_of(law, rho, projection, map, displacement), map};
+}
+
+/// A node that slips under the pressure `pressure` (N). Forces are relative to mu, so that the cone is
+/// circular: s = r_t / mu, and the slip that counts is w = mu Q^2 d_t. The law is then s = pressure y / |y|
+/// with y = s - rho_t w.
+NodePart slipping_part(const OrthotropicFriction &law, const double rho, const double rho_t,
+                       const double pressure, const Vector3d &force, const Vector3d &displacement,
+                       const Vector2d &y)
+{
+  const Vector2d mu(law.mu_x, law.mu_y);
+  const Vector2d s = force.tail<2>().cwiseQuotient(mu);
+  const Vector2d along = y.normalized();
+  const Vector2d across(-along[1], along[0]);
+  const double softening = pressure / y.norm(); // of friction across its direction, below 1
+  const Vector2d side = mu.cwiseProduct(across);
+  NodePart part;
+  NodeCondition &condition = part.condition;
+  condition.n_unknowns = 2;
+  condition.basis.col(0) << 1, mu.cwiseProduct(along);
+  condition.basis.col(0).normalize();
+  condition.basis.col(1).tail<2>() = side.normalized();
+  condition.rows(0, 0) = rho;
+  condition.rows.col(1).tail<2>() = side.norm() * softening * rho_t * slip_weights(law).cwiseProduct(side);
+  condition.diagonal[1] = 1 - softening;
+  condition.right_side.head<2>() << -rho * displacement[0], -side.norm() * across.dot(s);
+  condition.fixed.tail<2>() = (force[0] - along.dot(s)) * mu.cwiseProduct(along);
+  part.value << rho * displacement[0], mu.cwiseProduct(s - pressure * along);
+  return part;
+}
+
+NodePart pressure_first_part(const OrthotropicFriction &law, const double rho, const Vector3d &force,
+                             const Vector3d &displacement)
+{
+  if (is_frictionless(law))
+    return natural_part(law, rho, force, displacement);
+  NodePart part;
+  const double pressure = force[0] - rho * displacement[0];
+  if (pressure <= 0)
+  {
+    part.condition.fixed = -force;
+    part.value = force;
+    return part;
+  }
+  const Vector2d mu(law.mu_x, law.mu_y);
+  const Vector2d weights = slip_weights(law).cwiseProduct(mu);
+  const double rho_t = rho / weights.cwiseProduct(mu).maxCoeff();
+  const Vector2d y = force.tail<2>().cwiseQuotient(mu) - rho_t * weights.cwiseProduct(displacement.tail<2>());
+  if (y.norm() > pressure)
+    return slipping_part(law, rho, rho_t, pressure, force, displacement, y);
+  part.condition.n_unknowns = 3;
+  part.condition.basis.setIdentity();
+  part.condition.rows = rho * Matrix3d::Identity();
+  part.condition.right_side = -rho * displacement;
+  part.value = rho * displacement;
+  return part;
+}
+
+template<typename Part>
+Linearization linearize_with(const Part &part_of, const ContactStep &step, const VectorXd &unknowns,
+                             const NodeVector &displacement, const double rho_factor)
 {
   Linearization result;
   result.conditions.nodes.reserve(step.n_nodes());
@@ -55,20 +128,26 @@ Linearization linearize(const ContactStep &step, const VectorXd &unknowns, const
   double sum = result.conditions.face_right_side.squaredNorm();
   for (Index node = 0; node < step.n_nodes(); ++node)
   {
-    const OrthotropicFriction &law = step.law(node);
-    const double rho = rho_factor * step.system().rho(node);
-    const Vector3d force = unknowns.segment<3>(3 * node);
-    const Vector3d d = displacement.segment<3>(3 * node);
-    const Projection projection =
-        ContactStep::is_free(force, d)
-            ? Projection()
-            : project_with_derivative(law, force - rho * modified_displacement(law, d));
-    const Vector3d map = force - projection.point;
-    sum += map.squaredNorm();
-    result.conditions.nodes.push_back(condition_of(law, rho, projection, map, d));
+    const NodePart part = part_of(step.law(node), rho_factor * step.system().rho(node),
+                                  unknowns.segment<3>(3 * node), displacement.segment<3>(3 * node));
+    sum += part.value.squaredNorm();
+    result.conditions.nodes.push_back(part.condition);
   }
   result.error = std::sqrt(sum);
   return result;
+}
+} // namespace
+
+Linearization linearize(const ContactStep &step, const VectorXd &unknowns, const NodeVector &displacement,
+                        const double rho_factor)
+{
+  return linearize_with(natural_part, step, unknowns, displacement, rho_factor);
+}
+
+Linearization linearize_pressure_first(const ContactStep &step, const VectorXd &unknowns,
+                                       const NodeVector &displacement, const double rho_factor)
+{
+  return linearize_with(pressure_first_part, step, unknowns, displacement, rho_factor);
 }
 
 VectorXd newton_change(const ConditionSolver &solver, const Linearization &linearization,

@@ -6,17 +6,24 @@
 
 namespace orthocone
 {
-/// The natural map at given unknowns, linearized: the conditions of every node and of the face for Newton's
-/// method.
+/// A map that vanishes at the solution, linearized at given unknowns: the conditions of every node and of the
+/// face for Newton's method.
 struct Linearization
 {
   ContactConditions conditions;
-  double error; ///< norm of the natural map, N
+  double error; ///< norm of the map, N
 };
 
-/// `displacement` belongs to `unknowns`; the map has `rho_factor` times the rho of the system.
+/// The natural map. `displacement` belongs to `unknowns`; the map has `rho_factor` times the rho of the
+/// system.
 Linearization linearize(const ContactStep &step, const Eigen::VectorXd &unknowns,
                         const NodeVector &displacement, double rho_factor = 1);
+
+/// The map of Alart and Curnier (1991), which asks for the pressure first, and for friction under this
+/// pressure then: docs/theory.md, section 3. Its slopes are not those of the natural map, so that Newton's
+/// method stalls elsewhere.
+Linearization linearize_pressure_first(const ContactStep &step, const Eigen::VectorXd &unknowns,
+                                       const NodeVector &displacement, double rho_factor = 1);
 
 /// Newton's change of the unknowns, up to a relative error `accuracy` or the best that can be reached. Not
 /// finite if the linearization is singular.

@@ -4,7 +4,7 @@
 #include "solvers.h"
 
 #include <algorithm>
-#include <optional>
+#include <cmath>
 #include <utility>
 
 namespace orthocone
@@ -13,13 +13,17 @@ using Eigen::VectorXd;
 
 namespace
 {
-/// Unknowns, their displacement, and the natural map there.
+/// linearize() or linearize_pressure_first().
+using Map = Linearization(const ContactStep &, const VectorXd &, const NodeVector &, double);
+
+/// Unknowns, their displacement, and a map there.
 struct Iterate
 {
-  Iterate(const ContactStep &step, VectorXd unknowns_, NodeVector displacement_, const double rho_factor)
+  Iterate(Map *const map, const ContactStep &step, VectorXd unknowns_, NodeVector displacement_,
+          const double rho_factor)
       : unknowns(std::move(unknowns_)),
         displacement(std::move(displacement_)),
-        linearization(linearize(step, unknowns, displacement, rho_factor))
+        linearization(map(step, unknowns, displacement, rho_factor))
   {
   }
 
@@ -28,21 +32,26 @@ struct Iterate
   Linearization linearization;
 };
 
-/// The first of the iterates along `change`, each half as far as the one before, that reduces the natural
-/// map; nothing if none does. Since W is linear, they cost no product with it.
-std::optional<Iterate> line_search(const ContactStep &step, const Iterate &start, const VectorXd &change,
-                                   const double rho_factor)
+/// Whether a step of this length from `start` was worth it.
+bool reduces(const Iterate &trial, const Iterate &start, const double length)
 {
   constexpr double sufficient_decrease = 1e-4;
-  constexpr double smallest_step = 1. / 64;
+  return trial.linearization.error <= (1 - sufficient_decrease * length) * start.linearization.error;
+}
+
+/// The first of the iterates along `change`, each half as far as the one before, that reduces the map, or the
+/// nearest one. Since W is linear, they cost no product with it.
+Iterate line_search(Map *const map, const ContactStep &step, const Iterate &start, const VectorXd &change,
+                    const double smallest_step, const double rho_factor)
+{
   const NodeVector moved = step.change_of_displacement(change);
-  for (double length = 1; length >= smallest_step; length /= 2)
+  for (double length = 1;; length /= 2)
   {
-    Iterate trial(step, start.unknowns + length * change, start.displacement + length * moved, rho_factor);
-    if (trial.linearization.error <= (1 - sufficient_decrease * length) * start.linearization.error)
+    Iterate trial(map, step, start.unknowns + length * change, start.displacement + length * moved,
+                  rho_factor);
+    if (reduces(trial, start, length) || length <= smallest_step)
       return trial;
   }
-  return std::nullopt;
 }
 
 /// Relaxation of the sweeps of a round. Where rounds keep stalling, exact sweeps send the forces to and fro
@@ -56,8 +65,12 @@ double relaxation_of_round(const unsigned int round)
   return round % 4 == 1 ? 0.3 : 0.05;
 }
 
-/// Semismooth Newton on the natural map with a backtracking line search. Exact sweeps start it, and it
-/// returns to them from the best iterate whenever it stalls, so that it inherits their robustness.
+constexpr double inexactness =
+    0.01; // of Newton's steps: tighter costs more products than it saves iterations
+
+/// Semismooth Newton with a backtracking line search, on the natural map and on that of Alart and Curnier,
+/// whose pieces meet elsewhere. Where both stall, it returns to exact sweeps from the best iterate, so that
+/// it inherits their robustness.
 class SemismoothNewton : public ContactSolver
 {
 public:
@@ -70,7 +83,8 @@ private:
   struct Progress;
 
   void iterate_while_it_pays(Progress &progress) const;
-  void iterate_in_full(Eigen::VectorXd trial, Progress &progress) const;
+  void iterate_pressure_first(Progress &progress) const;
+  bool is_solved(const ContactStep &step, const Iterate &iterate) const;
   bool run_round(unsigned int round, unsigned int n_sweeps, Progress &progress) const;
 
   ContactSolverOptions options_;
@@ -81,7 +95,6 @@ private:
 struct SemismoothNewton::Progress
 {
   const ContactStep &step;
-  const VectorXd start;
   VectorXd &unknowns; ///< the best so far
   double residual;    ///< of them
   unsigned int iterations = 0;
@@ -92,6 +105,17 @@ struct SemismoothNewton::Progress
   {
     trace.add(iterations, residual_, step.force_scale(unknowns_));
   }
+
+  /// Takes unknowns that are better than the best so far.
+  void offer(VectorXd candidate)
+  {
+    const double its_residual = step.residual(candidate);
+    if (!(its_residual < residual))
+      return;
+    residual = its_residual;
+    unknowns = std::move(candidate);
+    note(residual, unknowns);
+  }
 };
 
 SemismoothNewton::SemismoothNewton(const ContactSystem &system, const ContactSolverOptions &options)
@@ -101,14 +125,14 @@ SemismoothNewton::SemismoothNewton(const ContactSystem &system, const ContactSol
 {
 }
 
-/// Newton iterations, as long as each of them pays.
+/// Newton's steps on the natural map, as long as each of them pays.
 void SemismoothNewton::iterate_while_it_pays(Progress &progress) const
 {
   constexpr unsigned int most_iterations = 12;
   constexpr double paying_reduction = 0.9; // sweeps pay more for the same gain (docs/performance.md)
-  constexpr double inexactness = 0.01;     // tighter costs more products than it saves iterations
+  constexpr double smallest_step = 1. / 64;
   const ContactStep &step = progress.step;
-  Iterate best(step, progress.unknowns, step.displacement(progress.unknowns), options_.rho_factor);
+  Iterate best(linearize, step, progress.unknowns, step.displacement(progress.unknowns), options_.rho_factor);
   // The error of the linearization would not do: its rho may be another one.
   const auto residual = [&] { return step.residual(best.unknowns, best.displacement); };
   progress.residual = residual();
@@ -122,59 +146,70 @@ void SemismoothNewton::iterate_while_it_pays(Progress &progress) const
     ++progress.iterations;
     if (!change.allFinite())
       break;
-    auto next = line_search(step, best, change, options_.rho_factor);
-    if (!next)
+    Iterate next = line_search(linearize, step, best, change, smallest_step, options_.rho_factor);
+    if (!(next.linearization.error < last_error))
       break;
-    best = std::move(*next);
+    best = std::move(next);
     if (best.linearization.error > paying_reduction * last_error)
       break;
   }
-  const VectorXd candidate = step.admissible(best.unknowns);
-  if (const double last = step.residual(candidate); last < progress.residual)
-  {
-    progress.unknowns = candidate;
-    progress.residual = last;
-  }
+  progress.offer(step.admissible(best.unknowns));
 }
 
-/// Takes Newton's steps in full from `trial` on, whatever the residual does on the way: where pieces of the
-/// natural map meet, the line search may stop at a corner that full steps pass.
-void SemismoothNewton::iterate_in_full(VectorXd trial, Progress &progress) const
+/// Newton's steps on the map that asks for the pressure first, up to the iterate where it is least. The line
+/// search takes the shortest step where none reduces the map: that passes corners where pieces of it meet.
+void SemismoothNewton::iterate_pressure_first(Progress &progress) const
 {
-  constexpr unsigned int most_iterations = 15;
-  constexpr double inexactness = 1e-4; // what single precision gives without trouble
+  constexpr unsigned int most_iterations = 30, most_without_gain = 5;
+  constexpr double smallest_step = 1. / 16;
   const ContactStep &step = progress.step;
-  for (unsigned int i = 0; i < most_iterations && progress.iterations < options_.maximum_iterations;
-       ++i, ++progress.iterations)
+  Iterate last(linearize_pressure_first, step, progress.unknowns, step.displacement(progress.unknowns),
+               options_.rho_factor);
+  VectorXd best = progress.unknowns;
+  double least = last.linearization.error;
+  for (unsigned int i = 0, i_best = 0; i < most_iterations && i <= i_best + most_without_gain &&
+                                       progress.iterations < options_.maximum_iterations;
+       ++i)
   {
-    const auto linearization = linearize(step, trial, step.displacement(trial), options_.rho_factor);
-    trial += newton_change(*conditions_, linearization, inexactness); // may leave the cone on the way
-    const VectorXd candidate = step.admissible(trial);
-    const double residual = step.residual(candidate);
-    if (!std::isfinite(residual))
+    const VectorXd change = newton_change(*conditions_, last.linearization, inexactness);
+    ++progress.iterations;
+    if (!change.allFinite())
       break;
-    if (residual < progress.residual)
-    {
-      progress.residual = residual;
-      progress.unknowns = candidate;
-      progress.note(residual, candidate);
-    }
-    if (residual <= options_.tolerance)
+    last = line_search(linearize_pressure_first, step, last, change, smallest_step, options_.rho_factor);
+    if (!(last.linearization.error < least))
+      continue;
+    best = last.unknowns;
+    least = last.linearization.error;
+    i_best = i;
+    if (is_solved(step, last))
       break;
   }
+  progress.offer(step.admissible(std::move(best)));
 }
 
-/// Runs sweeps, then Newton's steps. Returns whether the face runs away.
+/// Whether an iterate is within the tolerance. Its own map says it without long work where it is far from it.
+bool SemismoothNewton::is_solved(const ContactStep &step, const Iterate &iterate) const
+{
+  constexpr double likely = 10; // tolerances: the maps differ by less in most steps
+  return iterate.linearization.error <= likely * options_.tolerance * step.force_scale(iterate.unknowns) &&
+         step.residual(iterate.unknowns, iterate.displacement) <= options_.tolerance;
+}
+
+/// Runs sweeps, then Newton's steps on both maps. Returns whether the face runs away.
 bool SemismoothNewton::run_round(const unsigned int round, const unsigned int n_sweeps,
                                  Progress &progress) const
 {
-  constexpr unsigned int first_full_round = 2; // line search and sweeps have stalled twice by then
+  constexpr double good_start = 0.1; // from a worse one the natural map soon stalls
   for (unsigned int i = 0; i < n_sweeps && progress.iterations < options_.maximum_iterations;
        ++i, ++progress.iterations)
     sweeps_.sweep(progress.step, progress.unknowns, relaxation_of_round(round));
+  if (round == 0 && progress.residual > good_start)
+    iterate_pressure_first(progress);
+  if (round == 0 && progress.residual <= options_.tolerance)
+    return false;
   iterate_while_it_pays(progress);
-  if (round >= first_full_round && progress.residual > options_.tolerance)
-    iterate_in_full(round == first_full_round ? progress.start : progress.unknowns, progress);
+  if (round > 0 && progress.residual > options_.tolerance)
+    iterate_pressure_first(progress);
   return progress.residual > options_.tolerance &&
          progress.balance.runs_away(progress.step, progress.unknowns);
 }
@@ -183,15 +218,23 @@ SolverReport SemismoothNewton::solve(const ContactStep &step, VectorXd &unknowns
 {
   constexpr unsigned int first_sweeps = 10; // then twice as many each time: docs/theory.md, section 3
   constexpr unsigned int most_sweeps = 160;
-  constexpr double good_start = 0.1; // sweeps are for worse starts, and for stalls
-  Progress progress{step, unknowns, unknowns, step.residual(unknowns)};
+  const VectorXd start = unknowns;
+  const double start_residual = step.residual(start);
+  Progress progress{step, unknowns, start_residual};
   progress.note(progress.residual, unknowns);
-  unsigned int n_sweeps = progress.residual > good_start ? first_sweeps : 0;
+  unsigned int n_sweeps = 0;
   for (unsigned int round = 0;
        progress.residual > options_.tolerance && progress.iterations < options_.maximum_iterations &&
        std::isfinite(progress.residual);
        ++round)
   {
+    if (round == 1)
+    {
+      // Sweeps from where Newton's steps stalled may lead to another solution than sweeps from the start, and
+      // the next load step may have none behind it (docs/stability.md).
+      unknowns = start;
+      progress.residual = start_residual;
+    }
     if (run_round(round, n_sweeps, progress))
       return unbalanced_report(step, unknowns, progress.iterations, options_.tolerance,
                                std::move(progress.trace));

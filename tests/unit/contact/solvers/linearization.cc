@@ -4,6 +4,7 @@
 // The parts of the Newton solver, which are no public headers.
 #include "contact/solvers/linearization.h"
 #include "contact/contact_problems.h"
+#include "surface/direct_conditions.h"
 #include "surface/inner_compliance.h"
 #include "surface/krylov.h"
 
@@ -91,24 +92,113 @@ TEST(DenseCompliance, AnswersWhatItIsAsked)
   EXPECT_LT(error(), 1e-14);
 }
 
-/// Along Newton's direction the natural map falls at the rate at which it would vanish after one step.
+/// Too little force, so that nodes penetrate, stick, slip in all directions and are open.
+NodeVector weak_force(const GridProblem &grid)
+{
+  NodeVector force = grid.zero();
+  solve_step(grid.problem, solver_options("gauss-seidel"), force);
+  return 0.8 * force;
+}
+
+/// Few unknowns are eliminated, many are left to GMRES.
+constexpr std::array<Index, 2> grid_sizes{{5, 8}};
+
+/// Along Newton's direction a map falls at the rate at which it would vanish after one step.
 TEST(Linearization, PointsToTheZeroOfTheLinearizedMap)
+{
+  for (const auto map : {linearize, linearize_pressure_first})
+    for (const OrthotropicFriction &law : case_laws)
+      for (const Index size : grid_sizes)
+      {
+        const GridProblem grid(law, size);
+        const ContactStep &problem = grid.problem;
+        const auto solver = grid.compliance.condition_solver(grid.system.softness());
+        const NodeVector force = weak_force(grid);
+        const Linearization linearization = map(problem, force, problem.displacement(force), 1);
+        const NodeVector change = newton_change(*solver, linearization, 1e-6);
+        constexpr double step = 1e-6;
+        const NodeVector moved = force + step * change;
+        const double error = map(problem, moved, problem.displacement(moved), 1).error;
+        EXPECT_NEAR((linearization.error - error) / step, linearization.error, 1e-3 * linearization.error);
+      }
+}
+
+TEST(Linearization, HasTheErrorOfTheNaturalMap)
+{
+  const GridProblem grid(case_c);
+  const NodeVector force = NodeVector::LinSpaced(grid.zero().size(), 0.3, 0.7);
+  const NodeVector displacement = grid.problem.displacement(force);
+  const double error = grid.problem.natural_map(force, displacement).norm();
+  EXPECT_NEAR(linearize(grid.problem, force, displacement).error, error, 1e-12 * error);
+}
+
+/// Both maps ask for the same law, at nodes that stick, slip and are open.
+TEST(Linearization, MapsVanishTogether)
 {
   for (const OrthotropicFriction &law : case_laws)
   {
     const GridProblem grid(law);
-    const ContactStep &problem = grid.problem;
-    const auto solver = grid.compliance.condition_solver(grid.system.softness());
-    const NodeVector force = NodeVector::LinSpaced(grid.zero().size(), 0.3, 0.7);
-    const NodeVector displacement = problem.displacement(force);
-    const Linearization linearization = linearize(problem, force, displacement);
-    const NodeVector map = problem.natural_map(force, displacement);
-    EXPECT_NEAR(linearization.error, map.norm(), 1e-12 * map.norm());
-    const NodeVector change = newton_change(*solver, linearization, 1e-6);
-    constexpr double step = 1e-6;
-    const NodeVector moved = force + step * change;
-    const NodeVector slope = (problem.natural_map(moved, problem.displacement(moved)) - map) / step;
-    EXPECT_LT((slope + map).norm(), 1e-3 * map.norm());
+    NodeVector force = grid.zero();
+    solve_step(grid.problem, solver_options("gauss-seidel", 1e-13), force);
+    const NodeVector displacement = grid.problem.displacement(force);
+    EXPECT_LT(linearize_pressure_first(grid.problem, force, displacement).error, 1e-10 * force.norm());
+    const NodeVector other = 1.1 * force;
+    const NodeVector moved = grid.problem.displacement(other);
+    EXPECT_GT(linearize_pressure_first(grid.problem, other, moved).error, 1e-3 * force.norm());
+  }
+}
+
+/// What is wanted of the conditions, beside a face that moves, put into them.
+TEST(DirectConditions, AreMet)
+{
+  const GridProblem grid(case_c);
+  const DenseView &w = *grid.compliance.dense();
+  const NodeVector force = weak_force(grid);
+  ContactConditions conditions =
+      linearize_pressure_first(grid.problem, force, grid.problem.displacement(force)).conditions;
+  conditions.nodes[3] = {};
+  conditions.nodes[3].fixed << 0.2, 0.1, -0.1;
+  conditions.face = NodeVector::LinSpaced(w.rows(), 1, 2).normalized();
+  conditions.face_right_side = Eigen::VectorXd::Constant(1, 0.5);
+  const auto change = solve_directly(conditions, w, grid.system.softness());
+  ASSERT_TRUE(change.has_value());
+  const NodeVector moved = w * change->force + conditions.face * change->face;
+  for (std::size_t i = 0; i < conditions.nodes.size(); ++i)
+  {
+    const NodeCondition &node = conditions.nodes[i];
+    const auto place = static_cast<Index>(3 * i);
+    const Index n = node.n_unknowns;
+    const Eigen::Vector3d free = change->force.segment<3>(place) - node.fixed;
+    const Eigen::VectorXd x = node.basis.leftCols(n).colPivHouseholderQr().solve(free);
+    EXPECT_LT((node.basis.leftCols(n) * x - free).norm(), 1e-12);
+    const Eigen::VectorXd left =
+        node.rows.leftCols(n).transpose() * moved.segment<3>(place) + node.diagonal.head(n).cwiseProduct(x);
+    EXPECT_LT((left - node.right_side.head(n)).norm(), 1e-12);
+  }
+  EXPECT_NEAR(conditions.face.col(0).dot(change->force), 0.5, 1e-12);
+}
+
+/// Such systems, and those with many unknowns, are left to GMRES.
+TEST(DirectConditions, AreNotSolvedWhereTheyAreSingular)
+{
+  const Eigen::MatrixXd one_body = Eigen::MatrixXd::Ones(75, 75);
+  const GridProblem grid(case_a), large(case_a, 8);
+  const auto conditions = [](const GridProblem &of)
+  { return linearize(of.problem, of.zero(), of.problem.displacement(of.zero())).conditions; };
+  EXPECT_FALSE(solve_directly(conditions(grid), DenseView(one_body.data(), 75, 75), 75).has_value());
+  EXPECT_TRUE(solve_directly(conditions(grid), *grid.compliance.dense(), 1).has_value());
+  EXPECT_FALSE(solve_directly(conditions(large), *large.compliance.dense(), 1).has_value());
+}
+
+TEST(LargestEigenvalue, IsFoundFromBelow)
+{
+  for (const Index n : {1, 2, 5, 12})
+  {
+    const DenseCompliance compliance(grid_compliance(n));
+    const Eigen::MatrixXd w = *compliance.dense();
+    const double exact = Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd>(w).eigenvalues().maxCoeff();
+    EXPECT_LE(compliance.softness(), exact * (1 + 1e-12));
+    EXPECT_GE(compliance.softness(), exact * (1 - 1e-3));
   }
 }
 
@@ -116,19 +206,23 @@ TEST(Linearization, PointsToTheZeroOfTheLinearizedMap)
 /// metres or nanometres.
 TEST(Linearization, KnowsNoUnits)
 {
-  const GridProblem grid(case_c);
-  const ContactSolverOptions options = solver_options("newton");
-  NodeVector expected = grid.zero();
-  solve_step(grid.problem, options, expected);
-  for (const double force : {1e-30, 1e30})
-    for (const double length : {1e-20, 1e20})
-    {
-      const auto [compliance, free] = in_units(grid, force, length);
-      const ContactSystem system(compliance, std::vector<OrthotropicFriction>(compliance.n_nodes(), case_c));
-      const ContactStep problem(system, step_displacement(free, grid.zero()));
-      NodeVector found = grid.zero();
-      EXPECT_TRUE(solve_step(problem, options, found).converged);
-      EXPECT_LT((found / force - expected).norm(), 1e-9 * expected.norm());
-    }
+  for (const Index size : grid_sizes)
+  {
+    const GridProblem grid(case_c, size);
+    const ContactSolverOptions options = solver_options("newton");
+    NodeVector expected = grid.zero();
+    solve_step(grid.problem, options, expected);
+    for (const double force : {1e-30, 1e30})
+      for (const double length : {1e-20, 1e20})
+      {
+        const auto [compliance, free] = in_units(grid, force, length);
+        const ContactSystem system(compliance,
+                                   std::vector<OrthotropicFriction>(compliance.n_nodes(), case_c));
+        const ContactStep problem(system, step_displacement(free, grid.zero()));
+        NodeVector found = grid.zero();
+        EXPECT_TRUE(solve_step(problem, options, found).converged);
+        EXPECT_LT((found / force - expected).norm(), 1e-9 * expected.norm());
+      }
+  }
 }
 } // namespace orthocone::test

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/surface/compliance.h>
+
+#include <optional>
+
+namespace orthocone
+{
+/// Solves conditions of contact nodes on a dense compliance by elimination. `softness` (mm/N): the largest
+/// eigenvalue of W. Nothing where there is no unknown, where the system is singular, or where it has so many
+/// unknowns that GMRES is faster (docs/performance.md).
+std::optional<ContactChange> solve_directly(const ContactConditions &conditions, const DenseView &compliance,
+                                            double softness);
+} // namespace orthocone
