@@ -4,6 +4,7 @@
 
 #include <orthocone/base/text.h>
 #include <orthocone/output/history.h>
+#include <orthocone/scene/lower_body.h>
 
 #include <algorithm>
 #include <sstream>
@@ -50,6 +51,19 @@ fs::path run_folder_of(const CommandLine &line)
     return without_detours(line.output_folder);
   const fs::path stem = fs::path(line.parameter_file).stem();
   return "output" / (stem == "." || stem == ".." ? fs::path(line.parameter_file).filename() : stem);
+}
+
+void require_bodies_that_meet(const CommandLine &line, const Parameters &parameters,
+                              const ModelSymmetry &symmetry)
+{
+  try
+  {
+    require_cover(parameters, symmetry);
+  }
+  catch (const InputError &error)
+  {
+    throw InputError(shown_path(line.parameter_file) + ": " + error.what());
+  }
 }
 
 void keep_parameters(const RunFolder &folder, Assignment &task, const Parameters &parameters)

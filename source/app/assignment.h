@@ -38,6 +38,11 @@ std::string path_of(const CommandLine &line);
 /// The folder of the results.
 std::filesystem::path run_folder_of(const CommandLine &line);
 
+/// Throws InputError, with the name of the parameter file, where a lower body is not under all of the upper
+/// one: require_cover().
+void require_bodies_that_meet(const CommandLine &line, const Parameters &parameters,
+                              const ModelSymmetry &symmetry);
+
 /// Writes the parameters into the run folder: as the user wrote them, and complete. Throws FileError.
 void keep_parameters(const RunFolder &folder, Assignment &task, const Parameters &parameters);
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
+#include "assignment.h"
 #include "commands.h"
 
 #include <orthocone/accuracy/backend_choice.h>
@@ -134,6 +135,8 @@ int check(const CommandLine &line, const Parameters &given)
     std::cout << "adaptive       " << parameters.mesh.adaptive
               << " rounds of refinement by the run; what follows is for the mesh before them\n";
   const ModelSize size = model_size(parameters, model.symmetry);
+  if (size.dofs <= largest_meshed)
+    require_bodies_that_meet(line, parameters, model.symmetry);
   if (given.mesh.accuracy != 0)
     print_unknown_mesh(given, model);
   else if (size.dofs > largest_meshed)

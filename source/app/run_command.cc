@@ -25,19 +25,15 @@ namespace
 namespace fs = std::filesystem;
 
 /// Refuses a model for which there is not enough memory, before anything is touched.
-void require_memory_for(const Assignment &task)
+void require_memory_for(const Assignment &task, const Parameters &parameters)
 {
-  Parameters parameters = task.file.parameters;
-  if (task.line.insist || parameters.mesh.accuracy != 0) // a search checks the memory itself
-    return;
-  parameters.mesh =
-      resolved_mesh(parameters.geometry, parameters.mesh, task.model.symmetry.is_axisymmetric());
   MemoryLimit limit = memory_limit();
   limit.gigabytes = of_first_rank(limit.gigabytes); // all must find the same
-  parameters.mesh.backend = choose_backend(parameters, task.model.symmetry, limit.gigabytes).backend;
+  Parameters chosen = parameters;
+  chosen.mesh.backend = choose_backend(parameters, task.model.symmetry, limit.gigabytes).backend;
   try
   {
-    require_memory(parameters, task.model.symmetry, limit);
+    require_memory(chosen, task.model.symmetry, limit);
   }
   catch (const TooLargeError &error)
   {
@@ -47,6 +43,19 @@ void require_memory_for(const Assignment &task)
   {
     throw InputError(shown_path(task.line.parameter_file) + ": " + error.what());
   }
+}
+
+/// Refuses what can be known of a model without long work, before anything is touched.
+void require_model_of(const Assignment &task)
+{
+  Parameters parameters = task.file.parameters;
+  if (parameters.mesh.accuracy != 0) // a search finds out itself
+    return;
+  const ModelSymmetry &symmetry = task.model.symmetry;
+  parameters.mesh = resolved_mesh(parameters.geometry, parameters.mesh, symmetry.is_axisymmetric());
+  if (!task.line.insist)
+    require_memory_for(task, parameters);
+  require_bodies_that_meet(task.line, parameters, symmetry);
 }
 
 /// Whether a search for the mesh or for parts of load steps comes before the run.
@@ -165,7 +174,7 @@ int report_end(const QuasiStaticProblem::Outcome &outcome, const RunFolder &fold
 int run(const CommandLine &line, const ParameterFile &file)
 {
   Assignment task{line, file, resolve(line, file.parameters), ThreadChooser(line)};
-  require_memory_for(task);
+  require_model_of(task);
   const RunFolder folder(is_first_rank() ? std::optional(run_folder_of(line)) : std::nullopt);
   QuasiStaticProblem::Outcome outcome;
   bool is_thrown = true;

@@ -91,4 +91,17 @@ MatrixXd LowerBody::compliance() const
   const MatrixXd whole = map_ * half.transpose();
   return (whole + whole.transpose()) / 2;
 }
+
+void require_cover(const Parameters &parameters, const ModelSymmetry &symmetry)
+{
+  if (parameters.obstacle.kind != ObstacleKind::body)
+    return;
+  const Body upper(parameters, symmetry);
+  of_lower_body(
+      [&]
+      {
+        const Body lower(lower_parameters(parameters), symmetry);
+        checked_map(upper.unknowns().contact_surface(), lower.unknowns().contact_surface());
+      });
+}
 } // namespace orthocone

@@ -39,7 +39,7 @@ void Compliance::restore(const std::vector<Eigen::VectorXd> &) const {}
 
 double Compliance::softness() const
 {
-  return largest_eigenvalue(n_nodes(), 1e-5,
+  return largest_eigenvalue(n_nodes(), 1e-4,
                             [this](const NodeVector &force)
                             {
                               NodeVector displacement;

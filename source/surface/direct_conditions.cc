@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include "direct_conditions.h"
 
+#include <algorithm>
+
 namespace orthocone
 {
 namespace
@@ -15,7 +17,6 @@ struct Equations
 {
   MatrixXd matrix;
   VectorXd right_side;
-  NodeVector fixed; ///< changes of force that are given
 };
 
 /// Number of the first unknown of each node, and at last that of all nodes.
@@ -26,6 +27,15 @@ std::vector<Index> first_unknowns(const ContactConditions &conditions)
   for (const NodeCondition &node : conditions.nodes)
     first.push_back(first.back() + node.n_unknowns);
   return first;
+}
+
+/// The changes of force that are given.
+NodeVector fixed_forces(const ContactConditions &conditions)
+{
+  NodeVector fixed(3 * static_cast<Index>(conditions.nodes.size()));
+  for (std::size_t i = 0; i < conditions.nodes.size(); ++i)
+    fixed.segment<3>(3 * static_cast<Index>(i)) = conditions.nodes[i].fixed;
+  return fixed;
 }
 
 /// Displacements of the nodes for each unknown.
@@ -43,14 +53,12 @@ MatrixXd moved_by_unknowns(const ContactConditions &conditions, const std::vecto
 }
 
 Equations equations_of(const ContactConditions &conditions, const std::vector<Index> &first,
-                       const DenseView &compliance, const double softness)
+                       const NodeVector &fixed, const DenseView &compliance, const double softness)
 {
   const Index n = first.back(), m = conditions.face.cols();
   const MatrixXd moved = moved_by_unknowns(conditions, first, compliance, softness);
-  Equations equations{MatrixXd::Zero(n + m, n + m), VectorXd(n + m), NodeVector(compliance.rows())};
-  for (std::size_t i = 0; i < conditions.nodes.size(); ++i)
-    equations.fixed.segment<3>(3 * static_cast<Index>(i)) = conditions.nodes[i].fixed;
-  const NodeVector moved_by_fixed = compliance.selfadjointView<Eigen::Lower>() * equations.fixed;
+  const NodeVector moved_by_fixed = compliance.selfadjointView<Eigen::Lower>() * fixed;
+  Equations equations{MatrixXd::Zero(n + m, n + m), VectorXd(n + m)};
   for (std::size_t i = 0; i < conditions.nodes.size(); ++i)
   {
     const NodeCondition &node = conditions.nodes[i];
@@ -65,7 +73,7 @@ Equations equations_of(const ContactConditions &conditions, const std::vector<In
         conditions.face.middleRows<3>(place).transpose().lazyProduct(node.basis.leftCols(u));
   }
   if (m > 0) // BLAS wants no empty matrix
-    equations.right_side.tail(m) = conditions.face_right_side - conditions.face.transpose() * equations.fixed;
+    equations.right_side.tail(m) = conditions.face_right_side - conditions.face.transpose() * fixed;
   return equations;
 }
 
@@ -75,22 +83,16 @@ bool is_singular(const Eigen::PartialPivLU<MatrixXd> &factor)
   const VectorXd pivots = factor.matrixLU().diagonal().cwiseAbs();
   return !(pivots.minCoeff() > rounding * pivots.maxCoeff());
 }
-} // namespace
 
-std::optional<ContactChange> solve_directly(const ContactConditions &conditions, const DenseView &compliance,
-                                            const double softness)
+std::optional<ContactChange> eliminated(const ContactConditions &conditions, const std::vector<Index> &first,
+                                        const DenseView &compliance, const double softness)
 {
-  constexpr Index most_unknowns = 100;
-  const std::vector<Index> first = first_unknowns(conditions);
-  if (first.back() == 0 || first.back() > most_unknowns)
-    return std::nullopt;
-  const Equations equations = equations_of(conditions, first, compliance, softness);
+  ContactChange change{fixed_forces(conditions)};
+  const Equations equations = equations_of(conditions, first, change.force, compliance, softness);
   const Eigen::PartialPivLU<MatrixXd> factor(equations.matrix);
   if (is_singular(factor))
     return std::nullopt;
   const VectorXd unknowns = factor.solve(equations.right_side);
-  ContactChange change;
-  change.force = equations.fixed;
   for (std::size_t i = 0; i < conditions.nodes.size(); ++i)
   {
     const NodeCondition &node = conditions.nodes[i];
@@ -99,5 +101,55 @@ std::optional<ContactChange> solve_directly(const ContactConditions &conditions,
   }
   change.face = softness * unknowns.tail(conditions.face.cols());
   return change;
+}
+
+/// Whether the face is at rest and no node slips: then displacements are given, or forces.
+bool are_held(const ContactConditions &conditions)
+{
+  return conditions.face.cols() == 0 &&
+         std::none_of(conditions.nodes.begin(), conditions.nodes.end(),
+                      [](const NodeCondition &node) { return node.n_unknowns == 2; });
+}
+
+/// The forces that hold the stuck nodes: their W is symmetric, so that half of the work does.
+std::optional<ContactChange> held(const ContactConditions &conditions, const std::vector<Index> &first,
+                                  const DenseView &compliance)
+{
+  ContactChange change{fixed_forces(conditions)};
+  const NodeVector moved = compliance.selfadjointView<Eigen::Lower>() * change.force;
+  MatrixXd matrix(first.back(), first.back());
+  VectorXd unknowns(first.back());
+  for (std::size_t j = 0; j < conditions.nodes.size(); ++j)
+  {
+    const NodeCondition &node = conditions.nodes[j];
+    const Index place = 3 * static_cast<Index>(j);
+    if (node.n_unknowns == 0)
+      continue;
+    unknowns.segment<3>(first[j]) =
+        node.rows.transpose().inverse() * node.right_side - moved.segment<3>(place);
+    for (std::size_t i = j; i < conditions.nodes.size(); ++i)
+      if (conditions.nodes[i].n_unknowns > 0)
+        matrix.block<3, 3>(first[i], first[j]) = compliance.block<3, 3>(3 * static_cast<Index>(i), place);
+  }
+  const Eigen::LLT<Eigen::Ref<MatrixXd>> factor(matrix);
+  if (factor.info() != Eigen::Success)
+    return std::nullopt;
+  factor.solveInPlace(unknowns);
+  for (std::size_t i = 0; i < conditions.nodes.size(); ++i)
+    if (conditions.nodes[i].n_unknowns > 0)
+      change.force.segment<3>(3 * static_cast<Index>(i)) += unknowns.segment<3>(first[i]);
+  return change;
+}
+} // namespace
+
+std::optional<ContactChange> solve_directly(const ContactConditions &conditions, const DenseView &compliance,
+                                            const double softness)
+{
+  constexpr Index most_unknowns = 100, most_held = 240; // docs/performance.md
+  const std::vector<Index> first = first_unknowns(conditions);
+  const Index n = first.back();
+  if (n > 0 && n <= most_held && are_held(conditions))
+    return held(conditions, first, compliance);
+  return n > 0 && n <= most_unknowns ? eliminated(conditions, first, compliance, softness) : std::nullopt;
 }
 } // namespace orthocone

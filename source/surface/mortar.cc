@@ -21,19 +21,41 @@ using Eigen::VectorXd;
 
 namespace
 {
+template<typename Places>
+Eigen::AlignedBox2d box_of(const Places &places)
+{
+  Eigen::AlignedBox2d box;
+  for (const Vector2d &place : places)
+    box.extend(place);
+  return box;
+}
+
+/// Whether two boxes share more than an edge.
+bool overlap(const Eigen::AlignedBox2d &a, const Eigen::AlignedBox2d &b)
+{
+  return (a.max().cwiseMin(b.max()).array() > a.min().cwiseMax(b.min()).array()).all();
+}
+
+/// A triangle of an outline.
+struct Part
+{
+  SignedTriangle triangle;
+  Eigen::AlignedBox2d box;
+};
+
 /// A face and the triangles of its outline.
 struct CutFace
 {
   CutFace(const unsigned int degree, std::vector<Vector2d> places)
       : face(degree, std::move(places)),
-        parts(triangles(face.outline())),
-        area(std::abs(signed_area(face.outline())))
+        area(std::abs(signed_area(face.outline()))),
+        box(box_of(face.outline()))
   {
-    for (const Vector2d &corner : face.outline())
-      box.extend(corner);
+    for (const SignedTriangle &triangle : triangles(face.outline()))
+      parts.push_back({triangle, box_of(triangle.corners)});
   }
   PlaneFace face;
-  std::vector<SignedTriangle> parts;
+  std::vector<Part> parts{};
   double area;
   Eigen::AlignedBox2d box;
 };
@@ -97,9 +119,11 @@ struct FaceIntegrals
 void add_common(const CutFace &own, const CutFace &other, const TriangleRule &rule, FaceIntegrals &sums,
                 MatrixXd &mixed)
 {
-  for (const SignedTriangle &part : own.parts)
-    for (const SignedTriangle &of_other : other.parts)
+  for (const auto &[part, box] : own.parts)
+    for (const auto &[of_other, other_box] : other.parts)
     {
+      if (!overlap(box, other_box))
+        continue;
       const double sign = part.sign * of_other.sign;
       rule.at_points(common_part(part.corners, of_other.corners),
                      [&](const Vector2d &position, const double area)
@@ -119,7 +143,7 @@ FaceIntegrals integrals(const CutFace &own, const std::vector<CutFace> &others, 
   FaceIntegrals sums(own.face.values({0, 0}).size());
   for (std::size_t k = 0; k < others.size(); ++k)
   {
-    if (!own.box.intersects(others[k].box))
+    if (!overlap(own.box, others[k].box))
       continue;
     MatrixXd mixed = MatrixXd::Zero(sums.single.size(), others[k].face.values({0, 0}).size());
     add_common(own, others[k], rule, sums, mixed);

@@ -11,7 +11,7 @@ import time
 sys.dont_write_bytecode = True  # the source tree stays clean
 from program import PROGRAM, RunTest, SCENE, SMALL, main  # noqa: E402
 
-DONE, FILE_ERROR = 0, 4
+DONE, BAD_INPUT, FILE_ERROR = 0, 2, 4
 
 
 class RunFolderTest(RunTest):
@@ -51,6 +51,19 @@ class RunFolderTest(RunTest):
         before = self.content("mine")
         self.assertEqual(self.start("parameters.prm", "--output", ".", folder="mine").returncode, FILE_ERROR)
         self.assertEqual(self.content("mine"), before)
+
+    def test_bodies_that_do_not_meet_replace_nothing(self):
+        """The sizes of both bodies are right. Only their meshes tell that one is not under the other."""
+        self.put("case.prm", SCENE)
+        self.assertEqual(self.start("case.prm", "--output", "run").returncode, DONE)
+        before = self.content("run")
+        narrow = ("--set", "Obstacle/Kind=body", "--set", "Lower geometry/Radius=9", "--set", "Lower mesh/Layers=1")
+        for arguments in (("--output", "run"), ("--output", "run", "--insist"), ("--check",)):
+            result = self.start("case.prm", *arguments, *narrow)
+            self.assertEqual(result.returncode, BAD_INPUT, result.stderr)
+            self.assertRegex(result.stderr, r"^orthocone: case\.prm: Obstacle/Kind = body: the lower body is under \d+ % of the face "
+                                            r"of the contact surface about \(.*\) mm: allowed are 90 and more of every face; .*\n$")
+            self.assertEqual(self.content("run"), before)
 
     def test_folders_of_earlier_versions_are_replaced(self):
         """They had no marker, but a checkpoint."""

@@ -43,4 +43,8 @@ private:
   Eigen::SparseMatrix<double> map_; ///< 3 n x 3 m
   NodeVector gaps_;
 };
+
+/// Throws InputError where a lower body does not lie under all of the upper one. It makes both meshes, and
+/// factorizes nothing.
+void require_cover(const Parameters &parameters, const ModelSymmetry &symmetry);
 } // namespace orthocone

@@ -148,7 +148,26 @@ TEST(Linearization, MapsVanishTogether)
   }
 }
 
-/// What is wanted of the conditions, beside a face that moves, put into them.
+void expect_met(const ContactConditions &conditions, const DenseView &w, const ContactChange &change)
+{
+  NodeVector moved = w * change.force;
+  if (conditions.face.cols() > 0)
+    moved += conditions.face * change.face;
+  for (std::size_t i = 0; i < conditions.nodes.size(); ++i)
+  {
+    const NodeCondition &node = conditions.nodes[i];
+    const auto place = static_cast<Index>(3 * i);
+    const Index n = node.n_unknowns;
+    const Eigen::Vector3d free = change.force.segment<3>(place) - node.fixed;
+    const Eigen::VectorXd x = node.basis.leftCols(n).colPivHouseholderQr().solve(free);
+    EXPECT_LT((node.basis.leftCols(n) * x - free).norm(), 1e-12);
+    const Eigen::VectorXd left =
+        node.rows.leftCols(n).transpose() * moved.segment<3>(place) + node.diagonal.head(n).cwiseProduct(x);
+    EXPECT_LT((left - node.right_side.head(n)).norm(), 1e-12);
+  }
+}
+
+/// Nodes that stick, slip and are open, one of them with a force that is given, and a face that moves.
 TEST(DirectConditions, AreMet)
 {
   const GridProblem grid(case_c);
@@ -162,20 +181,32 @@ TEST(DirectConditions, AreMet)
   conditions.face_right_side = Eigen::VectorXd::Constant(1, 0.5);
   const auto change = solve_directly(conditions, w, grid.system.softness());
   ASSERT_TRUE(change.has_value());
-  const NodeVector moved = w * change->force + conditions.face * change->face;
-  for (std::size_t i = 0; i < conditions.nodes.size(); ++i)
-  {
-    const NodeCondition &node = conditions.nodes[i];
-    const auto place = static_cast<Index>(3 * i);
-    const Index n = node.n_unknowns;
-    const Eigen::Vector3d free = change->force.segment<3>(place) - node.fixed;
-    const Eigen::VectorXd x = node.basis.leftCols(n).colPivHouseholderQr().solve(free);
-    EXPECT_LT((node.basis.leftCols(n) * x - free).norm(), 1e-12);
-    const Eigen::VectorXd left =
-        node.rows.leftCols(n).transpose() * moved.segment<3>(place) + node.diagonal.head(n).cwiseProduct(x);
-    EXPECT_LT((left - node.right_side.head(n)).norm(), 1e-12);
-  }
+  expect_met(conditions, w, *change);
   EXPECT_NEAR(conditions.face.col(0).dot(change->force), 0.5, 1e-12);
+}
+
+/// More unknowns than elsewhere are no obstacle where no node slips.
+TEST(DirectConditions, AreMetWhereAllNodesStickOrAreOpen)
+{
+  const GridProblem grid(case_c, 8);
+  const DenseView &w = *grid.compliance.dense();
+  ContactConditions conditions{{}, Eigen::MatrixXd(w.rows(), 0), {}};
+  for (Index i = 0; i < w.rows() / 3; ++i)
+  {
+    NodeCondition node;
+    node.fixed << 0.1, 0.02 * static_cast<double>(i % 3), -0.2;
+    if (i % 5 != 0)
+    {
+      node.n_unknowns = 3;
+      node.basis.setIdentity();
+      node.rows << 2, 0.3, 0, 0.1, 1.5, 0, 0, 0.2, 1;
+      node.right_side << 0.4, -0.1, 0.05 * static_cast<double>(i % 7);
+    }
+    conditions.nodes.push_back(node);
+  }
+  const auto change = solve_directly(conditions, w, grid.system.softness());
+  ASSERT_TRUE(change.has_value());
+  expect_met(conditions, w, *change);
 }
 
 /// Such systems, and those with many unknowns, are left to GMRES.
@@ -184,7 +215,10 @@ TEST(DirectConditions, AreNotSolvedWhereTheyAreSingular)
   const Eigen::MatrixXd one_body = Eigen::MatrixXd::Ones(75, 75);
   const GridProblem grid(case_a), large(case_a, 8);
   const auto conditions = [](const GridProblem &of)
-  { return linearize(of.problem, of.zero(), of.problem.displacement(of.zero())).conditions; };
+  {
+    const NodeVector force = weak_force(of);
+    return linearize(of.problem, force, of.problem.displacement(force)).conditions;
+  };
   EXPECT_FALSE(solve_directly(conditions(grid), DenseView(one_body.data(), 75, 75), 75).has_value());
   EXPECT_TRUE(solve_directly(conditions(grid), *grid.compliance.dense(), 1).has_value());
   EXPECT_FALSE(solve_directly(conditions(large), *large.compliance.dense(), 1).has_value());
