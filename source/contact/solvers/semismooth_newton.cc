@@ -199,12 +199,11 @@ bool SemismoothNewton::is_solved(const ContactStep &step, const Iterate &iterate
 bool SemismoothNewton::run_round(const unsigned int round, const unsigned int n_sweeps,
                                  Progress &progress) const
 {
-  constexpr double good_start = 0.1; // from a worse one the natural map soon stalls
   for (unsigned int i = 0; i < n_sweeps && progress.iterations < options_.maximum_iterations;
        ++i, ++progress.iterations)
     sweeps_.sweep(progress.step, progress.unknowns, relaxation_of_round(round));
-  if (round == 0 && progress.residual > good_start)
-    iterate_pressure_first(progress);
+  if (round == 0)
+    iterate_pressure_first(progress); // the natural map stalls sooner (docs/performance.md)
   if (round == 0 && progress.residual <= options_.tolerance)
     return false;
   iterate_while_it_pays(progress);
