@@ -48,7 +48,8 @@ MatrixXd moved_by_unknowns(const ContactConditions &conditions, const std::vecto
     if (const NodeCondition &node = conditions.nodes[i]; node.n_unknowns > 0)
       moved.middleCols(first[i], node.n_unknowns).noalias() =
           compliance.middleCols<3>(3 * static_cast<Index>(i)) * node.basis.leftCols(node.n_unknowns);
-  moved.rightCols(m) = softness * conditions.face;
+  if (m > 0)
+    moved.rightCols(m) = softness * conditions.face;
   return moved;
 }
 
@@ -69,10 +70,11 @@ Equations equations_of(const ContactConditions &conditions, const std::vector<In
     equations.matrix.middleRows(k, u).noalias() = tested * moved.middleRows<3>(place);
     equations.matrix.diagonal().segment(k, u) += node.diagonal.head(u);
     equations.right_side.segment(k, u) = node.right_side.head(u) - tested * moved_by_fixed.segment<3>(place);
-    equations.matrix.block(n, k, m, u).noalias() =
-        conditions.face.middleRows<3>(place).transpose().lazyProduct(node.basis.leftCols(u));
+    if (m > 0)
+      equations.matrix.block(n, k, m, u).noalias() =
+          conditions.face.middleRows<3>(place).transpose() * node.basis.leftCols(u);
   }
-  if (m > 0) // BLAS wants no empty matrix
+  if (m > 0)
     equations.right_side.tail(m) = conditions.face_right_side - conditions.face.transpose() * fixed;
   return equations;
 }
