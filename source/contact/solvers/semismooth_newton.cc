@@ -84,6 +84,7 @@ private:
 
   void iterate_while_it_pays(Progress &progress) const;
   void iterate_pressure_first(Progress &progress) const;
+  void iterate_in_full(Progress &progress) const;
   bool is_solved(const ContactStep &step, const Iterate &iterate) const;
   bool run_round(unsigned int round, unsigned int n_sweeps, Progress &progress) const;
 
@@ -187,6 +188,27 @@ void SemismoothNewton::iterate_pressure_first(Progress &progress) const
   progress.offer(step.admissible(std::move(best)));
 }
 
+/// Takes Newton's steps on the natural map in full, whatever the residual does on the way: where pieces of
+/// the map meet, line searches may stop at a corner that full steps pass.
+void SemismoothNewton::iterate_in_full(Progress &progress) const
+{
+  constexpr unsigned int most_iterations = 15;
+  constexpr double tight = 1e-4; // what single precision gives without trouble
+  const ContactStep &step = progress.step;
+  VectorXd trial = progress.unknowns;
+  for (unsigned int i = 0; i < most_iterations && progress.iterations < options_.maximum_iterations &&
+                           progress.residual > options_.tolerance;
+       ++i)
+  {
+    const auto linearization = linearize(step, trial, step.displacement(trial), options_.rho_factor);
+    trial += newton_change(*conditions_, linearization, tight); // may leave the cone on the way
+    ++progress.iterations;
+    if (!trial.allFinite())
+      break;
+    progress.offer(step.admissible(trial));
+  }
+}
+
 /// Whether an iterate is within the tolerance. Its own map says it without long work where it is far from it.
 bool SemismoothNewton::is_solved(const ContactStep &step, const Iterate &iterate) const
 {
@@ -208,7 +230,10 @@ bool SemismoothNewton::run_round(const unsigned int round, const unsigned int n_
     return false;
   iterate_while_it_pays(progress);
   if (round > 0 && progress.residual > options_.tolerance)
+  {
     iterate_pressure_first(progress);
+    iterate_in_full(progress);
+  }
   return progress.residual > options_.tolerance &&
          progress.balance.runs_away(progress.step, progress.unknowns);
 }
