@@ -18,7 +18,7 @@ from program import PROGRAM, ROOT, SMALL, main  # noqa: E402
 SOLVE = pathlib.Path(PROGRAM).resolve().parent / "orthocone-solve"
 PRESS_AND_TURN = "Load program/Legs=0 0 -0.1 : 2 ; 0.01 0.004 -0.1 : 2"
 FULL = [*SMALL, "Mesh/Model=full", PRESS_AND_TURN]
-TOLERANCE = 1e-10
+TOLERANCE = 1e-11  # a slip rule far from the cone makes a hundred times as much of it in the forces
 
 # Every kind of scene that has a compliance W: settings beside the coarse mesh of case B.
 SCENES = {
