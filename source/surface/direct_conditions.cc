@@ -91,6 +91,8 @@ std::optional<ContactChange> eliminated(const ContactConditions &conditions, con
 {
   ContactChange change{fixed_forces(conditions)};
   const Equations equations = equations_of(conditions, first, change.force, compliance, softness);
+  if (!equations.matrix.allFinite()) // LAPACK would leave the pivots as they are
+    return std::nullopt;
   const Eigen::PartialPivLU<MatrixXd> factor(equations.matrix);
   if (is_singular(factor))
     return std::nullopt;

@@ -11,6 +11,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <limits>
 
 namespace orthocone::test
 {
@@ -227,6 +228,10 @@ TEST(DirectConditions, AreNotSolvedWhereTheyAreSingular)
   EXPECT_FALSE(solve_directly(conditions(grid), DenseView(one_body.data(), 75, 75), 75).has_value());
   EXPECT_TRUE(solve_directly(conditions(grid), *grid.compliance.dense(), 1).has_value());
   EXPECT_FALSE(solve_directly(conditions(large), *large.compliance.dense(), 1).has_value());
+  ContactConditions infinite = conditions(grid);
+  infinite.nodes[12].n_unknowns = 2;
+  infinite.nodes[12].rows(0, 0) = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(solve_directly(infinite, *grid.compliance.dense(), 1).has_value());
 }
 
 TEST(LargestEigenvalue, IsFoundFromBelow)
