@@ -118,7 +118,7 @@ DONE_WITH = [
 UNSOLVED_WITH = [
     (["Material/Young modulus=1e-300"], "load step 1 of 4"),
     *[([f"Load program/Legs={slide} 0 -0.1 : 2"], "Checks/(Penetration: .* no more digits are left|Energy identity: )")
-      for slide in ("1e12", "1e13")],
+      for slide in ("1e10", "3e10")],
     (["Material/Young modulus=1e-320"], "load step 1"),
     (["Material/Poisson ratio=0.49999999999999994"], "stiffness|Poisson"),
     (["Mesh/Resolution=coarse", "Material/Poisson ratio=0.49999999", "Mesh/Volumetric quadrature=reduced"],
