@@ -117,8 +117,7 @@ DONE_WITH = [
 # Settings of a run that cannot be solved, and what is said.
 UNSOLVED_WITH = [
     (["Material/Young modulus=1e-300"], "load step 1 of 4"),
-    *[([f"Load program/Legs={slide} 0 -0.1 : 2"], "Checks/(Penetration: .* no more digits are left|Energy identity: )")
-      for slide in ("1e10", "3e10")],
+    (["Load program/Legs=3e10 0 -0.1 : 2"], "Checks/(Penetration: .* no more digits are left|Energy identity: )"),
     (["Material/Young modulus=1e-320"], "load step 1"),
     (["Material/Poisson ratio=0.49999999999999994"], "stiffness|Poisson"),
     (["Mesh/Resolution=coarse", "Material/Poisson ratio=0.49999999", "Mesh/Volumetric quadrature=reduced"],
