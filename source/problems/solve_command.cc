@@ -4,6 +4,7 @@
 
 #include <orthocone/base/errors.h>
 #include <orthocone/base/stopwatch.h>
+#include <orthocone/base/threads.h>
 #include <orthocone/contact/solvers/contact_method.h>
 #include <orthocone/contact/solvers/contact_solver.h>
 #include <orthocone/problems/problem_file.h>
@@ -226,6 +227,7 @@ ExitCode solve(const SolveOptions &options, std::ostream &out)
 {
   ContactProblem problem = read_problem(options.file);
   set_laws(options, problem.laws);
+  const BlasThreads threads(problem.q.size());
   Answer found;
   std::vector<double> seconds;
   for (unsigned int i = 0; i < options.n_repeats; ++i)

@@ -4,7 +4,6 @@
 
 #include "dense_conditions.h"
 
-#include <cmath>
 #include <stdexcept>
 #include <utility>
 

@@ -44,6 +44,7 @@ NodeCondition condition_of(const OrthotropicFriction &law, const double rho, con
   condition.fixed = -projection.normal.dot(map) * projection.normal;
   return condition;
 }
+
 /// A node's part of a map: its linearization, and its value where it is not 0.
 struct NodePart
 {

@@ -65,12 +65,12 @@ double relaxation_of_round(const unsigned int round)
   return round % 4 == 1 ? 0.3 : 0.05;
 }
 
-constexpr double inexactness =
-    0.01; // of Newton's steps: tighter costs more products than it saves iterations
+/// Of Newton's steps: a tighter bound costs more products than it saves iterations.
+constexpr double inexactness = 0.01;
 
 /// Semismooth Newton with a backtracking line search, on the natural map and on that of Alart and Curnier,
-/// whose pieces meet elsewhere. Where both stall, it returns to exact sweeps from the best iterate, so that
-/// it inherits their robustness.
+/// whose pieces meet elsewhere. Where both stall, it falls back on exact sweeps, so that it inherits their
+/// robustness.
 class SemismoothNewton : public ContactSolver
 {
 public:
@@ -225,9 +225,11 @@ bool SemismoothNewton::run_round(const unsigned int round, const unsigned int n_
        ++i, ++progress.iterations)
     sweeps_.sweep(progress.step, progress.unknowns, relaxation_of_round(round));
   if (round == 0)
+  {
     iterate_pressure_first(progress); // the natural map stalls sooner (docs/performance.md)
-  if (round == 0 && progress.residual <= options_.tolerance)
-    return false;
+    if (progress.residual <= options_.tolerance)
+      return false;
+  }
   iterate_while_it_pays(progress);
   if (round > 0 && progress.residual > options_.tolerance)
   {
