@@ -19,17 +19,6 @@ namespace
 {
 using Eigen::VectorXd;
 
-std::vector<CellRange> ranges_of(const std::vector<bool> &is_marked)
-{
-  std::vector<CellRange> ranges;
-  for (unsigned int i = 0; i < is_marked.size(); ++i)
-    if (is_marked[i] && (i == 0 || !is_marked[i - 1]))
-      ranges.push_back({i, i});
-    else if (is_marked[i])
-      ranges.back().last = i;
-  return ranges;
-}
-
 template<int dim>
 class WatchOfSpace : public RefinementWatch
 {
@@ -86,6 +75,17 @@ public:
   }
 
 private:
+  static std::vector<CellRange> ranges_of(const std::vector<bool> &is_marked)
+  {
+    std::vector<CellRange> ranges;
+    for (unsigned int i = 0; i < is_marked.size(); ++i)
+      if (is_marked[i] && (i == 0 || !is_marked[i - 1]))
+        ranges.push_back({i, i});
+      else if (is_marked[i])
+        ranges.back().last = i;
+    return ranges;
+  }
+
   /// For all cells, by their numbers in Mesh/Refined cells: the squared errors, and 1 on the border. The same
   /// on all ranks.
   std::pair<VectorXd, VectorXd> of_all_cells() const

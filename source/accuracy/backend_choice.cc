@@ -47,7 +47,7 @@ BackendChoice choose_backend(const Parameters &parameters, const ModelSymmetry &
     return {BodyBackend::multigrid, "backend        multigrid: " + std::to_string(n_ranks()) + " processes"};
   const ModelSize size = model_size(parameters, symmetry);
   const Estimate condensed = usual_estimate(parameters, size, symmetry);
-  const double n_steps = n_solved_parts(parameters.load);
+  const double n_steps = LoadProgram(parameters.load).n_solved_parts();
   const double seconds_condensed = condensed.set_up_seconds + n_steps * condensed.step_seconds;
   const bool fits = condensed.gigabytes <= gigabytes;
   const bool is_halved = parameters.mesh.refinements > 0 || !parameters.mesh.refined_cells.empty();

@@ -64,7 +64,7 @@ double drawn_nodes(const ContactSurface &surface, const ModelSymmetry &symmetry)
 
 double step_gigabytes(const LoadOptions &load, const double contact_nodes)
 {
-  const double n_steps = n_solved_parts(load);
+  const double n_steps = LoadProgram(load).n_solved_parts();
   const double starts = 2 * n_steps / std::max(1U, load.cycles) * 3 * contact_nodes * bytes_per_number;
   // The starts are kept, and take memory again in the text of a checkpoint.
   return (bytes_per_step * n_steps + 3 * std::min(starts, static_cast<double>(StartMemory::most_bytes))) /

@@ -79,7 +79,7 @@ LoadOptions first_cycle(LoadOptions load)
 FirstCycle march_first_cycle(const Scene &scene, const LoadOptions &load, StepSolver &solver,
                              const char *const entry, MarchObserver &also)
 {
-  const std::vector<LoadStep> steps = load_steps(first_cycle(load));
+  const std::vector<LoadStep> steps = LoadProgram(first_cycle(load)).steps();
   QuantityWatch watch(scene, peak(steps), also);
   ContactState state(scene.gaps());
   const BlasThreads threads(state.force.size());

@@ -166,7 +166,7 @@ private:
     halved.cycles = n_cycles_;
     Leg &leg = *legs_of(halved)[i];
     leg.parts *= 2;
-    return leg.parts <= most_parts && n_solved_parts(halved) <= most_solved_parts;
+    return leg.parts <= most_parts && LoadProgram(halved).n_solved_parts() <= most_solved_parts;
   }
 
   bool is_to_halve(const LegError &leg) const

@@ -67,7 +67,7 @@ bool has_jumps(const Parameters &parameters)
 /// Prints a model whose mesh has so many unknowns that making it takes too long for a check.
 void print_large_model(const Parameters &parameters, const ModelChoice &model, const ModelSize &size)
 {
-  const auto n_steps = static_cast<unsigned int>(n_solved_parts(parameters.load));
+  const auto n_steps = static_cast<unsigned int>(LoadProgram(parameters.load).n_solved_parts());
   const MemoryLimit limit = memory_limit();
   const bool is_condensed = parameters.mesh.backend != BodyBackend::multigrid;
   const Estimate cost =
@@ -93,7 +93,7 @@ void print_lower_mesh(const Parameters &parameters, const ModelChoice &model)
 
 void print_model(const Parameters &parameters, const ModelChoice &model)
 {
-  const auto n_steps = static_cast<unsigned int>(n_solved_parts(parameters.load));
+  const auto n_steps = static_cast<unsigned int>(LoadProgram(parameters.load).n_solved_parts());
   const MemoryLimit limit = memory_limit();
   const Body body(parameters, model.symmetry);
   std::cout << describe_model(parameters, model, body.unknowns()) << "\n";

@@ -25,7 +25,7 @@ QuasiStaticProblem::QuasiStaticProblem(ChosenModel chosen, const ModelChoice &ch
     : parameters_(chosen.parameters),
       folder_(folder),
       log_(log),
-      steps_(load_steps(parameters_.load)),
+      steps_(LoadProgram(parameters_.load).steps()),
       threads_(threads),
       chosen_(with_scene(std::move(chosen), choice)),
       scene_(*chosen_.scene),

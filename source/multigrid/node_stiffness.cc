@@ -67,7 +67,7 @@ NodeStiffness::NodeStiffness(const Discretization &space, const MaterialOptions 
 }
 
 NodeStiffness::NodeStiffness(const Discretization &space, const MaterialOptions &material,
-                             std::vector<unsigned int> row_of_dof)
+                             const std::vector<unsigned int> &row_of_dof)
     : NodeStiffness(space, row_of_dof, both_triangles(Stiffness(space, material).matrix(), row_of_dof))
 {
 }
@@ -138,7 +138,7 @@ void NodeStiffness::hold(const std::vector<NodeRelation> &relations, Matrix &mat
   for (const auto &[number, free] : near_contact_)
   {
     const auto found = resisting.find(number);
-    MatrixRow row = found == resisting.end() ? free : std::move(found->second);
+    MatrixRow row = found == resisting.end() ? free : found->second;
     for (std::size_t i = 0; i < row.columns.size(); ++i)
       if (row.columns[i] != number && (is_held_[number] || is_held_[row.columns[i]]))
         row.values[i] = 0;

@@ -73,7 +73,7 @@ private:
   };
 
   NodeStiffness(const Discretization &space, const MaterialOptions &material,
-                std::vector<unsigned int> row_of_dof);
+                const std::vector<unsigned int> &row_of_dof);
   NodeStiffness(const Discretization &space, std::vector<unsigned int> row_of_dof,
                 const std::vector<MatrixRow> &rows);
   std::map<unsigned int, MatrixRow> resisting_rows(const std::vector<NodeRelation> &relations);

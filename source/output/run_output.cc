@@ -12,7 +12,7 @@ RunOutput::RunOutput(const RunFolder &folder, const OutputOptions &options, cons
                      const ContactFieldEvaluator &evaluator)
     : folder_(folder),
       options_(options),
-      last_step_(load_steps(scene.parameters().load).size()),
+      last_step_(scene.program().n_steps()),
       scene_(scene),
       evaluator_(evaluator),
       history_(folder),

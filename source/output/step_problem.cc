@@ -21,14 +21,6 @@ constexpr bool has_fclib = true;
 #else
 constexpr bool has_fclib = false;
 #endif
-
-bool has_forces(const LoadOptions &load)
-{
-  for (unsigned int component = 0; component < n_rigid_components; ++component)
-    if (is_driven_by_force(load, component))
-      return true;
-  return false;
-}
 } // namespace
 
 void require_writable_problems(const Parameters &parameters, const ModelSymmetry &symmetry)
@@ -44,7 +36,7 @@ void require_writable_problems(const Parameters &parameters, const ModelSymmetry
     throw InputError(entry +
                      " with the axisymmetric model, whose nodes are rings: allowed is 0, or Mesh/Model "
                      "= full, half or quarter");
-  if (has_forces(parameters.load) && !parameters.friction.is_associated())
+  if (LoadProgram(parameters.load).has_forces() && !parameters.friction.is_associated())
     throw InputError(entry +
                      " with forces in the load program and a slip rule that is not associated, which "
                      "have no common form in FCLIB: allowed is 0, or Friction/Slip potential = associated");

@@ -197,9 +197,9 @@ std::string describe_lower_mesh(const Parameters &parameters, const BodyUnknowns
 
 std::string describe_steps(const LoadOptions &load)
 {
-  const std::size_t n_steps = load_steps(load).size();
+  const std::size_t n_steps = LoadProgram(load).n_steps();
   std::string line = "load steps     " + std::to_string(n_steps);
-  if (const auto n_parts = static_cast<std::size_t>(n_solved_parts(load)); n_parts != n_steps)
+  if (const auto n_parts = static_cast<std::size_t>(LoadProgram(load).n_solved_parts()); n_parts != n_steps)
     line += " in " + std::to_string(n_parts) + " parts";
   if (load.accuracy != 0)
     line += ", divided by the run for errors of " + to_text(load.accuracy) + " %";

@@ -224,7 +224,7 @@ std::string summary_json_before_steps(const std::string &status, const Parameter
 {
   OrderedJson json;
   json["status"] = status;
-  json["steps"] = {{"planned", load_steps(parameters.load).size()}, {"solved", 0}};
+  json["steps"] = {{"planned", LoadProgram(parameters.load).n_steps()}, {"solved", 0}};
   json["friction"] = friction_json(parameters);
   json["warnings"] = parameter_warnings(parameters);
   for (const auto &[name, version] : versions())

@@ -23,10 +23,8 @@ double largest_way(const RigidMotion &motion, const double reach)
 
 double largest_way(const LoadOptions &load, const double reach)
 {
-  LoadOptions once = load; // all cycles are alike
-  once.cycles = 1;
   double largest = 0;
-  for (const LoadStep &step : load_steps(once))
+  for (const LoadStep &step : LoadProgram(load).first_cycle().steps())
     largest = std::max(largest, largest_way(step.motion, reach));
   return largest;
 }

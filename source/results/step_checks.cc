@@ -112,7 +112,7 @@ StepChecker::StepChecker(const Scene &scene, const CheckOptions &options, const 
       tolerance_(tolerance),
       slip_amplification_(slip_amplification(scene.system())),
       n_copies_(scene.symmetry().n_copies()),
-      compression_(largest_motion(scene.parameters().load, 2)),
+      compression_(scene.program().largest_motion(2)),
       reach_(reach_of(scene.body().unknowns())),
       length_(largest_way(scene.parameters().load, reach_)),
       gaps_(scene.gaps()),

@@ -16,7 +16,7 @@ using Eigen::Vector2d;
 
 namespace
 {
-constexpr unsigned int normal = 2;
+constexpr unsigned int normal_component = 2;
 
 /// The held face on its way through the program, as long as motions alone determine where it is.
 class Way
@@ -36,8 +36,8 @@ public:
   /// Whether a force other than 0 takes over from a motion along z in this leg.
   bool is_left_by(const Leg &leg) const
   {
-    const auto &target = leg.targets[normal];
-    return target && target->by_force && target->value != 0 && !by_force_[normal];
+    const auto &target = leg.targets[normal_component];
+    return target && target->by_force && target->value != 0 && !by_force_[normal_component];
   }
 
   const RigidMotion &motion() const { return motion_; }
@@ -55,7 +55,7 @@ double least_gap(const Obstacle &obstacle, const SurfaceSample &sample, const Ri
     const Vector2d &place = sample.places[i];
     const double height = sample.heights.empty() ? 0 : sample.heights[i];
     const Eigen::Vector3d arm = Eigen::Vector3d(place[0], place[1], height) - sample.held_centre;
-    least = std::min(least, obstacle.gap(place) + height + held.at(arm)[normal]);
+    least = std::min(least, obstacle.gap(place) + height + held.at(arm)[normal_component]);
   }
   return least;
 }

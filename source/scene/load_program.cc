@@ -8,6 +8,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <utility>
 
 namespace orthocone
 {
@@ -32,7 +33,7 @@ double unit_of(const Drive &drive, const unsigned int component)
   return !drive.by_force && component >= first_rotation ? pi / 180 : 1;
 }
 
-using Drives = std::array<Drive, n_rigid_components>;
+using Drives = std::array<Drive, n_rigid_components>; // at the end of a leg
 
 /// Sets a component of a step that ends at the `share` of its leg, which starts from `before`.
 void set_component(LoadStep &step, const unsigned int i, const Drive &before, const Leg &leg)
@@ -54,18 +55,18 @@ struct Place
 };
 
 /// Step k of the n equal steps of a leg.
-LoadStep step_of(const Leg &leg, const Drives &drives, const unsigned int k, const unsigned int n,
+LoadStep step_of(const Leg &leg, const Drives &reached, const unsigned int k, const unsigned int n,
                  const Place &place)
 {
   LoadStep step{{}, place.number, k, place.cycle, place.phase};
   step.share = static_cast<double>(k) / n;
   for (unsigned int i = 0; i < n_rigid_components; ++i)
-    set_component(step, i, drives[i], leg);
+    set_component(step, i, reached[i], leg);
   return step;
 }
 
-/// Appends the steps of `legs`. The first leg starts from `drives`, which become the end of the last leg.
-void append(const std::vector<Leg> &legs, const unsigned int cycle, Drives &drives,
+/// Appends the steps of `legs`. The first leg starts from `reached`, which becomes the end of the last leg.
+void append(const std::vector<Leg> &legs, const unsigned int cycle, Drives &reached,
             std::vector<LoadStep> &steps)
 {
   unsigned int phase = 0;
@@ -77,14 +78,14 @@ void append(const std::vector<Leg> &legs, const unsigned int cycle, Drives &driv
     for (unsigned int k = 1; k <= leg.steps; ++k)
     {
       const auto number = static_cast<unsigned int>(steps.size()) + 1;
-      steps.push_back(step_of(leg, drives, k, leg.steps, {number, cycle, phase++}));
+      steps.push_back(step_of(leg, reached, k, leg.steps, {number, cycle, phase++}));
       for (unsigned int part = 1; leg.parts > 1 && part <= leg.parts; ++part)
-        steps.back().parts.push_back(step_of(leg, drives, (k - 1) * leg.parts + part, leg.steps * leg.parts,
+        steps.back().parts.push_back(step_of(leg, reached, (k - 1) * leg.parts + part, leg.steps * leg.parts,
                                              {number, cycle, phase_of_part + part - 1}));
       phase_of_part += leg.parts;
     }
     for (unsigned int i = 0; i < n_rigid_components; ++i)
-      drives[i] = leg.targets[i].value_or(drives[i]);
+      reached[i] = leg.targets[i].value_or(reached[i]);
   }
 }
 
@@ -100,95 +101,88 @@ bool any_target(const LoadOptions &load, const unsigned int component, const Tes
 }
 } // namespace
 
-bool FaceTarget::has_forces() const
+LoadProgram::LoadProgram(LoadOptions load)
+    : load_(std::move(load))
 {
-  return std::find(by_force.begin(), by_force.end(), true) != by_force.end();
 }
 
-bool FaceTarget::is_release() const
+std::vector<LoadStep> LoadProgram::steps() const
 {
-  constexpr unsigned int normal = 2;
-  return by_force[normal] && force.components.isZero(0);
-}
-
-FaceTarget LoadStep::target(const FaceState &begin) const
-{
-  FaceTarget target{by_force, motion, force};
-  for (unsigned int i = 0; i < n_rigid_components; ++i)
-    if (from_present[i] && by_force[i])
-      target.force[i] = begin.wrench[i] + share * (force[i] - begin.wrench[i]);
-    else if (from_present[i])
-      target.motion[i] = begin.motion[i] + share * (motion[i] - begin.motion[i]);
-  return target;
-}
-
-LoadStep LoadStep::resolved(const FaceState &begin) const
-{
-  LoadStep step = *this;
-  const FaceTarget end = target(begin);
-  step.motion = end.motion;
-  step.force = end.force;
-  return step;
-}
-
-std::string LoadStep::driven(const ModelSymmetry &symmetry, const TopFace top_face) const
-{
-  constexpr unsigned int first_rotation = 3, normal = 2;
-  const bool turns =
-      std::any_of(motion.components.data() + first_rotation, motion.components.data() + n_rigid_components,
-                  [](const double rotation) { return rotation != 0; });
-  std::string names;
-  for (unsigned int i = 0; i < n_rigid_components; ++i)
-  {
-    const bool is_named = i < first_rotation || turns || by_force[i];
-    if (is_named && (i == normal || top_face == TopFace::clamped) &&
-        (i < first_rotation || symmetry.leaves(i)))
-      names += std::string(names.empty() ? "" : " ") + (by_force[i] ? wrench_names[i] : motion_names[i]);
-  }
-  return names;
-}
-
-std::vector<LoadStep> load_steps(const LoadOptions &load)
-{
-  Drives drives{};
+  Drives reached{};
   std::vector<LoadStep> steps;
-  append(load.preload, 0, drives, steps);
-  for (unsigned int cycle = 1; cycle <= load.cycles; ++cycle)
-    append(load.legs, cycle, drives, steps);
+  append(load_.preload, 0, reached, steps);
+  for (unsigned int cycle = 1; cycle <= load_.cycles; ++cycle)
+    append(load_.legs, cycle, reached, steps);
   return steps;
 }
 
-double n_solved_parts(const LoadOptions &load)
+std::size_t LoadProgram::n_steps() const
 {
-  double n = 0;
-  for (const Leg &leg : load.preload)
-    n += static_cast<double>(leg.steps) * leg.parts;
-  for (const Leg &leg : load.legs)
-    n += static_cast<double>(load.cycles) * leg.steps * leg.parts;
+  std::size_t n = 0;
+  for (const Leg &leg : load_.preload)
+    n += leg.steps;
+  for (const Leg &leg : load_.legs)
+    n += std::size_t(load_.cycles) * leg.steps;
   return n;
 }
 
-double largest_motion(const LoadOptions &load, const unsigned int direction)
+double LoadProgram::n_solved_parts() const
+{
+  double n = 0;
+  for (const Leg &leg : load_.preload)
+    n += static_cast<double>(leg.steps) * leg.parts;
+  for (const Leg &leg : load_.legs)
+    n += static_cast<double>(load_.cycles) * leg.steps * leg.parts;
+  return n;
+}
+
+LoadProgram LoadProgram::first_cycle() const
+{
+  LoadOptions load = load_;
+  load.cycles = std::min(1U, load.cycles);
+  return LoadProgram(std::move(load));
+}
+
+double LoadProgram::largest_motion(const unsigned int direction) const
 {
   double largest = 0;
-  for (const auto *const legs : {&load.preload, &load.legs})
+  for (const auto *const legs : {&load_.preload, &load_.legs})
     for (const Leg &leg : *legs)
       largest = std::max(largest, std::abs(leg.motion(direction).value_or(0)));
   return largest;
 }
 
-double largest_motion(const LoadOptions &load)
+double LoadProgram::largest_motion() const
 {
-  return std::max({largest_motion(load, 0), largest_motion(load, 1), largest_motion(load, 2)});
+  return std::max({largest_motion(0), largest_motion(1), largest_motion(2)});
 }
 
-bool drives(const LoadOptions &load, const unsigned int component)
+bool LoadProgram::drives(const unsigned int component) const
 {
-  return any_target(load, component, [](const Drive &drive) { return drive.value != 0; });
+  return any_target(load_, component, [](const Drive &drive) { return drive.value != 0; });
 }
 
-bool is_driven_by_force(const LoadOptions &load, const unsigned int component)
+bool LoadProgram::is_driven_by_force(const unsigned int component) const
 {
-  return any_target(load, component, [](const Drive &drive) { return drive.by_force; });
+  return any_target(load_, component, [](const Drive &drive) { return drive.by_force; });
+}
+
+bool LoadProgram::has_forces() const
+{
+  for (unsigned int component = 0; component < n_rigid_components; ++component)
+    if (is_driven_by_force(component))
+      return true;
+  return false;
+}
+
+std::string LoadProgram::asymmetry(const ModelSymmetry &symmetry) const
+{
+  constexpr unsigned int first_rotation = 3;
+  for (unsigned int component = 0; component < n_rigid_components; ++component)
+    if (drives(component) && !symmetry.leaves(component))
+      return std::string("the load program ") +
+             (component < first_rotation ? "moves the top along " : "turns the top about ") +
+             "xyz"[component % first_rotation];
+  return {};
 }
 } // namespace orthocone

@@ -78,6 +78,7 @@ Scene::Scene(const Parameters &parameters, const ModelChoice &choice, const Obst
              const std::function<void(const Body &)> &on_meshed)
     : parameters_(parameters),
       choice_(choice),
+      program_(parameters.load),
       friction_(parameters.friction),
       body_(make_body(
           parameters, choice.symmetry,

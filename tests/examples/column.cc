@@ -29,8 +29,9 @@ TEST(ExampleColumn, StandsInHeaderAndRow)
   const Totals before = scene.totals();
   scene.march();
   const Totals totals = scene.totals();
-  const SolvedStep solved{scene.state, before,    totals, {}, {}, 0, load_steps(parameters.load).back(),
-                          "newton",    "ux uy uz"};
+  const SolvedStep solved{
+      scene.state, before,    totals, {}, {}, 0, LoadProgram(parameters.load).steps().back(),
+      "newton",    "ux uy uz"};
   const std::string header = header_line(columns), row = row_line(columns, solved);
   EXPECT_EQ(header.substr(header.rfind(',')), ",traction_ratio\n");
   EXPECT_NEAR(std::stod(row.substr(row.rfind(',') + 1)), 0.3, 1e-6) << "all slips: mu_x";

@@ -48,7 +48,7 @@ TEST(ExampleObstacle, CarriesTheBodyOnItsBars)
   const Scene scene(parameters, choose_model(parameters), bars);
   StepSolver solver(scene);
   ContactState state(scene.gaps());
-  const LoadStep step = load_steps(parameters.load).front();
+  const LoadStep step = LoadProgram(parameters.load).steps().front();
   ASSERT_TRUE(solver.solve(state, step).converged);
   const ContactFieldEvaluator evaluator(scene);
   for (unsigned int node = 0; node < scene.surface().nodes.size(); ++node)

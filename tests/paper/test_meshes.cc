@@ -48,7 +48,7 @@ TEST_P(GradedMesh, NewtonSolvesEveryStepUndivided)
   const Scene scene(parameters, choose_model(parameters));
   StepSolver solver(scene);
   ContactState state(scene.gaps());
-  for (const LoadStep &step : load_steps(parameters.load))
+  for (const LoadStep &step : LoadProgram(parameters.load).steps())
   {
     const ContactState before = state;
     const SolverReport report = solver.solve(state, step);

@@ -45,7 +45,7 @@ March::March(const Scene &scene, const unsigned int number)
   } until;
   until.number = number;
   StepSolver solver(scene);
-  const MarchEnd end = march(load_steps(scene.parameters().load), solver, state, until);
+  const MarchEnd end = march(LoadProgram(scene.parameters().load).steps(), solver, state, until);
   if (end == MarchEnd::unsolved)
     throw std::runtime_error("step " + std::to_string(until.next.number) + " is not solved");
   if (end == MarchEnd::done)

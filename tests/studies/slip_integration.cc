@@ -71,7 +71,7 @@ void slip_integration(const Words &words)
   NodeVector previous = state.displacement;
   Work work;
   std::cout << "step,slip_x,slip_y,dissipation,driven\n";
-  for (const LoadStep &step : load_steps(scene.parameters.load))
+  for (const LoadStep &step : LoadProgram(scene.parameters.load).steps())
   {
     const ContactState before = state;
     if (is_two_step && step.step_of_leg > 1)

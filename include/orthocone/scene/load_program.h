@@ -3,79 +3,50 @@
 #pragma once
 
 #include <orthocone/parameters/options.h>
-#include <orthocone/surface/model_symmetry.h>
-#include <orthocone/surface/rigid_motion.h>
+#include <orthocone/scene/load_step.h>
 
 #include <string>
 #include <vector>
 
 namespace orthocone
 {
-/// The motions and forces that drive the held face to the end of a step, or to a point on the way there.
-struct FaceTarget
+/// What the held face does: the legs of the preload and of all cycles, and what follows from them.
+class LoadProgram
 {
-  std::array<bool, n_rigid_components> by_force{};
-  RigidMotion motion{}; ///< of the components that motions drive
-  Wrench force{};       ///< on the held face, of the components that forces drive
+public:
+  explicit LoadProgram(LoadOptions load);
 
-  /// Whether a force drives a component.
+  /// All steps, in order. Cycles repeat the same positions to the last bit.
+  std::vector<LoadStep> steps() const;
+
+  std::size_t n_steps() const;
+
+  /// The number of problems that the steps need: a step in parts counts as many as its parts.
+  double n_solved_parts() const;
+
+  /// The preload and one cycle, which all cycles are like.
+  LoadProgram first_cycle() const;
+
+  /// Largest |u| (mm) over the corners of the program in a direction (0: x, 1: y, 2: z), where motions drive
+  /// it.
+  double largest_motion(unsigned int direction) const;
+
+  /// The largest of the three directions, mm.
+  double largest_motion() const;
+
+  /// Whether a leg moves or loads a component (0 to 5) away from zero.
+  bool drives(unsigned int component) const;
+
+  /// Whether a force drives a component in some leg.
+  bool is_driven_by_force(unsigned int component) const;
+
+  /// Whether a force drives any component.
   bool has_forces() const;
 
-  /// Whether nothing presses: all driving forces are zero, and the normal one is among them.
-  bool is_release() const;
+  /// Why the program does not have the symmetry of a model; empty if it has.
+  std::string asymmetry(const ModelSymmetry &symmetry) const;
+
+private:
+  LoadOptions load_;
 };
-
-/// Motion and wrench of the held face at a moment.
-struct FaceState
-{
-  RigidMotion motion{};
-  Wrench wrench{};
-};
-
-/// One load step: what drives the held face at its end, and its place in the program.
-struct LoadStep
-{
-  RigidMotion motion;       ///< of the held face at the end of the step, where motions drive it
-  unsigned int number;      ///< counted from 1
-  unsigned int step_of_leg; ///< counted from 1
-  unsigned int cycle;       ///< counted from 1; 0 in the preload
-  unsigned int phase;       ///< step of the cycle (or of the preload), counted from 0
-  Wrench force{};           ///< on the held face at the end of the step, where forces drive it
-  std::array<bool, n_rigid_components> by_force{};
-  /// Components that the leg has taken over from the other kind: they start from where the face is when the
-  /// leg begins, and `motion` or `force` has the target of the leg.
-  std::array<bool, n_rigid_components> from_present{};
-  double share = 1; ///< of the leg, up to the end of the step
-  /// The parts in which the step is solved; the last one ends where the step does. If empty, it is solved in
-  /// one. Their `step_of_leg` and `phase` count parts.
-  std::vector<LoadStep> parts{};
-
-  /// The target at the end of the step, in a leg that began with the face in the state `begin`.
-  FaceTarget target(const FaceState &begin) const;
-
-  /// The same step with the motion and force of target().
-  LoadStep resolved(const FaceState &begin) const;
-
-  /// The driven components, such as "ux uy Fz", of those that `symmetry` and the held face leave.
-  std::string driven(const ModelSymmetry &symmetry, TopFace top_face) const;
-};
-
-/// All steps of a load program, in order. Cycles repeat the same positions to the last bit.
-std::vector<LoadStep> load_steps(const LoadOptions &load);
-
-/// The number of problems that the steps need: a step in parts counts as many as its parts.
-double n_solved_parts(const LoadOptions &load);
-
-/// Largest |u| (mm) over the corners of the program in a direction (0: x, 1: y, 2: z), where motions drive
-/// it.
-double largest_motion(const LoadOptions &load, unsigned int direction);
-
-/// The largest of the three directions, mm.
-double largest_motion(const LoadOptions &load);
-
-/// Whether a leg moves or loads a component (0 to 5) away from zero.
-bool drives(const LoadOptions &load, unsigned int component);
-
-/// Whether a force drives a component in some leg.
-bool is_driven_by_force(const LoadOptions &load, unsigned int component);
 } // namespace orthocone

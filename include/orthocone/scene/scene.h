@@ -19,8 +19,9 @@
 namespace orthocone
 {
 /// Body and obstacle for one choice of parameters: the constructor meshes, factorizes and condenses the body,
-/// and makes the contact system on its surface. Nothing in a scene changes from step to step, so that several
-/// marches can share it.
+/// and makes the contact system on its surface. Nothing in a scene changes from step to step but what its
+/// compliance remembers to start from (Compliance::learn), so that several marches can share it one after the
+/// other.
 class Scene
 {
 public:
@@ -36,6 +37,7 @@ public:
   Scene &operator=(const Scene &) = delete;
 
   const Parameters &parameters() const { return parameters_; }
+  const LoadProgram &program() const { return program_; }
   const ModelChoice &choice() const { return choice_; }
   const ModelSymmetry &symmetry() const { return choice_.symmetry; }
   const ElasticBody &body() const { return *body_; }
@@ -83,6 +85,7 @@ public:
 private:
   const Parameters parameters_;
   const ModelChoice choice_;
+  const LoadProgram program_;
   const FrictionField friction_;
   PhaseSeconds seconds_;
   std::unique_ptr<const ElasticBody> body_;

@@ -38,6 +38,7 @@ public:
   }
 
   void make_solid(const SymmetryPlanes &planes, dealii::Triangulation<3> &triangulation) const override;
+  std::string asymmetry(const ModelSymmetry &symmetry) const override;
   ModelSize size(const ModelSymmetry &symmetry) const override;
 
 private:
@@ -97,6 +98,17 @@ void Box::make_solid(const SymmetryPlanes &planes, dealii::Triangulation<3> &tri
   for (const auto &face : triangulation.active_face_iterators())
     if (face->at_boundary())
       face->set_boundary_id(boundaries[face->boundary_id()]);
+}
+
+std::string Box::asymmetry(const ModelSymmetry &symmetry) const
+{
+  if (symmetry.is_axisymmetric())
+    return no_body_of_revolution(geometry_.shape);
+  const unsigned int direction = symmetry.planes().normal_to_x ? 0 : 1;
+  const unsigned int n = mesh_.cells[direction];
+  return n % 2 == 0 ? ""
+                    : std::string("Mesh/Cells has an odd number along ") + "xy"[direction] + ", " +
+                          std::to_string(n);
 }
 
 ModelSize Box::size(const ModelSymmetry &symmetry) const

@@ -95,6 +95,7 @@ public:
 
   void make_solid(const SymmetryPlanes &planes, dealii::Triangulation<3> &triangulation) const override;
   void make_section(dealii::Triangulation<2> &triangulation) const override;
+  std::string asymmetry(const ModelSymmetry &symmetry) const override;
   ModelSize size(const ModelSymmetry &symmetry) const override;
 
 private:
@@ -103,6 +104,13 @@ private:
   const GeometryOptions geometry_;
   const MeshOptions mesh_;
 };
+
+std::string Cylinder::asymmetry(const ModelSymmetry &symmetry) const
+{
+  return symmetry.is_axisymmetric() || mesh_.core_cells % 2 == 0
+             ? ""
+             : "Mesh/Core cells = " + std::to_string(mesh_.core_cells) + " is odd";
+}
 
 void Cylinder::make_solid(const SymmetryPlanes &planes, dealii::Triangulation<3> &triangulation) const
 {

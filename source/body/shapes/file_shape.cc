@@ -81,6 +81,18 @@ public:
     imported_.copy_to(triangulation);
   }
 
+  std::string asymmetry(const ModelSymmetry &symmetry) const override
+  {
+    if (symmetry.is_axisymmetric())
+      return no_body_of_revolution(BodyShape::file);
+    const unsigned int direction = symmetry.planes().normal_to_x ? 0 : 1;
+    return (direction == 0 ? imported_.planes().normal_to_x : imported_.planes().normal_to_y)
+               ? ""
+               : std::string("Geometry/Symmetry surfaces has none in ") + "xy"[direction] + " = 0";
+  }
+
+  SymmetryPlanes own_planes() const override { return imported_.planes(); }
+
   /// This includes all refinements of all cells. Held unknowns count as free ones in the stiffness.
   ModelSize size(const ModelSymmetry &) const override
   {

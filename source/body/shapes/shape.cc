@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include "shapes.h"
 
+#include <orthocone/parameters/values.h>
+
 #include <stdexcept>
 
 namespace orthocone
@@ -9,6 +11,11 @@ namespace orthocone
 void Shape::make_section(dealii::Triangulation<2> &) const
 {
   throw std::logic_error("this shape is not a body of revolution");
+}
+
+std::string no_body_of_revolution(const BodyShape shape)
+{
+  return "Geometry/Shape = " + to_word(shape) + " is no body of revolution";
 }
 
 std::unique_ptr<Shape> make_shape(const GeometryOptions &geometry, const MeshOptions &mesh)

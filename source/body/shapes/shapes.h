@@ -6,6 +6,9 @@
 
 namespace orthocone
 {
+/// The sentence of Shape::asymmetry() on a section of a body that is none of revolution.
+std::string no_body_of_revolution(BodyShape shape);
+
 /// A cylinder of hexahedra: an o-grid disc (a square core block and four outer blocks) extruded into layers.
 /// All rings are curved. Half and quarter need an even number of core cells. The section has the cells of the
 /// o-grid along the x axis, in the same layers. If the number of core cells is odd, half of the cell on the

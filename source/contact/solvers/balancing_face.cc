@@ -32,6 +32,19 @@ void BalancingFace::add(const Index node, const Eigen::Vector3d &change)
   imbalance_.noalias() += columns_.middleRows<3>(3 * node).transpose() * change;
 }
 
+namespace
+{
+/// Whether the face approaches the obstacle somewhere when it follows what is out of balance.
+bool is_pressed_on(const ContactStep &step, const VectorXd &unknowns)
+{
+  const VectorXd way = step.face().columns() * step.imbalance(unknowns);
+  for (Index node = 0; node < way.size(); node += 3)
+    if (way[node] < 0)
+      return true;
+  return false;
+}
+} // namespace
+
 bool BalanceWatch::runs_away(const ContactStep &step, const VectorXd &unknowns)
 {
   constexpr double negligible = 1e-4, standing = 0.98;
@@ -45,7 +58,10 @@ bool BalanceWatch::runs_away(const ContactStep &step, const VectorXd &unknowns)
   if (n_standing_ < patience)
     return false;
   const auto statuses = step.statuses(unknowns, step.displacement(unknowns));
-  return std::none_of(statuses.begin(), statuses.end(),
-                      [](const NodeStatus status) { return status == NodeStatus::stick; });
+  const auto none_is = [&](const NodeStatus which)
+  { return std::find(statuses.begin(), statuses.end(), which) == statuses.end(); };
+  if (!none_is(NodeStatus::stick))
+    return false;
+  return !none_is(NodeStatus::slip) || !is_pressed_on(step, unknowns);
 }
 } // namespace orthocone

@@ -46,7 +46,8 @@ SolverReport Box3::solve(const ContactStep &step, Eigen::VectorXd &unknowns) con
       x.segment<3>(3 * node) = project(law, x.segment<3>(3 * node) - rho * g);
     }
   };
-  return iterate_until_converged(step, options_, iterations_between_checks, unknowns, iterate);
+  return iterate_until_converged(step, options_, iterations_between_checks, unknowns, iterate,
+                                 Diagnosis::none);
 }
 } // namespace
 

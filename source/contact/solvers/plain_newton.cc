@@ -36,7 +36,8 @@ SolverReport PlainNewton::solve(const ContactStep &step, Eigen::VectorXd &unknow
     x += newton_change(*conditions_, linearize(step, x, step.displacement(x), options_.rho_factor),
                        inexactness);
   };
-  return iterate_until_converged(step, options_, iterations_between_checks, unknowns, iterate);
+  return iterate_until_converged(step, options_, iterations_between_checks, unknowns, iterate,
+                                 Diagnosis::none);
 }
 } // namespace
 

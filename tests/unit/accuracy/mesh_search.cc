@@ -66,7 +66,7 @@ std::array<double, 2> unloading_of_case_a(const MeshOptions &mesh)
   StepSolver solver(scene);
   ContactState state(scene.gaps());
   double stick_area = 0;
-  for (const LoadStep &step : load_steps(parameters.load))
+  for (const LoadStep &step : LoadProgram(parameters.load).steps())
   {
     const ContactState before = state;
     stick_area = compute_totals(evaluator, before).stick_area;
@@ -210,7 +210,7 @@ TEST(MeshSearch, StopsWhereTheEstimatesAreAsWantedAndItsModelRemembersTheCycle)
   StepSolver solver(*chosen.scene);
   solver.restore(chosen.starts);
   ContactState state(chosen.scene->gaps());
-  for (const LoadStep &step : load_steps(parameters.load))
+  for (const LoadStep &step : LoadProgram(parameters.load).steps())
   {
     const SolverReport report = solver.solve(state, step);
     EXPECT_TRUE(report.converged);

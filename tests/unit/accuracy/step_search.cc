@@ -96,7 +96,7 @@ TEST(StepSearch, KeepsWithinTheStepsOfAProgram)
   parameters.load.cycles = 50000; // of 6 steps
   const DividedSteps divided = find_steps(parameters, choose_model(parameters), 0.1, ignore);
   EXPECT_FALSE(divided.accuracy.estimate.is_reached());
-  EXPECT_LE(n_solved_parts(divided.load), most_solved_parts);
+  EXPECT_LE(LoadProgram(divided.load).n_solved_parts(), most_solved_parts);
   parameters.load = divided.load;
   EXPECT_NO_THROW(check_parameters(parameters));
 }

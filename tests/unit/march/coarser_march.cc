@@ -46,7 +46,7 @@ TEST(CoarserMarch, IsCloseToTheFinerOne)
     StepSolver solver(scene);
     ContactState state(scene.gaps());
     const auto coarser = CoarserMarch::of(scene);
-    for (const LoadStep &step : load_steps(parameters.load))
+    for (const LoadStep &step : LoadProgram(parameters.load).steps())
     {
       ContactState next = state;
       ASSERT_TRUE(solver.solve(next, step).converged);
@@ -69,7 +69,7 @@ TEST(CoarserMarch, ForgetsAStepThatIsNotAccepted)
 {
   const Parameters parameters = refined(1);
   const Scene scene(parameters, choose_model(parameters));
-  const auto steps = load_steps(parameters.load);
+  const auto steps = LoadProgram(parameters.load).steps();
   const auto coarser = CoarserMarch::of(scene);
   coarser->solve(steps.back());
   EXPECT_EQ(coarser->memory().state.force, CoarserMarch::of(scene)->memory().state.force);

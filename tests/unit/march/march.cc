@@ -56,7 +56,7 @@ MarchEnd marched(const Parameters &parameters, Recorder &recorder, unsigned int 
   const Scene scene(parameters, choose_model(parameters));
   StepSolver solver(scene);
   ContactState state(scene.gaps());
-  const MarchEnd end = march(load_steps(parameters.load), solver, state, recorder);
+  const MarchEnd end = march(LoadProgram(parameters.load).steps(), solver, state, recorder);
   last_step = state.step;
   return end;
 }
@@ -125,11 +125,11 @@ TEST(March, SolvesPartsAsSmallerSteps)
   StepSolver by_parts(scene), by_steps(scene);
   ContactState state(scene.gaps()), other(scene.gaps());
   Recorder recorder;
-  EXPECT_EQ(march(load_steps(divided.load), by_parts, state, recorder), MarchEnd::done);
+  EXPECT_EQ(march(LoadProgram(divided.load).steps(), by_parts, state, recorder), MarchEnd::done);
   EXPECT_EQ(recorder.calls, "next 1, solved 1, accepted 1, next 2, solved 2, accepted 2, next 3, solved 3, "
                             "accepted 3, ");
   MarchObserver silent;
-  EXPECT_EQ(march(load_steps(smaller.load), by_steps, other, silent), MarchEnd::done);
+  EXPECT_EQ(march(LoadProgram(smaller.load).steps(), by_steps, other, silent), MarchEnd::done);
   EXPECT_EQ(state.step, 3u);
   EXPECT_EQ(state.force, other.force); // to the last bit: all that a part starts from is the same
   EXPECT_EQ(state.displacement, other.displacement);
@@ -148,13 +148,13 @@ TEST(March, ReportsTheWorstOfTheParts)
   StepSolver by_parts(scene), by_steps(scene);
   ContactState state(scene.gaps()), other(scene.gaps());
   std::vector<SolverReport> reports;
-  for (const LoadStep &step : load_steps(smaller.load))
+  for (const LoadStep &step : LoadProgram(smaller.load).steps())
   {
     const ContactState before = other;
     reports.push_back(by_steps.solve(other, step));
     by_steps.accept(before, other, step);
   }
-  for (const LoadStep &step : load_steps(divided.load))
+  for (const LoadStep &step : LoadProgram(divided.load).steps())
   {
     const ContactState before = state;
     const SolverReport report = by_parts.solve(state, step);
@@ -185,13 +185,13 @@ TEST(March, LeavesNothingOfAStepWhosePartIsNotSolved)
   ContactState state(scene.gaps());
   MarchObserver silent;
   const LoadOptions pressed{{}, {parameters.load.legs[0]}};
-  ASSERT_EQ(march(load_steps(pressed), solver, state, silent), MarchEnd::done);
+  ASSERT_EQ(march(LoadProgram(pressed).steps(), solver, state, silent), MarchEnd::done);
   const double carried = parameters.friction.mu[0] * scene.held_wrench(state.force)[2];
   parameters.load.legs[1].targets[0] = Drive{true, 1.2 * std::abs(carried)};
   Recorder recorder;
   const ContactState before = state;
   const StartMemory starts = solver.memory();
-  EXPECT_EQ(march(load_steps(parameters.load), solver, state, recorder), MarchEnd::unsolved);
+  EXPECT_EQ(march(LoadProgram(parameters.load).steps(), solver, state, recorder), MarchEnd::unsolved);
   EXPECT_EQ(recorder.calls, "next 2, failed 2");
   EXPECT_EQ(state.step, 1u);
   EXPECT_EQ(state.force, before.force);
@@ -209,7 +209,7 @@ TEST(March, ForgetsThePartsOfAStepThatIsRefused)
   ContactState state(scene.gaps());
   Recorder judge;
   judge.wrong_step = 2;
-  EXPECT_EQ(march(load_steps(parameters.load), solver, state, judge), MarchEnd::refused);
+  EXPECT_EQ(march(LoadProgram(parameters.load).steps(), solver, state, judge), MarchEnd::refused);
   EXPECT_EQ(state.step, 1u);
   EXPECT_EQ(solver.memory().of_phase.size(), 1u);
 }

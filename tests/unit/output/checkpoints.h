@@ -33,7 +33,7 @@ inline Checkpoint checkpoint_after(const unsigned int number, const Parameters &
   TestScene scene(parameters);
   StepSolver solver(scene.scene);
   Checkpoint checkpoint;
-  for (const LoadStep &step : load_steps(parameters.load))
+  for (const LoadStep &step : LoadProgram(parameters.load).steps())
     if (step.number <= number)
     {
       const ContactState before = scene.state;

@@ -32,7 +32,7 @@ public:
   {
     StepSolver solver(scene.scene);
     Totals totals;
-    for (const LoadStep &step : load_steps(parameters.load))
+    for (const LoadStep &step : LoadProgram(parameters.load).steps())
       if (step.number > scene.state.step && !watch.is_to_stop())
       {
         const ContactState before = scene.state;

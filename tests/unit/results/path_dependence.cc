@@ -114,7 +114,7 @@ namespace
 /// before are solved as usual.
 SolverReport solve_last_step(TestScene &scene, const unsigned int most_iterations)
 {
-  const std::vector<LoadStep> steps = load_steps(scene.parameters.load);
+  const std::vector<LoadStep> steps = LoadProgram(scene.parameters.load).steps();
   StepSolver patient(scene.scene);
   for (std::size_t i = 0; i + 1 < steps.size(); ++i)
     EXPECT_TRUE(patient.solve(scene.state, steps[i]).converged);

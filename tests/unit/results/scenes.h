@@ -101,7 +101,7 @@ public:
     } caller;
     caller.call = on_step;
     StepSolver solver(scene);
-    ASSERT_EQ(orthocone::march(load_steps(parameters.load), solver, state, caller), MarchEnd::done);
+    ASSERT_EQ(orthocone::march(LoadProgram(parameters.load).steps(), solver, state, caller), MarchEnd::done);
   }
 
   Totals totals() const { return compute_totals(evaluator, state); }

@@ -147,7 +147,7 @@ std::array<double, 3> works_of(const unsigned int parts)
   CheckedScene scene(parameters);
   StepSolver solver(scene.scene);
   std::array<double, 3> works{};
-  for (const LoadStep &step : load_steps(parameters.load))
+  for (const LoadStep &step : LoadProgram(parameters.load).steps())
   {
     const ContactState before = scene.state;
     const Totals totals = scene.totals();

@@ -10,7 +10,7 @@ namespace orthocone::test
 {
 namespace
 {
-const VolumeField &field_named(const std::string &name)
+VolumeField field_named(const std::string &name)
 {
   for (const VolumeField &field : volume_field_list())
     if (field.name == name)
@@ -34,7 +34,7 @@ TEST(VolumeFields, HaveNamesUnitsAndMeaningsOfTheirOwn)
 // of the shear stress.
 TEST(VolumeFields, KnowTheEquivalentStressOfSimpleStates)
 {
-  const VolumeField &equivalent = field_named("von_mises_stress");
+  const VolumeField equivalent = field_named("von_mises_stress");
   PointFields tension, pressure, shear;
   tension.stress[0][0] = 3;
   for (unsigned int i = 0; i < 3; ++i)

@@ -107,6 +107,11 @@ TEST(FirstContact, IsMadeByAMotion)
   parameters.obstacle.gap = "0.01";
   parameters.load.legs = {tilt, press};
   EXPECT_EQ(symmetry_rejection(parameters), "");
+  parameters.obstacle.gap = "0";
+  parameters.load.legs = {move_to(0, 0, -0.01, 1), move_to(0, 0, 0.1, 1), press};
+  EXPECT_NE(symmetry_rejection(parameters).find("from leg 3 on, where a gap of 0.1 mm is open"),
+            std::string::npos)
+      << "a plane";
   parameters.load.legs = {press, move_to(0, 0, 0.1, 1)};
   parameters.obstacle.gap = "(x^2+y^2)/200";
   EXPECT_EQ(symmetry_rejection(parameters), "") << "one cycle";

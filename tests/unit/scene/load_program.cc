@@ -32,8 +32,10 @@ TEST(LoadProgram, PassesThroughPreloadAndCycles)
   load.preload = {move_to(0, 0, -0.02, 2)};
   load.legs = {move_to(0.01, 0, -0.1, 2), move_to(0, 0, -0.02, 4)};
   load.cycles = 3;
-  const auto steps = load_steps(load);
+  const auto steps = LoadProgram(load).steps();
   ASSERT_EQ(steps.size(), 2u + 3 * 6);
+  EXPECT_EQ(LoadProgram(load).n_steps(), steps.size());
+  EXPECT_EQ(LoadProgram(load).first_cycle().n_steps(), 2u + 6);
   EXPECT_EQ(steps[0].motion, moved_by(0, 0, -0.01));
   EXPECT_EQ(steps[0].cycle, 0u);
   EXPECT_EQ(steps[2].motion, moved_by(0.005, 0, -0.06));
@@ -62,7 +64,7 @@ TEST(LoadProgram, HasThePartsThatSmallerStepsWouldBe)
   smaller.preload[0].steps *= 2;
   smaller.legs[0].steps *= 5;
   std::vector<LoadStep> parts;
-  for (const LoadStep &step : load_steps(load))
+  for (const LoadStep &step : LoadProgram(load).steps())
   {
     if (step.parts.empty())
       parts.push_back(step);
@@ -70,8 +72,8 @@ TEST(LoadProgram, HasThePartsThatSmallerStepsWouldBe)
       EXPECT_EQ(step.parts.back().motion, step.motion);
     parts.insert(parts.end(), step.parts.begin(), step.parts.end());
   }
-  const auto steps = load_steps(smaller);
-  EXPECT_EQ(n_solved_parts(load), steps.size());
+  const auto steps = LoadProgram(smaller).steps();
+  EXPECT_EQ(LoadProgram(load).n_solved_parts(), steps.size());
   ASSERT_EQ(parts.size(), steps.size());
   for (std::size_t i = 0; i < steps.size(); ++i)
   {
@@ -91,7 +93,7 @@ TEST(LoadProgram, TellsPartsFromStepsByTheirPhases)
   load.legs[1].parts = 4;
   std::set<unsigned int> phases;
   unsigned int n = 0;
-  for (const LoadStep &step : load_steps(load))
+  for (const LoadStep &step : LoadProgram(load).steps())
     for (const LoadStep &solved : step.parts.empty() ? std::vector<LoadStep>{step} : step.parts)
     {
       phases.insert(solved.phase);
@@ -103,7 +105,7 @@ TEST(LoadProgram, TellsPartsFromStepsByTheirPhases)
 
 TEST(LoadProgram, WritesPositionsAsUsersWould)
 {
-  const auto steps = load_steps(scene().load);
+  const auto steps = LoadProgram(scene().load).steps();
   EXPECT_EQ(steps[2].motion[2], -0.06);
   EXPECT_EQ(steps[11].motion[2], -0.03);
   EXPECT_EQ(steps[14].motion[2], 0);
@@ -211,7 +213,7 @@ TEST(LoadProgram, KeepsComponentsThatALegDoesNotName)
   sideways.steps = 2;
   load.legs = {down, sideways};
   load.cycles = 2;
-  const auto steps = load_steps(load);
+  const auto steps = LoadProgram(load).steps();
   ASSERT_EQ(steps.size(), 6u);
   EXPECT_EQ(steps[1].motion, moved_by(0.01, 0, -0.1));
   EXPECT_EQ(steps[2].motion, moved_by(0.02, 0, -0.1));

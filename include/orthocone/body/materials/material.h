@@ -3,10 +3,12 @@
 #pragma once
 
 #include <orthocone/body/materials/lame.h>
+#include <orthocone/surface/model_symmetry.h>
 
 #include <deal.II/base/symmetric_tensor.h>
 
 #include <optional>
+#include <string>
 
 namespace orthocone
 {
@@ -32,6 +34,14 @@ public:
   }
 
   bool is_isotropic() const { return !orthotropic_; }
+
+  /// Why the material does not have the symmetry of a model; empty if it has. Axes of an orthotropic material
+  /// are x, y and z. A file mirrors its regions.
+  std::string asymmetry(const ModelSymmetry &symmetry) const
+  {
+    return symmetry.is_axisymmetric() && !is_isotropic() ? "Material/Law = orthotropic has axes along x and y"
+                                                         : "";
+  }
 
   /// Stress (MPa) of a strain.
   Stress stress(const Strain &strain) const { return stress(strain, trace(strain)); }

@@ -8,6 +8,7 @@
 #include <deal.II/grid/tria.h>
 
 #include <memory>
+#include <string>
 
 namespace orthocone
 {
@@ -33,6 +34,12 @@ public:
 
   /// The same for the section (r, z) of a body of revolution. Throws std::logic_error for any other body.
   virtual void make_section(dealii::Triangulation<2> &triangulation) const;
+
+  /// Why the body or its cells do not have this symmetry; empty if they do.
+  virtual std::string asymmetry(const ModelSymmetry &symmetry) const = 0;
+
+  /// The planes at which the cells themselves end, because a file has a part of the body only.
+  virtual SymmetryPlanes own_planes() const { return {}; }
 
   /// Size of the model with this symmetry. A file throws std::logic_error for another part of the body than
   /// it has.
