@@ -155,6 +155,7 @@ FaceState StepSolver::leg_begin(const ContactState &before, const LoadStep &step
 
 double StepSolver::carried_share(const ContactState &before, const LoadStep &step) const
 {
+  // Bisected by hand: Boost's bisection would solve both ends again, whose outcomes are known.
   constexpr double fine = 0.01; // of the leg
   const FaceState now{before.motion, scene_.held_wrench(before.force)};
   const FaceTarget end = step.target(leg_begin(before, step));

@@ -7,6 +7,7 @@
 #include <orthocone/body/body.h>
 #include <orthocone/body/shapes/imported_mesh.h>
 #include <orthocone/body/shapes/mesh_ladder.h>
+#include <orthocone/body/shapes/shape.h>
 
 #include <algorithm>
 #include <cmath>
@@ -75,8 +76,9 @@ SurfaceSample surface_sample(const Parameters &parameters)
     return sample_of_file(parameters);
   SurfaceSample sample{contact_places(parameters, {}), {}};
   sample.held_centre[2] = parameters.geometry.held_height();
-  if (parameters.geometry.shape == BodyShape::cylinder)
-    sample.radii = contact_places(parameters, ModelSymmetry::of_revolution());
+  const auto shape = make_shape(parameters.geometry, parameters.mesh);
+  if (const auto section = ModelSymmetry::of_revolution(); shape->asymmetry(section).empty())
+    sample.radii = contact_places(parameters, section);
   return sample;
 }
 

@@ -106,12 +106,13 @@ class VerificationTest(program.RunTest):
     def test_hertz_far_field_is_of_first_order(self):
         """With the height of the radius the approach lacks what the body has not: half of it at half of a / R."""
         errors = []
-        for radius in (5, 10):
+        for radius in (5, 10, 20):
             row = self.verified("hertz", f"Geometry/Radius={radius}", f"Geometry/Height={radius}",
                                 f"Mesh/Core ratio={1 / radius}")
             errors.append(-row["uz"] / half_space.Sphere(384.615).approach - 1)
         self.assertAlmostEqual(errors[0], -0.053, delta=0.003)  # a / R = 0.1
-        self.assertAlmostEqual(errors[0] / errors[1], 2, delta=0.2)
+        for wide, narrow in zip(errors, errors[1:]):
+            self.assertAlmostEqual(wide / narrow, 2, delta=0.2)
 
     def test_cattaneo_mindlin(self):
         largest, sphere = 83.99, half_space.Sphere(466.6, poisson=0.4999)
@@ -218,6 +219,15 @@ class VerificationTest(program.RunTest):
         self.assertAlmostEqual(carried, 100 * 8 / 15, delta=1.5)
         self.assertEqual(len(self.rows("run")), 3)
         self.assertIn("no equilibrium", (self.folder / "run/summary.json").read_text(encoding="utf-8"))
+
+    def test_a_pull_ends_the_run(self):
+        file = ROOT / "prm/verification/gross_sliding_by_force.prm"
+        result = self.run_program("run", settings=["Load program/Legs=uz -0.002 : 1 ; Fz 100 : 1"], file=file)
+        self.assertEqual(result.returncode, 3)
+        self.assertRegex(result.stderr, r"load step 2 of 2 \(Fz = 100 N\) has no equilibrium: ")
+        pressing = float(self.rows("run")[0]["force_z"])
+        carried = float(result.stderr.split("The first ")[1].split(" %")[0])
+        self.assertAlmostEqual(carried, 100 * pressing / (pressing + 100), delta=1.5)
 
     def test_a_run_by_forces_goes_on_as_if_it_had_not_stopped(self):
         file = ROOT / "prm/verification/gross_sliding_by_force.prm"

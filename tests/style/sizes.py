@@ -87,6 +87,18 @@ class SizeTest(unittest.TestCase):
                 with self.subTest(f"{root}/{folder}"):
                     self.assertTrue((ROOT / "source" / folder).is_dir())
 
+    def test_tests_lie_where_their_sources_do(self):
+        """Those of whole scenes and of laws in headers are named after what they show."""
+        of_topics = {
+            "body/fe/rates", "body/shapes/bad_mesh_files", "contact/law/frictionless", "contact/law/projection",
+            "contact/law/slip_rule", "contact/solvers/elastic_layer", "contact/solvers/failures", "multigrid/hanging_nodes",
+            "results/axisymmetric", "results/forces", "results/gaps", "results/half_space",
+            "results/imported", "results/lower_body", "results/path_dependence", "results/physics", "results/symmetry",
+            "results/wear"}
+        tests = {path.relative_to(ROOT / "tests/unit").with_suffix("") for path in files("tests/unit") if path.suffix == ".cc"}
+        sources = {path.relative_to(ROOT / root).with_suffix("") for root in ("source", "include/orthocone") for path in files(root)}
+        self.assertEqual({str(path) for path in tests - sources}, of_topics)
+
 
 if __name__ == "__main__":
     unittest.main()

@@ -34,6 +34,14 @@ void BalancingFace::add(const Index node, const Eigen::Vector3d &change)
 
 namespace
 {
+constexpr double negligible = 1e-4;
+
+/// What the face lacks of its balance, relative to its forces.
+double imbalance_share(const ContactStep &step, const VectorXd &unknowns)
+{
+  return step.imbalance(unknowns).norm() / step.force_scale(unknowns);
+}
+
 /// Whether the face approaches the obstacle somewhere when it follows what is out of balance.
 bool is_pressed_on(const ContactStep &step, const VectorXd &unknowns)
 {
@@ -45,23 +53,28 @@ bool is_pressed_on(const ContactStep &step, const VectorXd &unknowns)
 }
 } // namespace
 
+bool nothing_holds(const ContactStep &step, const VectorXd &unknowns)
+{
+  if (step.face().n() == 0 || imbalance_share(step, unknowns) <= negligible)
+    return false;
+  const auto statuses = step.statuses(unknowns, step.displacement(unknowns));
+  const auto some_are = [&](const NodeStatus which)
+  { return std::find(statuses.begin(), statuses.end(), which) != statuses.end(); };
+  if (some_are(NodeStatus::stick))
+    return false;
+  return some_are(NodeStatus::slip) || !is_pressed_on(step, unknowns);
+}
+
 bool BalanceWatch::runs_away(const ContactStep &step, const VectorXd &unknowns)
 {
-  constexpr double negligible = 1e-4, standing = 0.98;
+  constexpr double standing = 0.98;
   constexpr unsigned int patience = 4;
   if (step.face().n() == 0)
     return false;
-  const double lacking = step.imbalance(unknowns).norm() / step.force_scale(unknowns);
+  const double lacking = imbalance_share(step, unknowns);
   const bool stands = lacking > negligible && lacking > standing * last_;
   last_ = lacking;
   n_standing_ = stands ? n_standing_ + 1 : 0;
-  if (n_standing_ < patience)
-    return false;
-  const auto statuses = step.statuses(unknowns, step.displacement(unknowns));
-  const auto none_is = [&](const NodeStatus which)
-  { return std::find(statuses.begin(), statuses.end(), which) == statuses.end(); };
-  if (!none_is(NodeStatus::stick))
-    return false;
-  return !none_is(NodeStatus::slip) || !is_pressed_on(step, unknowns);
+  return n_standing_ >= patience && nothing_holds(step, unknowns);
 }
 } // namespace orthocone

@@ -35,6 +35,11 @@ private:
   Eigen::VectorXd imbalance_;
 };
 
+/// Whether forces drive the face, are out of balance, and meet no resistance: no node sticks, and if all are
+/// open the face moves off. An iteration that does not converge then has a load at the limit of what friction
+/// carries, or beyond.
+bool nothing_holds(const ContactStep &step, const Eigen::VectorXd &unknowns);
+
 /// Finds, from looks at an iteration every few sweeps, that there is no equilibrium: no node sticks, and what
 /// the face lacks of its balance does not fall from look to look while the face keeps moving.
 class BalanceWatch

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
+#include "balancing_face.h"
 #include "solvers.h"
 
-#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -10,18 +10,6 @@
 
 namespace orthocone
 {
-namespace
-{
-/// Whether forces drive the face and no node sticks. If an iteration does not converge then, the load is at
-/// the limit of what friction carries, or beyond.
-bool nothing_holds(const ContactStep &step, const Eigen::VectorXd &unknowns, const NodeVector &displacement)
-{
-  const auto statuses = step.statuses(unknowns, displacement);
-  return step.face().n() > 0 &&
-         std::find(statuses.begin(), statuses.end(), NodeStatus::stick) == statuses.end();
-}
-} // namespace
-
 SolverReport make_report(const ContactStep &step, const Eigen::VectorXd &unknowns,
                          const unsigned int iterations, const double tolerance, Trace trace)
 {
@@ -34,7 +22,7 @@ SolverReport make_report(const ContactStep &step, const Eigen::VectorXd &unknown
   report.law = law_errors(step, unknowns, d);
   trace.add(iterations, report.residual, step.force_scale(unknowns));
   report.verdict = judge(trace.points(), tolerance, step.system().rounding());
-  if (report.verdict == Verdict::cycling && nothing_holds(step, unknowns, d))
+  if (report.verdict == Verdict::cycling && nothing_holds(step, unknowns))
     report.verdict = Verdict::unbalanced;
   report.trace = std::move(trace);
   double worst = -1;

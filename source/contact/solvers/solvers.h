@@ -72,7 +72,10 @@ SolverReport iterate_until_converged(const ContactStep &step, const ContactSolve
         balance.runs_away(step, unknowns))
       return unbalanced_report(step, unknowns, n_iterations, options.tolerance, std::move(trace));
   }
-  return make_report(step, unknowns, n_iterations, options.tolerance, std::move(trace));
+  SolverReport report = make_report(step, unknowns, n_iterations, options.tolerance, std::move(trace));
+  if (diagnosis == Diagnosis::none && report.verdict == Verdict::unbalanced)
+    report.verdict = Verdict::cycling;
+  return report;
 }
 
 /// Step of the paper's Box 3 at a node: factor / min(w_nn, w_xx, w_yy), N/mm.

@@ -67,6 +67,10 @@ TEST(Expressions, TellWhatIsWrongInThem)
   EXPECT_EQ(fault("x)"), "')' is not expected where it is");
   EXPECT_EQ(fault("x^"), "it ends too early");
   EXPECT_EQ(fault("atan2(x)"), "'atan2' has too few arguments");
+  EXPECT_EQ(fault("x 2"), "'2' needs an operator before it");
+  EXPECT_EQ(fault("x sin(y)"), "'sin' needs an operator before it");
+  EXPECT_EQ(fault("*x"), "'*' has nothing before it");
+  EXPECT_EQ(fault("sin(x,y)"), "'sin' has too many arguments");
   EXPECT_EQ(fault("x<1 ? 2"), "a '?' has no ':'");
   EXPECT_EQ(fault("nan"), "'nan' is not known");
   EXPECT_EQ(fault(std::string(1001, 'x')), "it is longer than 1000 characters");

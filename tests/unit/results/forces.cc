@@ -143,6 +143,23 @@ TEST(Forces, ThatPullHaveNoEquilibrium)
   EXPECT_EQ(solver.solve(state, steps[1]).verdict, Verdict::unbalanced);
 }
 
+// These fail where there is an equilibrium, and must not say that there is none.
+TEST(Forces, AreNotBlamedByMethodsForStudy)
+{
+  for (const char *const method : {"box3", "plain-newton"})
+  {
+    Parameters parameters = full_scene();
+    parameters.contact_solver.method = method;
+    parameters.contact_solver.maximum_iterations = 50;
+    parameters.load.legs = {leg_of({{z, force, -1e5}}, 1)};
+    const TestScene scene(parameters);
+    ContactState state = scene.state;
+    const SolverReport report =
+        StepSolver(scene.scene).solve(state, LoadProgram(parameters.load).steps().front());
+    EXPECT_TRUE(report.converged || report.verdict != Verdict::unbalanced) << method;
+  }
+}
+
 // A turn by a motion takes a moment; this moment gives the turn. Work and energies include both.
 TEST(Rotations, AreDrivenByMotionsAndByMoments)
 {
