@@ -17,7 +17,7 @@ import numpy as np
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 from program import PROGRAM, ROOT, main  # noqa: E402
-from report_page import Page  # noqa: E402
+from report_page import CUT_LABELS, Page  # noqa: E402
 from report_run import SCRATCH, report  # noqa: E402
 
 sys.path[:0] = [str(ROOT / "tools/plots"), str(ROOT / "tools/report")]
@@ -151,6 +151,57 @@ class BodiesTest(Page):
         on = np.unique(places[np.abs(places[:, 1] - 1) < 1e-6, 0])
         self.assertGreaterEqual(len(on), 5)
         np.testing.assert_allclose([float(row["x (mm)"]) for row in saved], on, rtol=1e-5)
+
+    # --- a second body, or a half-space, from the side ---
+
+    FILE_BELOW = ["Lower geometry/Shape=file", *(f"Lower geometry/{entry}" for entry in (
+        f"Mesh file={ROOT / 'prm/import/pin.msh'}", "Contact surface=cap", "Held surface=top", "Symmetry surfaces=x0, y0"))]
+    BLOCK_BELOW = ["Lower geometry/Shape=box", "Lower geometry/Sizes=9, 8, 3", "Lower mesh/Cells=4, 4, 2"]
+    TINY = ["Load program/Legs=0 0 -0.01 : 1", "Load program/Cycles=1", "Mesh/Degree=1", "Lower mesh/Degree=1"]
+    SMALL_CYLINDER = ["Geometry/Radius=2", "Geometry/Height=4", "Mesh/Core cells=2", "Mesh/Layers=2"]
+
+    def from_the_side(self, folder, css):
+        """Left, top, right and bottom (pixels) of what has a class in the last drawing of the model, from the top on."""
+        self.page_of(folder)
+        self.assertEqual(self.script(CUT_LABELS), [])
+        boxes = self.script("""
+            return [...[...document.querySelectorAll("#model svg")].pop().querySelectorAll(arguments[0])]
+                .map(element => element.getBBox()).map(box => [box.x, box.y, box.x + box.width, box.y + box.height])""", css)
+        return np.array(sorted(boxes, key=lambda box: box[1]))
+
+    def test_a_body_below(self):
+        """Both to one scale, the lower one upside down: its contact surface is at the upper one's base."""
+        for name, file, settings, sizes in (
+                ("blocks", "two_bodies/steel_on_aluminium.prm", [*self.SMALL_CYLINDER, *self.BLOCK_BELOW], [(4, 4), (9, 3)]),
+                ("file-below", "two_bodies/steel_on_aluminium.prm", [*self.SMALL_CYLINDER, *self.FILE_BELOW], [(4, 4), (6, 6)]),
+                ("below-file", "import/pin.prm", self.BLOCK_BELOW, [(6, 6), (9, 3)])):
+            with self.subTest(name):
+                folder = run(name, ROOT / "prm" / file, *self.TINY, "Obstacle/Kind=body", *settings)
+                upper, lower = boxes = self.from_the_side(folder, "rect.disc, path.side")
+                found = (boxes[:, 2:] - boxes[:, :2]) / (upper[3] - upper[1]) * sizes[0][1]
+                np.testing.assert_allclose(found, sizes, rtol=2e-3)
+                self.assertAlmostEqual(upper[3], lower[1], delta=0.1)
+                self.assertAlmostEqual(upper[0] + upper[2], lower[0] + lower[2], delta=0.2)
+                for _, top, _, bottom in self.from_the_side(folder, "path.touching"):
+                    self.assertLess(max(abs(top - upper[3]), abs(bottom - upper[3])), 0.2 * (upper[3] - upper[1]))
+                self.assertIn("elastic body, ", self.text("#model"))
+
+    def test_a_body_below_whose_file_is_gone(self):
+        folder = run("lost", ROOT / "prm/two_bodies/steel_on_aluminium.prm", *self.TINY, *self.SMALL_CYLINDER, *self.FILE_BELOW)
+        parameters = folder / "parameters.prm"
+        parameters.write_text(re.sub(r"Mesh file *= .*pin.msh", "Mesh file = gone.msh", parameters.read_text()))
+        self.assertEqual(len(self.from_the_side(folder, "rect.disc, path.side")), 1)
+        self.assertIn("The lower body is not drawn", self.text("#warnings"))
+
+    def test_a_half_space(self):
+        """It goes on to both sides, and has no body's outline."""
+        folder = run("half-space", ROOT / "prm/paper/case_b.prm", *self.TINY[:3], "Mesh/Core cells=2", "Mesh/Layers=2",
+                     "Obstacle/Kind=half-space")
+        (body,), (ground,) = (self.from_the_side(folder, f"rect.{css}") for css in ("disc", "side"))
+        self.assertEqual(body[3], ground[1])
+        self.assertLess(ground[0] + 30, body[0])
+        self.assertGreater(ground[2] - 30, body[2])
+        self.assertIn("elastic half-space", self.text("#model"))
 
     def test_border_encloses_the_body(self):
         """Faces look outwards, and with their mirror images leave no hole: Gauss' theorem gives the volume."""

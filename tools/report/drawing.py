@@ -9,13 +9,18 @@ WIDTH, HEIGHT = 360, 330
 
 
 class Frame:
-    """Millimetres to the picture: y points up, and `origin` is where the middle of the picture is."""
+    """Millimetres to the picture: y points up, and `origin` is where the middle of the picture is. With `up` = -1 it
+    shows mirror images about y = 0."""
 
-    def __init__(self, scale, middle=(WIDTH / 2, HEIGHT / 2), origin=(0, 0)):
-        self.scale, self.middle, self.origin = scale, middle, origin
+    def __init__(self, scale, middle=(WIDTH / 2, HEIGHT / 2), origin=(0, 0), up=1):
+        self.scale, self.middle, self.origin, self.up = scale, middle, origin, up
 
     def __call__(self, x, y):
-        return (self.middle[0] + self.scale * (x - self.origin[0]), self.middle[1] - self.scale * (y - self.origin[1]))
+        return (self.middle[0] + self.scale * (x - self.origin[0]),
+                self.middle[1] - self.scale * (self.up * y - self.origin[1]))
+
+    def upside_down(self):
+        return Frame(self.scale, self.middle, self.origin, -self.up)
 
     def all(self, points):
         return [self(x, y) for x, y in points]
@@ -40,20 +45,16 @@ def load_words(largest):
     return {name: f"{name[0]}_{name[1]} = {svg.signed(value)} {UNITS[name]}" for name, value in largest.items()}
 
 
-def lower_size(data):
-    """Width and height (mm) of a lower body that is a cylinder or a box; 0, 0 without one."""
-    if data.parameters.get("Obstacle", {}).get("Kind") != "body":
-        return 0, 0
-    entries = data.parameters["Lower geometry"]
-    if entries["Shape"] == "box":
-        sizes = [float(size) for size in entries["Sizes"].split(",")]
-        return sizes[0], sizes[2]
-    return (2 * float(entries["Radius"]), float(entries["Height"])) if entries["Shape"] == "cylinder" else (0, 0)
+def ground(data, start, end):
+    """The plane, or the half-space, that the body rests on."""
+    if data.counterface != "half-space":
+        return hatched(start, end, "plate")
+    return (svg.element("rect", x=start[0], y=start[1], width=end[0] - start[0], height=11, css="side")
+            + svg.line(start, end, "rim"))
 
 
 def counterface(data):
     """What the body rests on, in words."""
-    kind = {"half-space": "elastic half-space", "body": "elastic body"}.get(
-        data.parameters.get("Obstacle", {}).get("Kind"), "rigid")
+    kind = {"half-space": "elastic half-space", "body": "elastic body"}.get(data.counterface, "rigid")
     friction = "\u03bc varies" if data.friction_varies else f"\u03bc = ({data.mu[0]:g}, {data.mu[1]:g})"
     return f"{kind + ', with a gap' if data.has_gap else kind + ' plane' if kind == 'rigid' else kind}, {friction}"

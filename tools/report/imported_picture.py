@@ -3,7 +3,7 @@
 """Drawing of an imported body from the side: its cells, the contact surface, what it rests on, and how it is driven."""
 import numpy as np
 import svg
-from drawing import HEIGHT, WIDTH, Frame, counterface, hatched, load_words
+from drawing import HEIGHT, WIDTH, Frame, counterface, ground, load_words
 from imported_body import border_of
 
 MOST_FACES = 3000
@@ -48,18 +48,26 @@ def drive(data, body, frame):
     return out
 
 
-def imported_view(data, body):
+def plane_below(data, body, frame):
     low, high = body.box()
-    scale = min(235 / (high[0] - low[0]), 195 / (high[1] - low[1]))
-    frame = Frame(scale, (WIDTH / 2, HEIGHT / 2 + 2), (low + high) / 2)
     touching = body.seen(np.unique(body.contact))[..., 0]
-    beyond = 30 / scale if low[1] > -1e-6 * (high[1] - low[1]) else 0  # elsewhere the body may be where the plane is not
-    out = hatched(frame(touching.min() - beyond, 0), frame(touching.max() + beyond, 0), "plate")
+    # Elsewhere the body may be where the plane is not.
+    beyond = 30 / frame.scale if low[1] > -1e-6 * (high[1] - low[1]) else 0
+    return ground(data, frame(touching.min() - beyond, 0), frame(touching.max() + beyond, 0))
+
+
+def imported_view(data, body, below):
+    """`below` is a second body of lower_picture.py, or None."""
+    low, high = body.box()
+    size = f"{high[0] - low[0]:.4g} mm x {high[1] - low[1]:.4g} mm"
+    if below:
+        low, high = np.minimum(low, below.low), np.maximum(high, below.high)
+    frame = Frame(min(235 / (high[0] - low[0]), 195 / (high[1] - low[1])), (WIDTH / 2, HEIGHT / 2 + 2), (low + high) / 2)
+    out = below.drawing(frame) if below else plane_below(data, body, frame)
     out += cells(body, frame)
     out += path_of(frame, lines_of(body, body.contact), "touching", closed=True)
     out += path_of(frame, lines_of(body, border_of(body.held)), "plate", closed=True)
     out += drive(data, body, frame)
-    size = f"{high[0] - low[0]:.4g} mm x {high[1] - low[1]:.4g} mm"
     out += svg.text((WIDTH / 2, HEIGHT - 20), f"{size}; {counterface(data)}", "label")
     out += svg.text((WIDTH / 2, HEIGHT - 4), "blue: contact surface; dark: held surface; arrows: the largest", "small")
     return svg.picture(WIDTH, HEIGHT, out, "The body from the side, with mesh, contact surface, plane and motion of the top")

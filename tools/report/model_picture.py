@@ -5,8 +5,9 @@ import math
 
 import numpy as np
 import svg
-from drawing import HEIGHT, WIDTH, Frame, area_of, counterface, hatched, load_words, lower_size
+from drawing import HEIGHT, WIDTH, Frame, area_of, counterface, ground, hatched, load_words
 from imported_picture import imported_view
+from lower_picture import lower_of
 from outline import clipped
 
 MOST_DRAWN_CELLS = 5000
@@ -184,43 +185,51 @@ def load_arrows(data, left, right, y):
     return out
 
 
-def side_view(data):
-    width = data.box[0] if data.box else 2 * data.number("Geometry", "Radius")
-    lower_width, lower_height = lower_size(data)
-    scale = min(205 / max(width, lower_width), 190 / (data.height + lower_height))
-    half, high, middle = scale * width / 2, scale * data.height, WIDTH / 2 - 12
-    low = scale * lower_height
-    base = HEIGHT / 2 + (high - low) / 2 + 15
-    left, right, top = middle - half, middle + half, base - high
+def layer_lines(data, frame, width):
+    """Lines between the layers of cells, and the number of layers."""
     mesh = data.parameters.get("Mesh", {})
-    out = svg.element("rect", x=left, y=top, width=2 * half, height=high, css="disc")
     layers = mesh["Cells"].split(",")[2].strip() if data.box else mesh.get("Layers", "1")
-    for z in layer_heights(int(layers), float(mesh.get("Layer grading", 1)))[1:-1]:
-        out += svg.line((left, base - high * z), (right, base - high * z), "mesh")
+    heights = data.height * layer_heights(int(layers), float(mesh.get("Layer grading", 1)))[1:-1]
+    return "".join(svg.line(frame(-width / 2, z), frame(width / 2, z), "mesh") for z in heights), layers
+
+
+def side_view(data, below):
+    """`below` is a second body of lower_picture.py, or None."""
+    width = data.box[0] if data.box else 2 * data.number("Geometry", "Radius")
+    least, largest = np.array([-width / 2, 0]), np.array([width / 2, data.height])
+    if below:
+        least, largest = np.minimum(least, below.low), np.maximum(largest, below.high)
+    scale = min(np.array([205, 190]) / (largest - least))
+    frame = Frame(scale, (WIDTH / 2 - 12, HEIGHT / 2 + 15), (least + largest) / 2)
+    (left, base), (right, top) = frame(-width / 2, 0), frame(width / 2, data.height)
+    middle, bottom = (left + right) / 2, frame(0, least[1])[1]
+    lines, layers = layer_lines(data, frame, width)
+    out = svg.element("rect", x=left, y=top, width=right - left, height=base - top, css="disc") + lines
     guided = data.parameters.get("Geometry", {}).get("Top face") == "guided"
     out += hatched((left - 3, top), (right + 3, top), "plate", down=False)
-    below = (middle - scale * lower_width / 2, middle + scale * lower_width / 2) if low else (left - 40, right + 40)
-    if low:
-        out += svg.element("rect", x=below[0], y=base, width=below[1] - below[0], height=low, css="disc")
-        out += svg.text((middle, base + low / 2 + 4), "lower body", "label halo")
-        out += svg.text((right + 8, base + low / 2 + 4), f"H = {lower_height:.5g} mm", "label", "start")
-    out += hatched((below[0], base + low), (below[1], base + low), "plate")
+    if below:
+        out += below.drawing(frame) + below.height_beside(frame, max(right, frame(below.high[0], 0)[0]) + 8)
+    else:
+        out += ground(data, (left - 40, base), (right + 40, base))
     out += load_arrows(data, left, right, top - 8)
-    out += svg.text((middle, base - high / 2 + 4), f"{layers} layers", "label halo")
-    out += svg.text((right + 8, top + high / 2 + 4), f"H = {data.height:.5g} mm", "label", "start")
-    out += svg.text((middle, base + low + 24), f"{'l_x' if data.box else '2R'} = {width:g} mm; {counterface(data)}", "label")
+    out += svg.text((middle, (base + top) / 2 + 4), f"{layers} layers", "label halo")
+    out += svg.text((right + 8, (base + top) / 2 + 4), f"H = {data.height:.5g} mm", "label", "start")
+    out += svg.text((WIDTH / 2 - 12, bottom + 24), f"{'l_x' if data.box else '2R'} = {width:g} mm; {counterface(data)}", "label")
     top_face = "guided: free sideways" if guided else "clamped: a rigid plate"
-    out += svg.text((middle, HEIGHT - 4), f"top face {top_face}; arrows: the largest", "small")
+    out += svg.text((WIDTH / 2 - 12, HEIGHT - 4), f"top face {top_face}; arrows: the largest", "small")
     return svg.picture(WIDTH, HEIGHT, out, "The body from the side, with layers, plane and motion of the top")
 
 
 def views_from_the_side(data):
+    below = lower_of(data)
+    if data.has_lower and below is None:
+        data.notes.append("The lower body is not drawn: its mesh file is not where the run has found it.")
     if data.shape != "file":
-        return [(f"{'Box' if data.box else 'Cylinder'}, from the side", side_view(data))]
+        return [(f"{'Box' if data.box else 'Cylinder'}, from the side", side_view(data, below))]
     if data.body is None:
         data.notes.append("The body is not drawn: its mesh file is not where the run has found it.")
         return []
-    return [("The body from the side", imported_view(data, data.body))]
+    return [("The body from the side", imported_view(data, data.body, below))]
 
 
 def figures(data):

@@ -121,9 +121,8 @@ def entry_table(section, entries):
 
 
 def parameters(data):
-    has_lower = data.parameters.get("Obstacle", {}).get("Kind") == "body"
     groups = "".join(element("div", element("h3", escape(section)) + entry_table(section, entries), "group")
-                     for section, entries in data.parameters.items() if has_lower or not section.startswith("Lower "))
+                     for section, entries in data.parameters.items() if data.has_lower or not section.startswith("Lower "))
     given = next((data.path / name for name in ("input.prm", "input.json") if (data.path / name).is_file()), None)
     details = ""
     if given:

@@ -45,6 +45,8 @@ class RunData:
         self.angle = (centre["angle_degrees"] if self.friction_varies
                       else self.number("Friction", "Orthotropy angle", 0))
         obstacle = self.parameters.get("Obstacle", {})
+        self.counterface = obstacle.get("Kind", "rigid")
+        self.has_lower = self.counterface == "body"
         self.has_gap = obstacle.get("Gap", "0") != "0" or bool(obstacle.get("Gap file"))
         self.shape = self.parameters["Geometry"].get("Shape", "cylinder")
         self.box = self.read("parameters.prm", self.sizes)
@@ -83,6 +85,11 @@ class RunData:
     def body(self):
         """The body of a mesh file; None of another one, or where the file is gone."""
         return ImportedBody.of(self.parameters["Geometry"]) if self.shape == "file" else None
+
+    @functools.cached_property
+    def lower_body(self):
+        """The same of the body below."""
+        return ImportedBody.of(self.parameters["Lower geometry"])
 
     @functools.cached_property
     def outline(self):
