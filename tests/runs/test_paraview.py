@@ -52,10 +52,11 @@ RUNS = {
     "revolved": [*CYCLE, "Friction/Coefficients=0.2, 0.2", "Friction/Slip potential=0.2, 0.2"],
     "worn": [*CYCLE, "Mesh/Degree=1", "Wear/Law=archard", "Wear/Coefficient=1e-6"],
     "dovetail": ["Load program/Cycles=1", "Output/Volume fields=6", "Output/Contact fields=6"],
+    "two": [*CYCLE[:2], "Load program/Legs=0 0 -0.1 : 1", "Lower mesh/Core cells=4", "Output/Volume fields=1"],
     "cubic": [*CYCLE, "Mesh/Core cells=2", "Mesh/Degree=3", "Mesh/Model=half", "Load program/Legs=0 0 -0.1 : 1"],
 }
-FILES = {"dovetail": "prm/import/dovetail.prm"}
-STEPS = {"worn": "2,3", "dovetail": "6", "quarter": "all", "full": "2", "bare": "1", "pushed": "2", "cubic": "1",
+FILES = {"dovetail": "prm/import/dovetail.prm", "two": "prm/two_bodies/steel_on_aluminium.prm"}
+STEPS = {"worn": "2,3", "two": "1", "dovetail": "6", "quarter": "all", "full": "2", "bare": "1", "pushed": "2", "cubic": "1",
          "revolved": "2"}
 
 
@@ -227,6 +228,15 @@ class PictureTest(unittest.TestCase):
                                zip((CENTRE_Y, CENTRE_X), (i, j), half))
                 self.assertEqual(bool(np.any(pixels[row, column] != BACKGROUND)), is_inside, (factor, i, j))
         self.assertGreater(n_colours(picture("dovetail", "body-0006")), 200)
+
+    def test_two_bodies(self):
+        """Seen from above at 21 degrees, 36 mm to 1200 pixels: two cylinders, 10 mm high and 20 mm wide, have this height."""
+        body = picture("two", "body-0001")[100:, 280:1300]  # not title, axes, legend
+        rows = np.flatnonzero(np.any(body != BACKGROUND, axis=(1, 2)))
+        up = 0.35 / np.linalg.norm((0.45, 0.8, 0.35))
+        self.assertAlmostEqual(np.ptp(rows) * 36 / 1200 / (20 * (1 - up**2)**0.5 + 20 * up), 1, delta=0.02)
+        for half in np.array_split(body[rows[0]:rows[-1]], 2):  # coloured by stress
+            self.assertGreater(n_colours(half[np.ptp(half, axis=2) > 60]), 200)
 
     def test_no_volume(self):
         self.assertIn("no volume.pvd (Output/Volume fields = 0)", rendered("bare")[1])

@@ -246,7 +246,9 @@ def body_view(run, reader, centre):
         return new_view(reader, run.titles(text), [0, 0, 0], 1)
     grid = Grid(run.volume[run.peak(run.volume, "elastic_energy")], centre)
     of_lower = Grid(run.lower[run.peak(run.volume, "elastic_energy")], centre) if run.lower else grid
-    upper = scale("body", "MPa", grid.bound("von_mises_stress", STRESS_WITHIN), grid["von_mises_stress"].max())
+    bounds, largest = zip(*((one.bound("von_mises_stress", STRESS_WITHIN), one["von_mises_stress"].max())
+                            for one in (grid, of_lower)))
+    upper = scale("body", "MPa", max(bounds), max(largest))
     radius, high = max(grid.radius, of_lower.radius), grid.points[:, 2].max()
     low = min(grid.points[:, 2].min(), of_lower.points[:, 2].min(), 0)
     height, (x, y) = high - low, centre
