@@ -2,7 +2,6 @@
 // Copyright (C) 2026 the orthocone authors
 #include "results/scenes.h"
 
-#include <orthocone/results/step_checks.h>
 #include <orthocone/surface/half_space.h>
 
 namespace orthocone::test
@@ -68,15 +67,6 @@ TEST(HalfSpaceScene, HasASumOfCompliances)
 TEST(HalfSpaceScene, PassesTheChecksOfEveryStep)
 {
   TestScene scene(on_half_space(0.5));
-  const StepChecker checker(scene.scene, scene.parameters.checks, 1e-10);
-  scene.march(
-      [&](const ContactState &before, const ContactState &after, const LoadStep &)
-      {
-        const StepChecks checks =
-            checker.check({before, compute_totals(scene.evaluator, before)},
-                          {after, compute_totals(scene.evaluator, after)}, SolverReport{}, 0);
-        EXPECT_LE(checks.equilibrium, 1e-9);
-        EXPECT_LE(checks.energy_identity, 1e-9);
-      });
+  expect_checked_steps(scene);
 }
 } // namespace orthocone::test

@@ -3,8 +3,6 @@
 #include "rejection.h"
 #include "results/scenes.h"
 
-#include <orthocone/results/step_checks.h>
-
 namespace orthocone::test
 {
 namespace
@@ -184,16 +182,7 @@ TEST(LowerBody, HasASumOfCompliancesThatIsSymmetric)
 TEST(LowerBody, PassesTheChecksOfEveryStep)
 {
   TestScene scene(on_other_cells(0.5));
-  const StepChecker checker(scene.scene, scene.parameters.checks, 1e-10);
-  scene.march(
-      [&](const ContactState &before, const ContactState &after, const LoadStep &)
-      {
-        const StepChecks checks =
-            checker.check({before, compute_totals(scene.evaluator, before)},
-                          {after, compute_totals(scene.evaluator, after)}, SolverReport{}, 0);
-        EXPECT_LE(checks.equilibrium, 1e-9);
-        EXPECT_LE(checks.energy_identity, 1e-9);
-      });
+  expect_checked_steps(scene);
 }
 
 TEST(LowerBody, MustLieUnderAllOfTheOther)

@@ -6,6 +6,7 @@
 
 #include <orthocone/body/node_compliance.h>
 #include <orthocone/march/march.h>
+#include <orthocone/results/step_checks.h>
 #include <orthocone/results/totals.h>
 #include <orthocone/scene/scene.h>
 
@@ -116,6 +117,21 @@ public:
   const Eigen::VectorXd opening;
   ContactState state;
 };
+
+/// Marches a scene whose bodies must be in equilibrium after each step, and keep their energy in it.
+inline void expect_checked_steps(TestScene &scene)
+{
+  const StepChecker checker(scene.scene, scene.parameters.checks, 1e-10);
+  scene.march(
+      [&](const ContactState &before, const ContactState &after, const LoadStep &)
+      {
+        const StepChecks checks =
+            checker.check({before, compute_totals(scene.evaluator, before)},
+                          {after, compute_totals(scene.evaluator, after)}, SolverReport{}, 0);
+        EXPECT_LE(checks.equilibrium, 1e-9);
+        EXPECT_LE(checks.energy_identity, 1e-9);
+      });
+}
 
 /// Node of the scene at a position, or -1.
 inline int node_at(const TestScene &scene, const std::array<double, 2> &position)
