@@ -8,7 +8,7 @@
 #include <orthocone/accuracy/memory_need.h>
 #include <orthocone/base/text.h>
 #include <orthocone/body/backends/stiffness_factor.h>
-#include <orthocone/body/shapes/imported_mesh.h>
+#include <orthocone/body/shapes/mesh_files.h>
 #include <orthocone/body/shapes/mesh_ladder.h>
 #include <orthocone/output/summary.h>
 #include <orthocone/parameters/lower_body.h>
@@ -22,9 +22,8 @@ namespace
 {
 void print_warnings(const Parameters &parameters, const std::string &lack)
 {
-  if (parameters.geometry.is_from_file())
-    for (const std::string &warning : ImportedMesh(parameters.geometry).warnings(parameters.mesh))
-      std::cout << "warning: " << warning << "\n";
+  for (const std::string &warning : mesh_file_warnings(parameters))
+    std::cout << "warning: " << warning << "\n";
   for (const std::string &warning : parameter_warnings(parameters))
     std::cout << "warning: " << warning << "\n";
   if (!lack.empty())
@@ -129,8 +128,7 @@ int check(const CommandLine &line, const Parameters &given)
   parameters.mesh.backend = backend.backend;
   if (!backend.reason.empty())
     std::cout << backend.reason << "\n";
-  if (parameters.geometry.is_from_file())
-    std::cout << ImportedMesh(parameters.geometry).describe();
+  std::cout << describe_mesh_files(parameters);
   if (parameters.mesh.adaptive != 0)
     std::cout << "adaptive       " << parameters.mesh.adaptive
               << " rounds of refinement by the run; what follows is for the mesh before them\n";

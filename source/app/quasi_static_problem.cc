@@ -8,7 +8,7 @@
 #include <orthocone/base/text.h>
 #include <orthocone/base/threads.h>
 #include <orthocone/base/version.h>
-#include <orthocone/body/shapes/imported_mesh.h>
+#include <orthocone/body/shapes/mesh_files.h>
 #include <orthocone/contact/problem/critical_friction.h>
 #include <orthocone/march/rank_memory.h>
 #include <orthocone/parameters/parameters.h>
@@ -48,8 +48,7 @@ QuasiStaticProblem::QuasiStaticProblem(ChosenModel chosen, const ModelChoice &ch
   record_.critical_friction = critical_friction_;
   if (parameters_.mesh.backend == BodyBackend::multigrid)
     record_.stretch = scene_.body().mesh().stretch();
-  if (parameters_.geometry.is_from_file())
-    record_.of_mesh_file = ImportedMesh(parameters_.geometry).warnings(parameters_.mesh);
+  record_.of_mesh_files = mesh_file_warnings(parameters_);
   record_.seconds = scene_.seconds();
   // The search for a mesh built the model, too.
   record_.seconds.mesh_search = chosen_.search_seconds - (chosen_.accuracy ? scene_.seconds().sum() : 0);
@@ -149,7 +148,7 @@ void QuasiStaticProblem::begin(const std::optional<Checkpoint> &checkpoint)
   totals_ = compute_totals(evaluator_, state_);
   RunRecord before = checkpoint->record;
   before.stretch = record_.stretch;
-  before.of_mesh_file = record_.of_mesh_file;
+  before.of_mesh_files = record_.of_mesh_files;
   record_ = std::move(before);
   record_.threads = threads_.chosen();
   record_.critical_friction = critical_friction_;

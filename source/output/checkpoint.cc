@@ -13,12 +13,38 @@
 #include <algorithm>
 #include <set>
 #include <sstream>
+#include <utility>
+#include <vector>
 
 namespace orthocone
 {
 namespace
 {
 constexpr const char *file_name = "checkpoint/state";
+
+/// Entries and paths of the meshes that a run reads.
+std::vector<std::pair<std::string, std::string>> mesh_files(const Parameters &parameters)
+{
+  std::vector<std::pair<std::string, std::string>> files;
+  if (parameters.geometry.is_from_file())
+    files.emplace_back("Geometry/Mesh file", parameters.geometry.mesh_file);
+  if (parameters.obstacle.kind == ObstacleKind::body && parameters.lower.geometry.is_from_file())
+    files.emplace_back("Lower geometry/Mesh file", parameters.lower.geometry.mesh_file);
+  return files;
+}
+
+/// Which file may have changed: one number stands for all.
+std::string other_files(const Parameters &parameters)
+{
+  std::string text;
+  const auto add = [&](const std::string &entry, const std::string &path, const std::string &what)
+  { text += (text.empty() ? "" : ", or ") + entry + " = " + shown_path(path) + ": has " + what; };
+  if (!parameters.obstacle.gap_file.empty())
+    add("Obstacle/Gap file", parameters.obstacle.gap_file, "other gaps");
+  for (const auto &[entry, path] : mesh_files(parameters))
+    add(entry, path, "another mesh");
+  return text;
+}
 
 /// Whether a run may go on with another value of an entry. It may concern steps to come, output, and how a
 /// step is solved and judged, but not what was computed.
@@ -69,12 +95,7 @@ void require_same_past(const Checkpoint &checkpoint, const Parameters &parameter
       refuse(entry, value, "the same value");
   if (input_files_checksum(parameters) != checkpoint.gap_file)
     throw InputError(
-        file + ": " +
-        (parameters.obstacle.gap_file.empty()
-             ? "Geometry/Mesh file = " + shown_path(parameters.geometry.mesh_file) + ": has another mesh"
-             : "Obstacle/Gap file = " + shown_path(parameters.obstacle.gap_file) + ": has other gaps" +
-                   (parameters.geometry.mesh_file.empty() ? "" : ", or Geometry/Mesh file another mesh,")) +
-        " than when the run in " + folder.path() +
+        file + ": " + other_files(parameters) + " than when the run in " + folder.path() +
         " was started; allowed for --resume are the same (or start anew, with another --output DIR)");
   const bool has_searched =
       parameters.mesh.accuracy != 0 || parameters.mesh.adaptive != 0 || parameters.load.accuracy != 0;
@@ -102,9 +123,9 @@ void require_nothing_to_lose(const RunFolder &folder, const Parameters &paramete
 std::uint32_t input_files_checksum(const Parameters &parameters)
 {
   boost::crc_32_type crc;
-  if (parameters.geometry.is_from_file())
+  for (const auto &[entry, path] : mesh_files(parameters))
   {
-    const std::string mesh = read_gmsh_file(parameters.geometry.mesh_file).text;
+    const std::string mesh = read_gmsh_file(path).text;
     crc.process_bytes(mesh.data(), mesh.size());
   }
   if (parameters.obstacle.gap_file.empty())

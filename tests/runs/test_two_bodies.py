@@ -3,6 +3,7 @@
 """One elastic body on another one: files of both, resumed runs, what --check says.
 
 Usage: test_two_bodies.py PROGRAM [unittest options]"""
+import json
 import sys
 
 import meshio
@@ -101,6 +102,35 @@ class TwoBodiesTest(program.RunTest):
                       result.stdout)
         self.assertRegex(result.stdout, r"\nlower mesh     \d+ hexahedra of degree 2, \d+ unknowns, \d+ contact nodes\n")
         self.assertFalse((self.folder / "run").exists())
+
+    IMPORTED = [*SMALL[:3], "Geometry/Radius=8", "Load program/Legs=0 0 -0.1 : 1", "Lower geometry/Shape=file",
+                *(f"Lower geometry/{entry}" for entry in SURFACES), "Lower mesh/Refinements=1"]
+    FACETS = "Lower mesh/Refinements: the file has cells with plane faces"
+
+    def test_check_draws_up_an_imported_lower_body(self):
+        result = self.run_program("run", "--check", settings=[*self.IMPORTED, f"Lower geometry/Mesh file={CYLINDER}"])
+        self.assertEqual((result.returncode, result.stderr), (0, ""))
+        for line in (r"lower mesh file      \S+cylinder\.msh", r"lower volume         body \(5\): 88 cells, 780\.361 mm\^3",
+                     r"lower surface        base \(1\): 22 faces, 78\.0361 mm\^2", r"lower worst cell     at \(.*\) mm, scaled",
+                     r"lower contact height 0 to 0 mm above z = 0", f"warning: {self.FACETS}"):
+            self.assertRegex(result.stdout, rf"(?m)^{line}")
+        self.assertNotRegex(result.stdout, r"(?m)^(mesh file|warning: Mesh)")
+
+    def test_runs_warn_of_an_imported_lower_body(self):
+        """Kept are the file's facets. Another mesh in the same file is another scene."""
+        mesh = self.folder / "own.msh"
+        text = CYLINDER.read_text(encoding="ascii")
+        mesh.write_text(text, encoding="ascii")
+        settings = [*self.IMPORTED, f"Lower geometry/Mesh file={mesh}", "Lower mesh/Degree=1"]
+        self.run_well("run", settings=settings)
+        self.assertIn(f"warning: {self.FACETS}", (self.folder / "run/log.txt").read_text(encoding="utf-8"))
+        warnings = json.loads((self.folder / "run/summary.json").read_text(encoding="utf-8"))["warnings"]
+        self.assertEqual([warning[:len(self.FACETS)] for warning in warnings if "is ignored" not in warning], [self.FACETS])
+        self.run_well("run", "--resume", settings=settings)
+        mesh.write_text(text.replace("\n10 0 10\n", "\n10 0 10.5\n"), encoding="ascii")
+        result = self.run_program("run", "--resume", settings=settings)
+        self.assertEqual(result.returncode, 2)
+        self.assertRegex(result.stderr, r"Lower geometry/Mesh file = \S+own\.msh: has another mesh than when the run in ")
 
     def test_entries_without_a_lower_body_are_warned_of(self):
         result = self.run_program("run", "--check", settings=["Obstacle/Kind=rigid"])
