@@ -18,6 +18,8 @@ from program import PROGRAM, ROOT, SMALL, RunTest, main  # noqa: E402
 
 sys.path[:0] = [str(ROOT / "tools/plots"), str(ROOT / "tools/studies")]
 import contact_surface  # noqa: E402
+import counterbodies  # noqa: E402
+import points  # noqa: E402
 import wear_steps  # noqa: E402
 from run_folder import ContactFile  # noqa: E402
 
@@ -141,6 +143,20 @@ class StudyCommandTest(RunTest):
         self.assertLess(float(shallow["ratio"] or 0.9), 1)
         self.assertGreater(wear_steps.missing(deep), 1)
         self.assertLess(abs(wear_steps.missing(shallow)), 0.01)
+
+    def test_runs_of_a_point_are_run_each(self):
+        """Medians of copies would look exact. On each counterbody the base slips, for contact to be compared."""
+        self.assertEqual(self.study("counterbodies", "--quick").returncode, 0)
+        rows = self.rows_of("counterbodies")
+        self.assertEqual(len({row["command"] for row in rows}), len(rows))
+        for kind in ("rigid", "half-space", "body"):
+            one, other = (row for row in rows if row["kind"] == kind)
+            self.assertEqual(one["iterations"], other["iterations"])
+            self.assertNotEqual([one[name] for name in counterbodies.BODY], [other[name] for name in counterbodies.BODY])
+            self.assertGreater(float(one["slipping"]), 0.05)
+        point = points.Point({"run": 1}, ["true"])
+        with self.assertRaisesRegex(points.StudyError, "the same command"):
+            points.measure(points.Table(self.folder / "none.csv", False), [point, point], None, {})
 
     def test_wrong_words_are_refused(self):
         for words, message in ((["map"], "there is no study 'map'"), (["maps", "--quick", "--docs"], "--quick measures nothing")):

@@ -130,6 +130,9 @@ class Table:
 
 def measure(table, points, extract, programs, jobs=1, threads=None, note=print):
     """The rows of all points, in their order, as texts. `extract(result, point)` gives the figures of a row."""
+    repetitions = [point.command for point in points if "run" in point.columns]
+    if len(set(repetitions)) < len(repetitions):
+        raise StudyError("runs with the same command would be one run, and its time no median: give each a probe of its own")
     missing = [point for point in points if table.find(point.command) is None]
     done = len(points) - len(missing)
     begin = time.perf_counter()
