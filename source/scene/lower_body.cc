@@ -21,17 +21,22 @@ const LocalAxes &own_axes()
   return axes;
 }
 
+void require(const SurfaceCover &cover)
+{
+  constexpr double percent = 100;
+  if (!cover.is_enough())
+    throw InputError("Obstacle/Kind = body: the lower body is under " +
+                     to_text(std::round(percent * cover.least)) +
+                     " % of the face of the contact surface about " +
+                     place_text({cover.uncovered[0], cover.uncovered[1]}) +
+                     ": allowed are 90 and more of every face; the larger contact surface is that of the "
+                     "lower body");
+}
+
 MortarMap checked_map(const ContactSurface &surface, const ContactSurface &own)
 {
   MortarMap mortar = mortar_map(surface, own);
-  constexpr double percent = 100;
-  if (mortar.map.size() == 0)
-    throw InputError("Obstacle/Kind = body: the lower body is under " +
-                     to_text(std::round(percent * mortar.least_cover)) +
-                     " % of the face of the contact surface about " +
-                     place_text({mortar.uncovered[0], mortar.uncovered[1]}) +
-                     ": allowed are 90 and more of every face; the larger contact surface is that of the "
-                     "lower body");
+  require(mortar.cover);
   return mortar;
 }
 
@@ -87,9 +92,7 @@ LowerBody::LowerBody(const Parameters &parameters, const ModelSymmetry &symmetry
 
 MatrixXd LowerBody::compliance() const
 {
-  const MatrixXd half = map_ * *body_.compliance().dense();
-  const MatrixXd whole = map_ * half.transpose();
-  return (whole + whole.transpose()) / 2;
+  return mapped_compliance(map_, *body_.compliance().dense());
 }
 
 void require_cover(const Parameters &parameters, const ModelSymmetry &symmetry)
@@ -101,7 +104,7 @@ void require_cover(const Parameters &parameters, const ModelSymmetry &symmetry)
       [&]
       {
         const Body lower(lower_parameters(parameters), symmetry);
-        checked_map(upper.unknowns().contact_surface(), lower.unknowns().contact_surface());
+        require(surface_cover(upper.unknowns().contact_surface(), lower.unknowns().contact_surface()));
       });
 }
 } // namespace orthocone

@@ -10,7 +10,6 @@ namespace orthocone
 {
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
-using Eigen::VectorXd;
 
 const std::vector<double> &face_nodes(const unsigned int degree)
 {
@@ -70,10 +69,10 @@ PlaneFace::PlaneFace(const unsigned int degree, std::vector<Vector2d> places)
 {
 }
 
-VectorXd PlaneFace::values(const Vector2d &unit) const
+PlaneFace::Values PlaneFace::values(const Vector2d &unit) const
 {
   const LineBasis u(nodes_, unit[0]), v(nodes_, unit[1]);
-  VectorXd values(n() * n());
+  Values values(n() * n());
   for (std::size_t j = 0; j < n(); ++j)
     for (std::size_t i = 0; i < n(); ++i)
       values[static_cast<Eigen::Index>(i + n() * j)] = u.value[i] * v.value[j];
@@ -90,11 +89,11 @@ Vector2d PlaneFace::position(const Vector2d &unit) const
   return position;
 }
 
-Vector2d PlaneFace::unit_of(const Vector2d &position) const
+Vector2d PlaneFace::unit_of(const Vector2d &position, const Vector2d &guess) const
 {
   constexpr unsigned int most_iterations = 30; // of Newton's method, which takes 2 to 5
   constexpr double settled = 1e-10;            // the next change would be the square of this
-  Vector2d unit(0.5, 0.5);
+  Vector2d unit = guess;
   for (unsigned int iteration = 0; iteration < most_iterations; ++iteration)
   {
     const LineBasis u(nodes_, unit[0]), v(nodes_, unit[1]);

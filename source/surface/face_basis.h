@@ -21,16 +21,20 @@ std::vector<std::array<double, 2>> gauss_rule(unsigned int n);
 class PlaneFace
 {
 public:
+  /// One number for each node, up to degree 3, without memory from the heap.
+  using Values = Eigen::Matrix<double, Eigen::Dynamic, 1, 0, 16, 1>;
+
   /// `places`: (degree + 1)^2 points (x, y), lexicographic, mm.
   PlaneFace(unsigned int degree, std::vector<Eigen::Vector2d> places);
 
   /// Values of all nodes at a point of the unit square, in their order.
-  Eigen::VectorXd values(const Eigen::Vector2d &unit) const;
+  Values values(const Eigen::Vector2d &unit) const;
 
   Eigen::Vector2d position(const Eigen::Vector2d &unit) const;
 
-  /// The point of the unit square, or close to it, that has this position (mm).
-  Eigen::Vector2d unit_of(const Eigen::Vector2d &position) const;
+  /// The point of the unit square, or close to it, that has this position (mm). A `guess` that is close to it
+  /// takes fewer iterations.
+  Eigen::Vector2d unit_of(const Eigen::Vector2d &position, const Eigen::Vector2d &guess = {0.5, 0.5}) const;
 
   /// Corners (mm) of a polygon along the edges: straight edges stay, curved ones become short pieces.
   std::vector<Eigen::Vector2d> outline() const;

@@ -73,6 +73,32 @@ std::vector<CutFace> cut_faces(const ContactSurface &surface)
   return faces;
 }
 
+/// Calls use(polygon, sign) with the convex parts, and signs, of which the intersection of two faces is the
+/// sum. What they share along an edge, by rounding, is no part.
+template<typename Use>
+void at_common_parts(const CutFace &own, const CutFace &other, const Use &use)
+{
+  constexpr double rounding = 1e-14; // of an area
+  if (!overlap(own.box, other.box))
+    return;
+  for (const auto &[part, box] : own.parts)
+    for (const auto &[of_other, other_box] : other.parts)
+      if (overlap(box, other_box))
+        if (const PlanePolygon common = common_part(part.corners, of_other.corners);
+            signed_area(common) > rounding * own.area)
+          use(common, part.sign * of_other.sign);
+}
+
+/// Takes a face of which `area` is covered into account.
+void look_at(const CutFace &face, const double area, SurfaceCover &cover)
+{
+  if (const double part = area / face.area; part < cover.least)
+  {
+    const Vector2d centre = face.face.position({0.5, 0.5});
+    cover = {part, {{centre[0], centre[1]}}};
+  }
+}
+
 /// Gauss points of a triangle, with one corner as the end of a square.
 class TriangleRule
 {
@@ -119,23 +145,23 @@ struct FaceIntegrals
 void add_common(const CutFace &own, const CutFace &other, const TriangleRule &rule, FaceIntegrals &sums,
                 MatrixXd &mixed)
 {
-  for (const auto &[part, box] : own.parts)
-    for (const auto &[of_other, other_box] : other.parts)
-    {
-      if (!overlap(box, other_box))
-        continue;
-      const double sign = part.sign * of_other.sign;
-      rule.at_points(common_part(part.corners, of_other.corners),
-                     [&](const Vector2d &position, const double area)
-                     {
-                       const VectorXd at_own = own.face.values(own.face.unit_of(position));
-                       sums.area += sign * area;
-                       sums.single += sign * area * at_own;
-                       sums.products += sign * area * at_own * at_own.transpose();
-                       mixed +=
-                           sign * area * at_own * other.face.values(other.face.unit_of(position)).transpose();
-                     });
-    }
+  Vector2d at(0.5, 0.5), at_other = at; // the points follow each other closely
+  at_common_parts(own, other,
+                  [&](const PlanePolygon &common, const double sign)
+                  {
+                    sums.area += sign * signed_area(common);
+                    rule.at_points(common,
+                                   [&](const Vector2d &position, const double area)
+                                   {
+                                     at = own.face.unit_of(position, at);
+                                     at_other = other.face.unit_of(position, at_other);
+                                     const PlaneFace::Values values = own.face.values(at);
+                                     const PlaneFace::Values weighted = sign * area * values;
+                                     sums.single += weighted;
+                                     sums.products.noalias() += weighted * values.transpose();
+                                     mixed.noalias() += weighted * other.face.values(at_other).transpose();
+                                   });
+                  });
 }
 
 FaceIntegrals integrals(const CutFace &own, const std::vector<CutFace> &others, const TriangleRule &rule)
@@ -147,7 +173,8 @@ FaceIntegrals integrals(const CutFace &own, const std::vector<CutFace> &others, 
       continue;
     MatrixXd mixed = MatrixXd::Zero(sums.single.size(), others[k].face.values({0, 0}).size());
     add_common(own, others[k], rule, sums, mixed);
-    sums.mixed.emplace_back(k, std::move(mixed));
+    if (!mixed.isZero(0))
+      sums.mixed.emplace_back(k, std::move(mixed));
   }
   return sums;
 }
@@ -195,9 +222,24 @@ private:
 };
 } // namespace
 
+SurfaceCover surface_cover(const ContactSurface &surface, const ContactSurface &other)
+{
+  const std::vector<CutFace> others = cut_faces(other);
+  SurfaceCover cover;
+  for (const CutFace &face : cut_faces(surface))
+  {
+    double area = 0;
+    for (const CutFace &below : others)
+      at_common_parts(face, below,
+                      [&](const PlanePolygon &common, const double sign)
+                      { area += sign * signed_area(common); });
+    look_at(face, area, cover);
+  }
+  return cover;
+}
+
 MortarMap mortar_map(const ContactSurface &surface, const ContactSurface &other)
 {
-  constexpr double least_cover = 0.9; // docs/theory.md, section 2, "A second elastic body below"
   const std::vector<CutFace> own = cut_faces(surface), others = cut_faces(other);
   // This is exact for products of two functions on parallelograms.
   const TriangleRule rule(2 * std::max(surface.degree, other.degree) + 1);
@@ -206,17 +248,11 @@ MortarMap mortar_map(const ContactSurface &surface, const ContactSurface &other)
   for (std::size_t i = 0; i < own.size(); ++i)
   {
     const FaceIntegrals of = integrals(own[i], others, rule);
-    const double cover = of.area / own[i].area;
-    if (cover < result.least_cover)
-    {
-      const Vector2d centre = own[i].face.position({0.5, 0.5});
-      result.least_cover = cover;
-      result.uncovered = {{centre[0], centre[1]}};
-    }
-    if (cover >= least_cover)
+    look_at(own[i], of.area, result.cover);
+    if (result.cover.is_enough())
       sums.add(surface.faces[i], of);
   }
-  if (result.least_cover >= least_cover)
+  if (result.cover.is_enough())
     result.map = sums.map();
   return result;
 }

@@ -51,7 +51,7 @@ TEST(Mortar, IsTheIdentityBetweenLikeSurfaces)
   {
     const ContactSurface surface = square_surface(2, degree, {}, on_disc);
     const MortarMap mortar = mortar_map(surface, surface);
-    EXPECT_NEAR(mortar.least_cover, 1, rounding);
+    EXPECT_NEAR(mortar.cover.least, 1, rounding);
     const MatrixXd map = mortar.map;
     EXPECT_LE((map - MatrixXd::Identity(map.rows(), map.cols())).lpNorm<Eigen::Infinity>(), 1e-11) << degree;
   }
@@ -90,8 +90,8 @@ TEST(Mortar, JoinsDiscsOfUnequalCells)
   const ContactSurface surface = square_surface(3, 2, {}, on_disc);
   const ContactSurface other = square_surface(4, 2, {}, turned_disc(0.3));
   const MortarMap mortar = mortar_map(surface, other);
-  EXPECT_GT(mortar.least_cover, 0.97);
-  EXPECT_LT(mortar.least_cover, 1);
+  EXPECT_GT(mortar.cover.least, 0.97);
+  EXPECT_LT(mortar.cover.least, 1);
   EXPECT_LE((mortar.map * positions(other) - positions(surface)).lpNorm<Eigen::Infinity>(), rounding);
 }
 
@@ -103,7 +103,20 @@ TEST(Mortar, IsRefusedWhereFacesAreNotCovered)
   EXPECT_GT(mortar_map(surface, square_surface(2, 1, {}, scaled(0.95))).map.size(), 0);
   const MortarMap small = mortar_map(surface, square_surface(2, 1, {}, scaled(0.94)));
   EXPECT_EQ(small.map.size(), 0);
-  EXPECT_NEAR(small.least_cover, 0.94 * 0.94, rounding);
-  EXPECT_NEAR(std::abs(small.uncovered[0]), 0.5, rounding);
+  EXPECT_NEAR(small.cover.least, 0.94 * 0.94, rounding);
+  EXPECT_NEAR(std::abs(small.cover.uncovered[0]), 0.5, rounding);
+}
+
+TEST(Mortar, CoverIsKnownWithoutTheMap)
+{
+  for (const double size : {0.7, 1., 1.3})
+  {
+    const ContactSurface surface = square_surface(3, 2, {}, on_disc);
+    const ContactSurface other = square_surface(4, 3, {}, turned_disc(0.3, size));
+    const SurfaceCover cover = surface_cover(surface, other), of_map = mortar_map(surface, other).cover;
+    EXPECT_NEAR(cover.least, of_map.least, rounding);
+    EXPECT_EQ(cover.uncovered, of_map.uncovered);
+    EXPECT_EQ(cover.is_enough(), size >= 1);
+  }
 }
 } // namespace orthocone::test
