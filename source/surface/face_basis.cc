@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <type_traits>
 #include <utility>
 
 namespace orthocone
@@ -23,15 +24,16 @@ const std::vector<double> &face_nodes(const unsigned int degree)
 namespace
 {
 /// Values and slopes of the Lagrange polynomials of all nodes of a line, at a point.
+template<std::size_t n>
 struct LineBasis
 {
   LineBasis(const std::vector<double> &nodes, const double at)
   {
-    for (std::size_t own = 0; own < nodes.size(); ++own)
+    for (std::size_t own = 0; own < n; ++own)
     {
       value[own] = 1;
       slope[own] = 0;
-      for (std::size_t i = 0; i < nodes.size(); ++i)
+      for (std::size_t i = 0; i < n; ++i)
         if (i != own)
         {
           const double scale = 1 / (nodes[own] - nodes[i]);
@@ -40,8 +42,43 @@ struct LineBasis
         }
     }
   }
-  std::array<double, 4> value{}, slope{}; ///< up to degree 3
+  std::array<double, n> value{}, slope{};
 };
+
+/// Calls use(n) with n as a constant, 2 to 4 nodes of a line: loops of known length take half of the time.
+template<typename Use>
+auto with_constant(const std::size_t n, const Use &use)
+{
+  switch (n)
+  {
+  case 2:
+    return use(std::integral_constant<std::size_t, 2>());
+  case 3:
+    return use(std::integral_constant<std::size_t, 3>());
+  default:
+    return use(std::integral_constant<std::size_t, 4>());
+  }
+}
+
+/// What a position lacks at a point of the unit square, and the gradient of the position there.
+template<std::size_t n>
+std::pair<Vector2d, Matrix2d> linearized(const std::vector<double> &nodes,
+                                         const std::vector<Vector2d> &places, const Vector2d &position,
+                                         const Vector2d &unit)
+{
+  const LineBasis<n> u(nodes, unit[0]), v(nodes, unit[1]);
+  Vector2d missing = position;
+  Matrix2d gradient = Matrix2d::Zero();
+  for (std::size_t j = 0; j < n; ++j)
+    for (std::size_t i = 0; i < n; ++i)
+    {
+      const Vector2d &place = places[i + n * j];
+      missing -= u.value[i] * v.value[j] * place;
+      gradient.col(0) += u.slope[i] * v.value[j] * place;
+      gradient.col(1) += u.value[i] * v.slope[j] * place;
+    }
+  return {missing, gradient};
+}
 } // namespace
 
 std::vector<std::array<double, 2>> gauss_rule(const unsigned int n)
@@ -71,21 +108,24 @@ PlaneFace::PlaneFace(const unsigned int degree, std::vector<Vector2d> places)
 
 PlaneFace::Values PlaneFace::values(const Vector2d &unit) const
 {
-  const LineBasis u(nodes_, unit[0]), v(nodes_, unit[1]);
-  Values values(n() * n());
-  for (std::size_t j = 0; j < n(); ++j)
-    for (std::size_t i = 0; i < n(); ++i)
-      values[static_cast<Eigen::Index>(i + n() * j)] = u.value[i] * v.value[j];
-  return values;
+  return with_constant(nodes_.size(),
+                       [&](const auto n)
+                       {
+                         const LineBasis<n> u(nodes_, unit[0]), v(nodes_, unit[1]);
+                         Values values(n * n);
+                         for (std::size_t j = 0; j < n; ++j)
+                           for (std::size_t i = 0; i < n; ++i)
+                             values[static_cast<Eigen::Index>(i + n * j)] = u.value[i] * v.value[j];
+                         return values;
+                       });
 }
 
 Vector2d PlaneFace::position(const Vector2d &unit) const
 {
-  const LineBasis u(nodes_, unit[0]), v(nodes_, unit[1]);
+  const Values at = values(unit);
   Vector2d position = Vector2d::Zero();
-  for (std::size_t j = 0; j < n(); ++j)
-    for (std::size_t i = 0; i < n(); ++i)
-      position += u.value[i] * v.value[j] * places_[i + n() * j];
+  for (std::size_t i = 0; i < places_.size(); ++i)
+    position += at[static_cast<Eigen::Index>(i)] * places_[i];
   return position;
 }
 
@@ -96,17 +136,8 @@ Vector2d PlaneFace::unit_of(const Vector2d &position, const Vector2d &guess) con
   Vector2d unit = guess;
   for (unsigned int iteration = 0; iteration < most_iterations; ++iteration)
   {
-    const LineBasis u(nodes_, unit[0]), v(nodes_, unit[1]);
-    Vector2d missing = position;
-    Matrix2d gradient = Matrix2d::Zero();
-    for (std::size_t j = 0; j < n(); ++j)
-      for (std::size_t i = 0; i < n(); ++i)
-      {
-        const Vector2d &place = places_[i + n() * j];
-        missing -= u.value[i] * v.value[j] * place;
-        gradient.col(0) += u.slope[i] * v.value[j] * place;
-        gradient.col(1) += u.value[i] * v.slope[j] * place;
-      }
+    const auto [missing, gradient] = with_constant(
+        nodes_.size(), [&](const auto n) { return linearized<n>(nodes_, places_, position, unit); });
     const Vector2d change = gradient.inverse() * missing;
     unit += change;
     if (change.lpNorm<Eigen::Infinity>() <= settled)

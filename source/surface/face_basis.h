@@ -41,7 +41,6 @@ public:
 
 private:
   bool is_straight(unsigned int edge) const;
-  std::size_t n() const { return nodes_.size(); }
 
   const std::vector<double> &nodes_;
   std::vector<Eigen::Vector2d> places_;
