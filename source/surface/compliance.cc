@@ -51,8 +51,8 @@ double largest_eigenvalue(const Eigen::Index n_nodes, const double settled,
                           const std::function<NodeVector(const NodeVector &)> &product)
 {
   constexpr double rounding = 1e-12;
-  // Surfaces settle within some ten products. Whatever the spectrum, the value after the last product is short
-  // by about 2 % on average over all starts (Kuczynski, Wozniakowski 1992, theorem 3.2).
+  // Surfaces settle within some ten products. Whatever the spectrum, the value after the last product is
+  // short by about 2 % on average over all starts (Kuczynski, Wozniakowski 1992, theorem 3.2).
   constexpr Eigen::Index least_products = 5, most_products = 60;
   // A push on the whole surface is close to the softest mode; the tilt keeps other modes in reach.
   NodeVector vector = NodeVector::LinSpaced(3 * n_nodes, 1, 1.1).normalized();

@@ -9,6 +9,7 @@ levels have in common counts as an error, too. Such a mesh misses the stick area
 the last level, with the smallest cells along the border, which is not judged itself. Prints a line for each scene and level and the share of estimates that
 bound the true error within a factor 3, and of those that are more than 10 times too large."""
 import argparse
+import math
 import pathlib
 import re
 import subprocess
@@ -69,7 +70,7 @@ def levels_of(program, settings, n_levels):
 
 def true_error(name, value, truths):
     """In percent, as the program relates it."""
-    motion, contact_area = 0.1, 3.14159265 * 10**2  # of all scenes
+    motion, contact_area = 0.1, math.pi * 10**2  # of all scenes
     least = {"stick_area_mm2": 0.1 * contact_area, "largest_slip_mm": 1e-3 * motion,
              "dissipation_Nmm": 1e-3 * motion * truths["peak_force_N"] / 2}
     least["loop_area_Nmm"] = least["dissipation_Nmm"]
