@@ -6,6 +6,7 @@ TOLERANCE = 1e-10  # of the contact solver, as by default
 ISOTROPIC = ["Mesh/Core cells=2", "Mesh/Rings=1", "Mesh/Core ratio=0.6", "Mesh/Layers=2"]
 BOX = ["Geometry/Shape=box", "Mesh/Cells=2, 4, 2"]
 FRETTING = ["Load program/Preload=Fz -5e5 : 2", "Load program/Legs=ux 0.01 : 2 ; ux -0.01 : 3", "Load program/Cycles=1"]
+RUBBING = ["Load program/Preload=0 0 -0.05 : 2", "Load program/Legs=0.02 0 -0.05 : 2 ; -0.02 0 -0.05 : 4", "Load program/Cycles=8"]
 ONE_CYCLE = ["Load program/Legs=0 0 -0.1 : 2 ; 0 0 0.0 : 4", "Load program/Cycles=1"]
 
 # Name: file, settings besides the mesh.
@@ -37,6 +38,8 @@ SCENES = {
                                                    "Obstacle/Gap=0.002*(1-cos(x/3))"]),
     "twisted": ("paper/case_b.prm", [*ISOTROPIC, "Load program/Legs=uz -0.05 : 2 ; rz 0.1 : 2 ; Mz 0 : 2",
                                      "Load program/Cycles=1", "Mesh/Refinements=1"]),
+    "worn, with jumps": ("paper/case_b.prm", [*ISOTROPIC, *RUBBING, "Mesh/Degree=1", "Mesh/Refinements=1", "Wear/Law=archard",
+                                              "Wear/Coefficient=1e-5", "Wear/Largest depth of a jump=1e-4"]),
 }
 COUNTS = {"step", "iterations", "residual", "n_open", "n_stick", "n_slip"}
 
@@ -55,11 +58,12 @@ def numbers(rows):
 
 def differences(first, second):
     """Of each column that both runs have: the largest difference / (the tolerance x the column's scale). Areas and
-    energies sum what nodes err by."""
+    energies sum what nodes err by. What is worn has its own scale."""
     slip = max(abs(u) for key in ("ux", "uy", "uz") for u in first[key]) + 1e-9
     force = max(abs(f) for key in ("force_x", "force_y", "force_z") for f in first[key])
     scales = {"force_x": force, "force_y": force, "force_z": force, "max_slip": slip, "ux": slip, "uy": slip,
               "uz": slip, "elastic_energy": force * slip, "dissipation": force * slip,
-              "total_dissipation": force * slip}
+              "total_dissipation": force * slip,
+              **{key: max(first[key]) + 1e-30 for key in ("worn_volume", "max_wear_depth")}}
     return {column: max(abs(a - b) for a, b in zip(first[column], second[column])) / (TOLERANCE * scale)
             for column, scale in scales.items()}

@@ -30,6 +30,8 @@ class SameStatesTest(RunTest):
         for name, (file, settings) in SCENES.items():
             with self.subTest(scene=name):
                 condensed, multigrid = self.compared(file, settings)
+                self.assertEqual(condensed["cycle"], multigrid["cycle"])
+                self.assertEqual(condensed["worn_volume"][-1] > 0, "Wear/Law=archard" in settings)
                 for column, difference in differences(condensed, multigrid).items():
                     self.assertLessEqual(difference, 10, column)
 
