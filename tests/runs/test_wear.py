@@ -84,7 +84,8 @@ class WearTest(program.RunTest):
         self.assertGreater(pressure[radius < stick - 1.5 * spacing].min(), 0.5 * pressure.max())
 
     def test_killed_runs_go_on(self):
-        settings = [*SMALL, "Load program/Cycles=4000", "Output/Checkpoint=0"]
+        """The same bytes, also of the depths at every node."""
+        settings = [*SMALL, "Load program/Cycles=4000", "Output/Checkpoint=0", "Output/Contact fields=8"]
         start = time.monotonic()
         self.worn("whole", FRETTING, *settings)
         seconds, moments = time.monotonic() - start, random.Random(7)
@@ -92,7 +93,10 @@ class WearTest(program.RunTest):
             self.kill_after("killed", settings, moments.uniform(0.2, 0.7) * seconds, file=FRETTING)
         result = self.run_program("killed", "--resume", settings=settings, file=FRETTING)
         self.assertEqual((result.returncode, result.stderr), (0, ""))
-        self.assert_same_files("whole", "killed", ["history.csv", "checks.csv", "cycles.csv"])
+        fields = sorted(file.name for file in (self.folder / "whole").glob("contact-*.vtu"))
+        self.assertEqual(fields, sorted(file.name for file in (self.folder / "killed").glob("contact-*.vtu")))
+        self.assertGreater(run_folder.ContactFile(self.folder / "whole" / fields[-1])["wear_depth"].max(), 1e-5)
+        self.assert_same_files("whole", "killed", ["history.csv", "checks.csv", "cycles.csv", "contact.pvd", *fields])
 
 
 if __name__ == "__main__":
