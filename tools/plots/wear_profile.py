@@ -18,17 +18,27 @@ def arguments():
     parser.add_argument("run", type=pathlib.Path, help="run folder with contact files")
     parser.add_argument("output", type=pathlib.Path, help="gap file to write")
     parser.add_argument("--step", type=int, help="load step (the last one with a contact file)")
-    parser.add_argument("--points", type=int, help="along each axis (as near as worn nodes are, from 101 to 1001)")
+    parser.add_argument("--points", type=int, help="along each axis (as near as worn nodes are, 101 to about 1001)")
     return parser.parse_args()
 
 
+def equal_parts(places):
+    """Into how many equal parts the places of nodes along an axis divide it; 1 where they are unevenly spaced."""
+    places = np.unique(np.round(places, 6))  # the files hold single precision
+    parts = len(places) - 1
+    even = np.linspace(places[0], places[-1], len(places))
+    return parts if np.abs(places - even).max() < 1e-5 * np.ptp(places) else 1
+
+
 def enough_points(contact):
-    """Grid lines that are as near to each other as the worn nodes."""
+    """Grid lines that are as near to each other as the worn nodes. Evenly spaced nodes lie on such lines."""
     worn = np.unique(np.round(contact.points[contact["wear_depth"] > 0, :2], 9), axis=0)
     if len(worn) < 2:
         return 2
     nearest = min(np.sort(np.hypot(*(worn - node).T))[1] for node in worn)
-    return int(np.clip(np.ptp(contact.points[:, :2], axis=0).max() / nearest, 101, 1001))
+    n = int(np.clip(np.ptp(contact.points[:, :2], axis=0).max() / nearest, 100, 1000))
+    parts = int(np.lcm(*(equal_parts(places) for places in contact.points[:, :2].T)))
+    return (-(-n // parts) * parts if parts <= 500 else n) + 1
 
 
 def profile(contact, n):
