@@ -32,12 +32,31 @@ class WearTest(program.RunTest):
         return [{key: float(value) for key, value in row.items()} for row in self.rows(name, "cycles.csv")]
 
     def test_worn_room_is_a_cap_of_the_sphere(self):
-        rows = self.worn("run", SPHERE)
+        rows = self.worn("run", SPHERE, "Output/Contact fields=8")
+        self.assert_cap_of_radius_a(rows)
         for row in rows:
             self.assertAlmostEqual(row["worn_volume"] / (1e-3 * 20 * 4 * row["cycle"]), 1, delta=1e-5)
         cap = math.pi * 100 * rows[-1]["max_wear_depth"]**2
         self.assertAlmostEqual(rows[-1]["worn_volume"] / cap, 1, delta=0.01)
         self.assertNotIn("flickers", self.text("run", "log.txt"))
+
+    def assert_cap_of_radius_a(self, rows):
+        """V = pi a^4 / (4 R) in every cycle, so that a^4 grows as the way does. a is where the depth, which is linear in
+        r^2, vanishes: that is between nodes. The area in contact jumps by whole nodes, by 5 % here."""
+        volumes, of_rim, of_area = np.array([row["worn_volume"] for row in rows]), [], []
+        for row in rows:
+            contact = run_folder.RunFolder(self.folder / "run").contact(8 + 80 * int(row["cycle"]))
+            radius, depth, pressure = np.hypot(*contact.points[:, :2].T), contact["wear_depth"], contact["pressure"]
+            slope, middle = np.polyfit(radius[depth > 0]**2, depth[depth > 0], 1)
+            rim, touching = math.sqrt(-middle / slope), pressure > 0
+            self.assertLess(radius[depth > 0].max(), 1.01 * rim)
+            self.assertGreater(radius[depth == 0].min(), 0.99 * rim)
+            of_rim.append(math.pi * rim**4 / 400)
+            of_area.append(np.sum(contact["nodal_force"][touching, 2] / pressure[touching])**2 / (400 * math.pi))
+        np.testing.assert_allclose(of_rim, volumes, rtol=0.025)
+        self.assertAlmostEqual(np.polyfit(np.log(volumes), np.log(of_rim), 1)[0], 1, delta=0.01)
+        np.testing.assert_allclose(of_area, volumes, rtol=0.2)
+        self.assertAlmostEqual(np.mean(of_area / volumes), 1, delta=0.04)
 
     def text(self, name, file):
         return (self.folder / name / file).read_text()
