@@ -27,6 +27,21 @@ Parameters dragged_block()
   parameters.load.legs = {drag};
   return parameters;
 }
+
+/// The small scene on an obstacle, with a lower body of other cells. It is five times as stiff as the
+/// upper one, for like bodies do not slip.
+Parameters worn_by_energy(const ObstacleKind obstacle)
+{
+  Parameters parameters = small_scene();
+  parameters.wear = {WearKind::energy, 1e-7, 0};
+  parameters.mesh.model = ModelKind::quarter;
+  parameters.obstacle.kind = obstacle;
+  parameters.obstacle.material = {420000, 0.2};
+  parameters.lower = {parameters.geometry, parameters.mesh, parameters.material};
+  parameters.lower.mesh.rings = 4;
+  parameters.lower.material.young_modulus *= 5;
+  return parameters;
+}
 } // namespace
 
 // Archard: depth = coefficient x pressure x way, at every node.
@@ -58,18 +73,33 @@ TEST(Wear, TheBodyFollowsTheWornSurface)
               1e-7); // the wear of the last step is for the next
 }
 
-// The energy law: worn volume = coefficient x dissipated energy, whatever part of the body is modelled.
+// The energy law: worn volume = coefficient x dissipated energy, whatever part of the body is modelled, and
+// whatever it slips on.
 TEST(Wear, WornVolumeIsTheCoefficientTimesTheDissipatedEnergy)
 {
-  for (const ModelKind model : {ModelKind::full, ModelKind::quarter})
+  for (const ObstacleKind obstacle : {ObstacleKind::rigid, ObstacleKind::half_space, ObstacleKind::body})
+    for (const ModelKind model : {ModelKind::full, ModelKind::quarter})
+    {
+      TestScene scene(with_model(worn_by_energy(obstacle), model));
+      scene.march();
+      EXPECT_GT(scene.totals().total_dissipation, 100);
+      EXPECT_NEAR(scene.totals().worn_volume / (1e-7 * scene.totals().total_dissipation), 1, 1e-12);
+    }
+}
+
+// A counterface a hundred million times stiffer is the rigid one: the same depths at every node.
+TEST(Wear, StiffCounterfacesWearTheBodyAsAPlaneDoes)
+{
+  TestScene rigid(worn_by_energy(ObstacleKind::rigid));
+  rigid.march();
+  for (const ObstacleKind obstacle : {ObstacleKind::half_space, ObstacleKind::body})
   {
-    Parameters parameters = small_scene();
-    parameters.mesh.model = model;
-    parameters.wear = {WearKind::energy, 1e-7, 0};
-    TestScene scene(parameters);
-    scene.march();
-    EXPECT_GT(scene.totals().total_dissipation, 100);
-    EXPECT_NEAR(scene.totals().worn_volume / (1e-7 * scene.totals().total_dissipation), 1, 1e-12);
+    Parameters parameters = worn_by_energy(obstacle);
+    parameters.obstacle.material.young_modulus *= 1e8;
+    parameters.lower.material.young_modulus *= 1e8;
+    TestScene stiff(parameters);
+    stiff.march();
+    EXPECT_LE(largest_difference(stiff.state.wear_depth, rigid.state.wear_depth), 1e-6);
   }
 }
 
