@@ -3,6 +3,8 @@
 //
 // A quarter of the paper's cylinder, radius 10 mm and height 10 mm: quadrilaterals, extruded into layers.
 // gmsh -3 cylinder.geo -setnumber size 2.5 -setnumber layers 4 -o cylinder.msh
+// gmsh -3 cylinder.geo -setnumber size 5 -setnumber layers 2 -o cylinder_coarse.msh
+// gmsh -3 cylinder.geo -setnumber size 1.25 -setnumber layers 8 -o cylinder_fine.msh
 DefineConstant[ size = 2.5, layers = 4 ];
 r = 10; h = 10;
 Mesh.MshFileVersion = 4.1;

@@ -3,6 +3,8 @@
 """Bodies from mesh files: the shipped examples, both backends, and runs that are refused.
 
 Usage: test_import.py PROGRAM [unittest options]"""
+import json
+import math
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
@@ -30,6 +32,23 @@ class ImportTest(program.RunTest):
     def test_cylinder_of_gmsh(self):
         """22 quadrilaterals of its quarter against the 80 of the built-in one; the facets lack 0.6 % of the area."""
         self.assert_near(self.numbers("file"), self.numbers("built_in", file=ROOT / "prm/paper/case_b.prm"), 0.03)
+
+    def test_finer_meshes_of_gmsh_come_near_the_built_in_cylinder(self):
+        """The facets lack an area that falls with the square of their size; the force differs by less than that."""
+        peak = ["Load program/Legs=0 0 -0.1 : 5", "Output/Contact fields=0"]
+        expected = self.numbers("built_in", *peak, "Mesh/Resolution=medium", file=ROOT / "prm/paper/case_b.prm")
+        errors = []
+        for mesh in ("cylinder_coarse", "cylinder", "cylinder_fine"):  # each has cells of half the size of the one before
+            found = self.numbers(mesh, *peak, f"Geometry/Mesh file={IMPORT / mesh}.msh")
+            area = json.loads((self.folder / mesh / "summary.json").read_text())["scene"]["area_mm2"]
+            errors.append({"area": abs(area / (100 * math.pi) - 1),
+                           **{key: abs(found[key] / expected[key] - 1) for key in ("force_z", "max_slip", "total_dissipation")}})
+            self.assertLess(errors[-1]["force_z"], errors[-1]["area"])
+        for coarse, fine in zip(errors, errors[1:]):
+            self.assertAlmostEqual(coarse["area"] / fine["area"], 4, delta=0.1)
+            for key, factor in (("force_z", 4), ("max_slip", 1.3), ("total_dissipation", 1.7)):
+                self.assertGreater(coarse[key] / fine[key], factor, key)
+        self.assertLess(errors[-1]["force_z"], 0.0012)
 
     def test_backends(self):
         halved = ["Mesh/Refinements=1", "Mesh/Degree=1"]
