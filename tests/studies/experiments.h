@@ -52,4 +52,8 @@ void starts(const Words &words);
 /// times the friction at which it wedges, under loads from N directions: which states solve the law, and
 /// which one is found.
 void one_node(const Words &words);
+
+/// studies half_space DEGREE: error of the half-space's quadrature over cells and Gauss points, by the work
+/// of a uniform pressure on a square, and the orders in both.
+void half_space(const Words &words);
 } // namespace orthocone::studies

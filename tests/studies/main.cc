@@ -20,6 +20,7 @@ int main(const int argc, const char *const *const argv)
       {"slip_integration", slip_integration},
       {"starts", starts},
       {"one_node", one_node},
+      {"half_space", half_space},
   };
   const Words words(argv + 1, argv + argc);
   const auto experiment = words.empty() ? experiments.end() : experiments.find(words.front());
