@@ -88,6 +88,26 @@ class ImportTest(program.RunTest):
                 self.assertEqual(result.returncode, WRONG_INPUT)
                 self.assertRegex(result.stderr, rf"^orthocone: \S*cylinder\.prm: {expression}.*\n$")
 
+    def test_bad_mesh_files_get_one_line(self):
+        """A handful of those of the unit tests BadMeshFile, through the program."""
+        good = (IMPORT / "cylinder.msh").read_text(encoding="ascii")
+        file = self.folder / "bad.msh"
+        for fault, text, expression in (
+                ("empty", "", "is empty; a mesh is wanted"),
+                ("cut", good[:len(good) // 2], "cut off or damaged"),
+                ("binary", good.replace("4.1 0 8", "4.1 1 8"), "is a binary mesh: allowed is one in ASCII"),
+                ("STL", "solid body\nendsolid\n", r"begins with 'solid body': allowed is \$MeshFormat"),
+                ("no number", good.replace("\n10 0 10\n", "\n10 nan 10\n"), "has 'nan': allowed is a number"),
+                ("below", good.replace("\n10 0 0\n", "\n10 0 -1\n"), r"is below the plane at \(10, 0, -1\) mm"),
+                ("name", good.replace('"base"', '"foot"'), r"Contact surface = base is no physical surface: allowed in \S+ are foot")):
+            with self.subTest(fault):
+                self.assertNotEqual(text, good)
+                file.write_text(text, encoding="ascii")
+                result = self.run_program("none", settings=[f"Geometry/Mesh file={file}"])
+                self.assertEqual((result.returncode, result.stdout), (WRONG_INPUT, ""))
+                self.assertRegex(result.stderr, rf"^orthocone: [^\n]*{expression}[^\n]*\n$")
+                self.assertFalse((self.folder / "none").exists())
+
     def test_force_before_contact(self):
         """The pin lifted by 0.1 mm: a force alone would not say how it comes down."""
         lines = (IMPORT / "pin.msh").read_text(encoding="ascii")

@@ -11,6 +11,8 @@
 
 #include <gtest/gtest.h>
 
+#include <set>
+
 namespace orthocone::test
 {
 namespace
@@ -75,6 +77,22 @@ TEST(BadMeshFile, BrokenMeshesAreRefused)
 TEST(BadMeshFile, WrongNamesAreRefused)
 {
   expect_rejected(wrong_names());
+}
+
+// Wrong names are faults of other entries: most of them have a good file.
+TEST(BadMeshFile, FiftyAreDifferent)
+{
+  std::set<std::string> files, faults, sentences;
+  for (const auto &rows : {broken_texts(), broken_sections(), broken_meshes(), misplaced_meshes()})
+    for (const Row &row : rows)
+    {
+      EXPECT_TRUE(files.insert(row.text).second) << row.fault << " has the text of another row";
+      EXPECT_TRUE(faults.insert(row.fault).second) << row.fault;
+      sentences.insert(row.expected);
+    }
+  EXPECT_EQ(files.count(good_mesh().text()) + files.count(good_41), 0U);
+  EXPECT_GE(files.size(), 50U);
+  EXPECT_GE(sentences.size(), 35U);
 }
 
 TEST(BadMeshFile, FoldersAndMissingFilesCannotBeRead)
