@@ -20,6 +20,7 @@ sys.path[:0] = [str(ROOT / "tools/plots"), str(ROOT / "tools/studies")]
 import contact_surface  # noqa: E402
 import counterbodies  # noqa: E402
 import points  # noqa: E402
+import wear_flicker  # noqa: E402
 import wear_steps  # noqa: E402
 from run_folder import ContactFile  # noqa: E402
 
@@ -157,6 +158,23 @@ class StudyCommandTest(RunTest):
         point = points.Point({"run": 1}, ["true"])
         with self.assertRaisesRegex(points.StudyError, "the same command"):
             points.measure(points.Table(self.folder / "none.csv", False), [point, point], None, {})
+
+    def test_jumps_that_wear_too_deep_flicker(self):
+        """Jumps by a tenth of the flattening wear smoothly; those by most of it change the rate, and leave out volume."""
+        rows = {}
+        for length in (200, 3200):
+            words = ["fixed_jumps", "prm/verification/fretting_wear.prm", "--cycles", str(length), "--set",
+                     "Load program/Cycles=20000"]
+            for entry, value in wear_flicker.SMALL.items():
+                words += ["--set", f"{entry}={value}"]
+            made = subprocess.run([self.TOOL, *words], capture_output=True, text=True, cwd=ROOT, timeout=600, check=True)
+            rows[length] = {name: float(value) for name, value in next(csv.DictReader(made.stdout.splitlines())).items()
+                            if name != "profile"}
+        self.assertLess(rows[200]["flattening"], 0.15)
+        self.assertLess(rows[200]["change"], 0.15)
+        self.assertGreater(rows[3200]["flattening"], 0.7)
+        self.assertGreater(rows[3200]["change"], 0.7)
+        self.assertLess(rows[3200]["worn_volume"], 0.85 * rows[200]["worn_volume"])
 
     def test_wrong_words_are_refused(self):
         for words, message in ((["map"], "there is no study 'map'"), (["maps", "--quick", "--docs"], "--quick measures nothing")):

@@ -53,6 +53,10 @@ void starts(const Words &words);
 /// which one is found.
 void one_node(const Words &words);
 
+/// studies fixed_jumps FILE.prm [--set "Section/Entry=value"]... [--cycles N]: a march that jumps N cycles at
+/// once, however their rate changes; what is worn then, and how much the rate changed.
+void fixed_jumps(const Words &words);
+
 /// studies half_space DEGREE: error of the half-space's quadrature over cells and Gauss points, by the work
 /// of a uniform pressure on a square, and the orders in both.
 void half_space(const Words &words);

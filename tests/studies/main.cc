@@ -21,6 +21,7 @@ int main(const int argc, const char *const *const argv)
       {"starts", starts},
       {"one_node", one_node},
       {"half_space", half_space},
+      {"fixed_jumps", fixed_jumps},
   };
   const Words words(argv + 1, argv + argc);
   const auto experiment = words.empty() ? experiments.end() : experiments.find(words.front());

@@ -17,7 +17,7 @@ import style  # noqa: E402
 # of it, tables(rows), {name: text}.
 STUDIES = ("discretization", "adaptive", "solvers", "load_stepping", "slip_integration", "projection", "reduced_models", "maps",
            "backends", "scale", "spectra", "small_problems", "uniqueness", "locking", "wear_jumps", "wear_steps",
-           "counterbodies", "imported")
+           "wear_flicker", "counterbodies", "imported")
 
 
 class Context:
