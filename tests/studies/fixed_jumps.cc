@@ -101,7 +101,7 @@ void fixed_jumps(const Words &words)
   FixedJumps jumps(scene, static_cast<unsigned int>(given.number("cycles", 0)));
   StepSolver solver(scene);
   ContactState state(scene.gaps());
-  if (march(load_steps(scene.parameters().load), solver, state, jumps) != MarchEnd::done)
+  if (march(scene.program().steps(), solver, state, jumps) != MarchEnd::done)
     throw std::runtime_error("a step is not solved");
   std::cout << "computed,jumps,worn_volume,largest_depth,depth_of_jump,change,flattening,profile\n"
             << jumps.n_computed << "," << jumps.n_jumps << "," << jumps.volume(state) << ","
