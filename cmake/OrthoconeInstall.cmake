@@ -25,7 +25,10 @@ orthocone_install(body parameters body)
 # Eigen's templates must mean the same in the libraries and in what uses them. A header refuses to be compiled for a
 # processor with wider registers than those of every one.
 target_compile_definitions(orthocone_base INTERFACE
-  $<INSTALL_INTERFACE:EIGEN_USE_BLAS> $<INSTALL_INTERFACE:EIGEN_USE_LAPACKE>)
+  $<INSTALL_INTERFACE:EIGEN_USE_BLAS> $<INSTALL_INTERFACE:EIGEN_USE_LAPACKE>
+  # Else Eigen includes C's complex.h, whose macro I Kokkos stumbles over.
+  $<INSTALL_INTERFACE:lapack_complex_float=std::complex<float$<ANGLE-R>>
+  $<INSTALL_INTERFACE:lapack_complex_double=std::complex<double$<ANGLE-R>>)
 if(NOT CMAKE_CXX_FLAGS MATCHES "-m")
   target_compile_definitions(orthocone_base INTERFACE $<INSTALL_INTERFACE:ORTHOCONE_EIGEN_ALIGNMENT=16>)
 endif()

@@ -11,7 +11,8 @@ install(PROGRAMS tools/report.py tools/python DESTINATION ${share}/tools COMPONE
 install(DIRECTORY tools/sweeps DESTINATION ${share}/tools COMPONENT program PATTERN "__pycache__" EXCLUDE)
 install(FILES tools/plots/run_folder.py tools/plots/outline.py tools/plots/imported_body.py tools/plots/wear_profile.py
   DESTINATION ${share}/tools/plots COMPONENT program)
-install(DIRECTORY python/orthocone DESTINATION ${share}/python COMPONENT program FILES_MATCHING PATTERN "*.py")
+install(DIRECTORY python/orthocone DESTINATION ${share}/python COMPONENT program FILES_MATCHING PATTERN "*.py"
+  PATTERN "__pycache__" EXCLUDE)
 install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program PATTERN "data" EXCLUDE)
 install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(FILES cmake/package/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)

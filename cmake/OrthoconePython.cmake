@@ -42,4 +42,5 @@ set_target_properties(orthocone_python PROPERTIES PREFIX "" OUTPUT_NAME _contact
 set(ORTHOCONE_PYTHON_DIR lib/python${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}/dist-packages CACHE STRING
   "Where the Python module is installed, below the prefix")
 install(TARGETS orthocone_python LIBRARY DESTINATION ${ORTHOCONE_PYTHON_DIR}/orthocone COMPONENT python)
-install(DIRECTORY python/orthocone DESTINATION ${ORTHOCONE_PYTHON_DIR} COMPONENT python FILES_MATCHING PATTERN "*.py")
+install(DIRECTORY python/orthocone DESTINATION ${ORTHOCONE_PYTHON_DIR} COMPONENT python FILES_MATCHING PATTERN "*.py"
+  PATTERN "__pycache__" EXCLUDE)

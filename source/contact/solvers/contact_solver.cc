@@ -3,6 +3,7 @@
 #include "balancing_face.h"
 #include "solvers.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 #include <string>
@@ -10,6 +11,18 @@
 
 namespace orthocone
 {
+namespace
+{
+/// Whether forces have grown until rounding hides what penetrates. Then the residual, which is relative to
+/// them, says nothing. This happens where no forces close the gaps, because W is singular.
+bool is_blind(const LawErrors &law, const double tolerance)
+{
+  constexpr double visible = 0.1;             // of the largest displacement
+  constexpr double of_loose_tolerances = 100; // a residual may cause this many times as much penetration
+  return law.penetration > std::max(visible, of_loose_tolerances * tolerance);
+}
+} // namespace
+
 SolverReport make_report(const ContactStep &step, const Eigen::VectorXd &unknowns,
                          const unsigned int iterations, const double tolerance, Trace trace)
 {
@@ -18,12 +31,14 @@ SolverReport make_report(const ContactStep &step, const Eigen::VectorXd &unknown
   SolverReport report;
   report.iterations = iterations;
   report.residual = step.residual_of(map, unknowns);
-  report.converged = report.residual <= tolerance;
   report.law = law_errors(step, unknowns, d);
+  report.converged = report.residual <= tolerance && !is_blind(report.law, tolerance);
   trace.add(iterations, report.residual, step.force_scale(unknowns));
   report.verdict = judge(trace.points(), tolerance, step.system().rounding());
   if (report.verdict == Verdict::cycling && nothing_holds(step, unknowns))
     report.verdict = Verdict::unbalanced;
+  else if (report.verdict == Verdict::converged && !report.converged)
+    report.verdict = Verdict::diverged;
   report.trace = std::move(trace);
   double worst = -1;
   for (Eigen::Index node = 0; node < step.n_nodes(); ++node)

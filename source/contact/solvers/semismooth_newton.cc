@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include "linearization.h"
+#include "line_search.h"
+#include "proximal_steps.h"
 #include "solvers.h"
 
 #include <algorithm>
@@ -13,47 +14,6 @@ using Eigen::VectorXd;
 
 namespace
 {
-/// linearize() or linearize_pressure_first().
-using Map = Linearization(const ContactStep &, const VectorXd &, const NodeVector &, double);
-
-/// Unknowns, their displacement, and a map there.
-struct Iterate
-{
-  Iterate(Map *const map, const ContactStep &step, VectorXd unknowns_, NodeVector displacement_,
-          const double rho_factor)
-      : unknowns(std::move(unknowns_)),
-        displacement(std::move(displacement_)),
-        linearization(map(step, unknowns, displacement, rho_factor))
-  {
-  }
-
-  VectorXd unknowns;
-  NodeVector displacement;
-  Linearization linearization;
-};
-
-/// Whether a step of this length from `start` was worth it.
-bool reduces(const Iterate &trial, const Iterate &start, const double length)
-{
-  constexpr double sufficient_decrease = 1e-4;
-  return trial.linearization.error <= (1 - sufficient_decrease * length) * start.linearization.error;
-}
-
-/// The first of the iterates along `change`, each half as far as the one before, that reduces the map, or the
-/// nearest one. Since W is linear, they cost no product with it.
-Iterate line_search(Map *const map, const ContactStep &step, const Iterate &start, const VectorXd &change,
-                    const double smallest_step, const double rho_factor)
-{
-  const NodeVector moved = step.change_of_displacement(change);
-  for (double length = 1;; length /= 2)
-  {
-    Iterate trial(map, step, start.unknowns + length * change, start.displacement + length * moved,
-                  rho_factor);
-    if (reduces(trial, start, length) || length <= smallest_step)
-      return trial;
-  }
-}
-
 /// Relaxation of the sweeps of a round. Where rounds keep stalling, exact sweeps send the forces to and fro
 /// because single nodes have no solution or several (friction above the critical one, docs/theory.md, section
 /// 8). Relaxed sweeps find a common solution.
@@ -70,13 +30,17 @@ constexpr double inexactness = 0.01;
 
 /// Semismooth Newton with a backtracking line search, on the natural map and on that of Alart and Curnier,
 /// whose pieces meet elsewhere. Where both stall, it falls back on exact sweeps, so that it inherits their
-/// robustness.
+/// robustness. Where W is singular, proximal steps come before the sweeps.
 class SemismoothNewton : public ContactSolver
 {
 public:
   SemismoothNewton(const ContactSystem &system, const ContactSolverOptions &options);
 
   SolverReport solve(const ContactStep &step, Eigen::VectorXd &unknowns) const override;
+
+  /// The solver for problems whose W is regular.
+  static std::unique_ptr<ContactSolver> make_without_proximal_steps(const ContactSystem &system,
+                                                                    const ContactSolverOptions &options);
 
 private:
   /// A step on the way to its solution.
@@ -90,6 +54,7 @@ private:
   ContactSolverOptions options_;
   GaussSeidel sweeps_;
   std::unique_ptr<ConditionSolver> conditions_;
+  std::unique_ptr<const ProximalSteps> proximal_steps_;
 };
 
 struct SemismoothNewton::Progress
@@ -121,8 +86,18 @@ struct SemismoothNewton::Progress
 SemismoothNewton::SemismoothNewton(const ContactSystem &system, const ContactSolverOptions &options)
     : options_(options),
       sweeps_(system, options),
-      conditions_(condition_solver(system, "newton"))
+      conditions_(condition_solver(system, "newton")),
+      proximal_steps_(std::make_unique<ProximalSteps>(system, options, make_without_proximal_steps))
 {
+}
+
+std::unique_ptr<ContactSolver>
+SemismoothNewton::make_without_proximal_steps(const ContactSystem &system,
+                                              const ContactSolverOptions &options)
+{
+  auto solver = std::make_unique<SemismoothNewton>(system, options);
+  solver->proximal_steps_.reset();
+  return solver;
 }
 
 /// Newton's steps on the natural map, as long as each of them pays.
@@ -262,6 +237,15 @@ SolverReport SemismoothNewton::solve(const ContactStep &step, VectorXd &unknowns
       // the next load step may have none behind it (docs/stability.md).
       unknowns = start;
       progress.residual = start_residual;
+      if (proximal_steps_ && proximal_steps_->are_needed())
+      {
+        VectorXd improved = start;
+        progress.iterations +=
+            proximal_steps_->improve(step, improved, options_.maximum_iterations - progress.iterations);
+        progress.offer(step.admissible(std::move(improved)));
+        if (progress.residual <= options_.tolerance)
+          break;
+      }
     }
     if (run_round(round, n_sweeps, progress))
       return unbalanced_report(step, unknowns, progress.iterations, options_.tolerance,
