@@ -62,9 +62,12 @@ def methods():
 def solve(W, q, mu, p=None, *, method="newton", tolerance=1e-10, maximum_iterations=5000, start=None):
     """Forces r (N) and displacements d = q + W r (mm) of n nodes that obey the law of contact and friction.
 
-    W: (3 n, 3 n), mm/N, symmetric and positive definite; used where it is, if it is contiguous and float64. q: (n, 3) or
-    (3 n,), mm: gap and slip that the nodes would have without forces. start: (n, 3), N, forces to start from.
-    tolerance: of Report.residual. method: a word of methods().
+    W: (3 n, 3 n), mm/N, symmetric and positive semidefinite with a diagonal > 0; used where it is, if it is contiguous and
+    float64. q: (n, 3) or (3 n,), mm: gap and slip that the nodes would have without forces. mu, p: semi-axes of the friction
+    and slip ellipses, without units: a number, (2,) or (n, 2); p = None is p = mu. method: a word of methods(). tolerance: of
+    Report.residual. maximum_iterations: for the whole problem. start: (n, 3), N, forces to start from.
+
+    If W is singular, forces may not exist, and are not unique where they do (the manual, Problems of FCLIB).
 
     Returns a Solution. Raises NotConverged, and ValueError for arguments of another form. docs/theory.md, section 3."""
     W = _matrix(W)
@@ -75,7 +78,7 @@ def solve(W, q, mu, p=None, *, method="newton", tolerance=1e-10, maximum_iterati
         raise ValueError(f"method = {method!r}: allowed is {', '.join(methods())}")
     if not 0 < tolerance < 1:
         raise ValueError(f"tolerance = {tolerance}: allowed is 0 < tolerance < 1")
-    if not 1 <= maximum_iterations < 2**32:
+    if not 1 <= maximum_iterations < 2**32 or maximum_iterations != int(maximum_iterations):
         raise ValueError(f"maximum_iterations = {maximum_iterations}: allowed is a whole number > 0")
     force, displacement, status, report = _contact.solve(W, q, _laws(mu, p, n), start, method, tolerance,
                                                          int(maximum_iterations))
@@ -128,6 +131,8 @@ def _of_nodes(function, values, n_columns, name, mu, p):
 
 
 def _matrix(W):
+    if np.iscomplexobj(W):
+        raise ValueError("W has complex entries: allowed are real ones")
     W = np.asarray(W, dtype=float)
     if W.ndim != 2 or W.shape[0] != W.shape[1] or W.shape[0] % 3 or not W.size:
         raise ValueError(f"W has the shape {W.shape}: allowed is (3 n, 3 n), n > 0")

@@ -44,12 +44,17 @@ Pattern read_pattern(const Hdf5File &file, const std::string &path, const std::s
 {
   const int kind = file.integer(path + "/nz");
   std::vector<int> p = file.integers(path + "/p"), i = file.integers(path + "/i");
-  if (kind == -1)
-    return {std::move(i), spread(file, path, p, n, n_entries)};
-  if (kind == -2)
-    return {spread(file, path, p, m, n_entries), std::move(i)};
-  if (kind < 0 || p.size() != static_cast<std::size_t>(kind))
+  if (kind == -1 || kind == -2)
+  {
+    std::vector<int> lines = spread(file, path, p, kind == -1 ? n : m, n_entries);
+    if (i.size() > lines.size())
+      i.resize(lines.size()); // there may be room for more entries than there are
+    return kind == -1 ? Pattern{std::move(i), std::move(lines)} : Pattern{std::move(lines), std::move(i)};
+  }
+  if (kind < 0 || p.size() < static_cast<std::size_t>(kind) || i.size() < static_cast<std::size_t>(kind))
     file.fail(path + "/nz = " + std::to_string(kind) + " is no kind of matrix that FCLIB knows");
+  p.resize(kind);
+  i.resize(kind);
   return {std::move(p), std::move(i)};
 }
 
@@ -63,10 +68,10 @@ MatrixXd read_matrix(const Hdf5File &file, const std::string &path, const Index 
   const VectorXd x = file.numbers(path + "/x");
   const Pattern pattern = read_pattern(file, path, m, n, x.size());
   const std::size_t n_entries = pattern.rows.size();
-  if (pattern.columns.size() < n_entries || static_cast<std::size_t>(x.size()) < n_entries)
+  if (pattern.columns.size() != n_entries || static_cast<std::size_t>(x.size()) < n_entries)
     file.fail(path + " has fewer entries than its pattern");
   MatrixXd matrix = MatrixXd::Zero(m, n);
-  for (std::size_t k = 0; k < n_entries && k < pattern.columns.size(); ++k)
+  for (std::size_t k = 0; k < n_entries; ++k)
   {
     const int row = pattern.rows[k], column = pattern.columns[k];
     if (row < 0 || row >= m || column < 0 || column >= n)
@@ -106,6 +111,17 @@ std::vector<OrthotropicFriction> read_laws(const Hdf5File &file, const Index n)
     laws.push_back(law);
   }
   return laws;
+}
+
+/// The friction of FCLIB's own group must be that of the extension in FCLIB's scale.
+void check_agreement(const Hdf5File &file, const FclibScale &scale)
+{
+  constexpr double rounding = 1e-8;
+  const VectorXd mu = read_vector(file, local + "/vectors/mu", scale.mu.size());
+  for (Index i = 0; i < mu.size(); ++i)
+    if (!(std::abs(mu[i] - scale.mu[i]) <= rounding * scale.mu[i]))
+      file.fail("friction of node " + std::to_string(i) + " is " + std::to_string(mu[i]) + " in " + local +
+                "/vectors/mu, where the laws of the group orthocone make it " + std::to_string(scale.mu[i]));
 }
 
 /// Makes W exactly symmetric if it is symmetric up to rounding. Throws FileError if it is not.
@@ -174,6 +190,7 @@ ContactProblem read_problem(const std::string &name)
   if (file.has(local + "/V"))
     read_constraints(file, problem);
   const FclibScale scale(problem.laws);
+  check_agreement(file, scale);
   if (problem.face.cols() > 0 && !scale.is_symmetric())
     file.fail("constraints beside a slip rule that is not associated are not known here");
   problem.w =

@@ -43,23 +43,25 @@ def _pointer(values, kind=ctypes.c_double):
     return _KEPT[-1].ctypes.data_as(ctypes.POINTER(kind))
 
 
-def _matrix(values, kind):
-    """kind: columns, rows or triplets."""
+def _matrix(values, kind, room=0):
+    """kind: columns, rows or triplets. room: for entries that are not there."""
     values = np.asarray(values, dtype=float)
     rows, columns = np.nonzero(values if kind != "columns" else values.T)
     lines, others = rows, columns
     x = (values if kind != "columns" else values.T)[rows, columns]
     m, n = values.shape
+    n_max = len(x) + room
+    x, others = np.append(x, np.zeros(room)), np.append(others, np.full(room, -1))
     if kind == "triplets":
-        return _Matrix(len(x), m, n, _pointer(lines, ctypes.c_int), _pointer(others, ctypes.c_int), _pointer(x), len(x))
+        return _Matrix(n_max, m, n, _pointer(lines, ctypes.c_int), _pointer(others, ctypes.c_int), _pointer(x), len(lines))
     begins = np.searchsorted(lines, np.arange((n if kind == "columns" else m) + 1))
-    return _Matrix(len(x), m, n, _pointer(begins, ctypes.c_int), _pointer(others, ctypes.c_int), _pointer(x),
+    return _Matrix(n_max, m, n, _pointer(begins, ctypes.c_int), _pointer(others, ctypes.c_int), _pointer(x),
                    -1 if kind == "columns" else -2)
 
 
-def write(path, W, q, mu, kind="columns", V=None, R=None, s=None, spacedim=3):
+def write(path, W, q, mu, kind="columns", V=None, R=None, s=None, spacedim=3, room=0):
     """A local problem, by FCLIB."""
-    matrices = [None if values is None else _matrix(values, kind) for values in (W, V, R)]
+    matrices = [None if values is None else _matrix(values, kind, room) for values in (W, V, R)]
     local = _Local(*[None if matrix is None else ctypes.pointer(matrix) for matrix in matrices], _pointer(mu),
                    _pointer(np.ravel(q)), None if s is None else _pointer(s), spacedim, None)
     written = library().fclib_write_local(ctypes.byref(local), str(path).encode())

@@ -58,18 +58,19 @@ class ProblemTest(unittest.TestCase):
         """The forces are the same, and FCLIB has nothing to say against them."""
         W, q = row_of_nodes(6)
         forces = []
-        for kind in ("columns", "rows", "triplets"):
-            fclib_files.write(self.folder / kind, W, q, np.linspace(0.1, 0.6, 6), kind)
-            row = self.row(kind, "--write", self.folder / f"{kind}.solved")
+        for kind, room in (("columns", 0), ("rows", 0), ("triplets", 0), ("columns", 5), ("rows", 5)):
+            name = f"{kind}-{room}"
+            fclib_files.write(self.folder / name, W, q, np.linspace(0.1, 0.6, 6), kind, room=room)
+            row = self.row(name, "--write", self.folder / f"{name}.solved")
             self.assertLess(float(row["residual"]), 1e-10)
-            read = fclib_files.Read(self.folder / f"{kind}.solved")
+            read = fclib_files.Read(self.folder / f"{name}.solved")
             self.assertLess(read.error, 1e-9)
             np.testing.assert_allclose(read.W, W, atol=1e-15)
             np.testing.assert_array_equal(read.mu, np.linspace(0.1, 0.6, 6))
             np.testing.assert_allclose(read.u, q + W @ read.r, atol=1e-12)
             forces.append(read.r)
-        np.testing.assert_array_equal(forces[0], forces[1])
-        np.testing.assert_array_equal(forces[0], forces[2])
+        for others in forces[1:]:
+            np.testing.assert_array_equal(forces[0], others)
 
     def test_methods_agree(self):
         W, q = row_of_nodes(6)
@@ -137,6 +138,15 @@ class ProblemTest(unittest.TestCase):
         row = self.row("problem", "--write", self.folder / "written")
         self.assertLess(float(row["fclib_error"]), 1e-8)
 
+    def test_rigid_body_between_walls(self):
+        """They are too close for it. Forces that grow without bound are no solution."""
+        H = np.zeros((6, 3))
+        H[[0, 1, 2, 4, 5], [2, 0, 1, 0, 1]] = 1
+        H[3, 2] = -1
+        fclib_files.write(self.folder / "problem", H @ H.T, H @ [0.1, 0, 0] + np.tile([-1., 0, 0], 2), np.full(2, 0.3))
+        for method in ("newton", "gauss-seidel", "uzawa"):
+            self.assertEqual(self.solve("problem", "--method", method).returncode, UNSOLVED, method)
+
     def test_constraints(self):
         """With R they are eliminated, without they are a face that moves until the forces balance."""
         W, q = row_of_nodes(4)
@@ -172,6 +182,9 @@ class ProblemTest(unittest.TestCase):
         whole = (self.folder / "good").read_bytes()
         tilted = W.copy()
         tilted[0, 5] *= 1.1
+        self.row("good", "--friction=0.3,0.3", "--write", self.folder / "double")
+        third, half = (np.array([value]).tobytes() for value in (0.3, 0.5))
+        (self.folder / "double").write_bytes((self.folder / "double").read_bytes().replace(third, half, 4))
         (self.folder / "text").write_text("not HDF5")
         (self.folder / "cut").write_bytes(whole[:len(whole) // 2])
         (self.folder / "foreign").write_bytes(whole.replace(b"fclib_local", b"other_local"))
@@ -188,7 +201,7 @@ class ProblemTest(unittest.TestCase):
                                  ("nameless", "there is no array"), ("plane", "2 dimensions; allowed are 3"),
                                  ("tilted", "W is not symmetric"), ("negative", "friction of node 0 is"),
                                  ("hollow", "on its diagonal; allowed"), ("nan", "q has entries that are no numbers"),
-                                 ("singular", "R is singular"), ("twice", "not independent of each other")):
+                                 ("singular", "R is singular"), ("double", "the laws of the group orthocone make it"), ("twice", "not independent of each other")):
             with self.subTest(name):
                 self.assert_error(self.solve(name), FILE_ERROR, expression)
 
