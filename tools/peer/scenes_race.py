@@ -89,6 +89,9 @@ def difference(rows, ours, column):
 
 def raced(names, options, orthocone, rounds, say):
     """Rows of all scenes and programs; those of a scene that is done are kept."""
+    for program, package in (("getfem", "python3-getfem"), ("calculix", "calculix-ccx")):
+        if not there(program):
+            say(f"no {program} here (Debian's {package}): the scenes go without it")
     found = []
     for name in names:
         folder = options.output / "scenes" / name.replace(" ", "-")
