@@ -67,7 +67,7 @@ def solve(W, q, mu, p=None, *, method="newton", tolerance=1e-10, maximum_iterati
     and slip ellipses, without units: a number, (2,) or (n, 2); p = None is p = mu. method: a word of methods(). tolerance: of
     Report.residual. maximum_iterations: for the whole problem. start: (n, 3), N, forces to start from.
 
-    If W is singular, forces may not exist, and are not unique where they do (the manual, Problems of FCLIB).
+    If W is singular, forces may not exist, and need not be unique (the manual, Problems of FCLIB).
 
     Returns a Solution. Raises NotConverged, and ValueError for arguments of another form. docs/theory.md, section 3."""
     W = _matrix(W)
