@@ -45,7 +45,7 @@ class WearProfileTest(program.RunTest):
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         depth = worn.history["uz"][-1]
         pressed = self.run_done("pressed", *mesh, GAP, "Wear/Law=none", "Load program/Preload=", "Load program/Cycles=1",
-                                f"Load program/Legs=uz {LIFTED} : 1 ; uz {depth!r} : 1", "Output/Contact fields=1",
+                                f"Load program/Legs=uz {LIFTED} : 1 ; uz {float(depth)!r} : 1", "Output/Contact fields=1",
                                 f"Obstacle/Gap file={self.folder / 'gaps.txt'}")
         self.assertAlmostEqual(worn.history["max_wear_depth"][-2], worn.history["max_wear_depth"][-1], delta=1e-9)
         return [(file, np.lexsort(np.round(file.points[:, :2].T, 6)))
