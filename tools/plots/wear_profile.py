@@ -43,7 +43,7 @@ def enough_points(contact):
 
 def profile(contact, n):
     """Places along both axes (mm), and depths (mm), a row for each y."""
-    x, y = contact.points[:, :2].T
+    x, y = contact.points[:, :2].T.astype(float)  # the files hold single precision
     depth = contact["wear_depth"]
     grid = [np.linspace(values.min(), values.max(), n) for values in (x, y)]
     places = np.meshgrid(*grid)
