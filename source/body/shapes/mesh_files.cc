@@ -9,10 +9,13 @@
 
 namespace orthocone
 {
-static bool has_lower_file(const Parameters &parameters)
+namespace
+{
+bool has_lower_file(const Parameters &parameters)
 {
   return parameters.obstacle.kind == ObstacleKind::body && parameters.lower.geometry.is_from_file();
 }
+} // namespace
 
 std::string describe_mesh_files(const Parameters &parameters)
 {

@@ -34,13 +34,11 @@ constexpr double inexactness = 0.01;
 class SemismoothNewton : public ContactSolver
 {
 public:
-  SemismoothNewton(const ContactSystem &system, const ContactSolverOptions &options);
+  /// Without `proximal_steps` it has nothing of its own for singular W.
+  SemismoothNewton(const ContactSystem &system, const ContactSolverOptions &options,
+                   std::unique_ptr<const ProximalSteps> proximal_steps = nullptr);
 
   SolverReport solve(const ContactStep &step, Eigen::VectorXd &unknowns) const override;
-
-  /// The solver for problems whose W is regular.
-  static std::unique_ptr<ContactSolver> make_without_proximal_steps(const ContactSystem &system,
-                                                                    const ContactSolverOptions &options);
 
 private:
   /// A step on the way to its solution.
@@ -83,21 +81,13 @@ struct SemismoothNewton::Progress
   }
 };
 
-SemismoothNewton::SemismoothNewton(const ContactSystem &system, const ContactSolverOptions &options)
+SemismoothNewton::SemismoothNewton(const ContactSystem &system, const ContactSolverOptions &options,
+                                   std::unique_ptr<const ProximalSteps> proximal_steps)
     : options_(options),
       sweeps_(system, options),
       conditions_(condition_solver(system, "newton")),
-      proximal_steps_(std::make_unique<ProximalSteps>(system, options, make_without_proximal_steps))
+      proximal_steps_(std::move(proximal_steps))
 {
-}
-
-std::unique_ptr<ContactSolver>
-SemismoothNewton::make_without_proximal_steps(const ContactSystem &system,
-                                              const ContactSolverOptions &options)
-{
-  auto solver = std::make_unique<SemismoothNewton>(system, options);
-  solver->proximal_steps_.reset();
-  return solver;
 }
 
 /// Newton's steps on the natural map, as long as each of them pays.
@@ -257,8 +247,10 @@ SolverReport SemismoothNewton::solve(const ContactStep &step, VectorXd &unknowns
 
 std::unique_ptr<ContactSolver> make_newton(const ContactSystem &system, const ContactSolverOptions &options)
 {
-  return system.compliance().dense() != nullptr ? make<SemismoothNewton>(system, options)
-                                                : make_continuation(system, options);
+  if (system.compliance().dense() == nullptr)
+    return make_continuation(system, options);
+  auto proximal_steps = std::make_unique<ProximalSteps>(system, options, make<SemismoothNewton>);
+  return std::make_unique<SemismoothNewton>(system, options, std::move(proximal_steps));
 }
 } // namespace
 

@@ -59,7 +59,7 @@ SolverReport report_of(const MatrixXd &h, const VectorXd &motion, const double g
 }
 } // namespace
 
-// Without these steps the first stack needs 6 000 iterations, and the others 20 000 to 120 000.
+// Without these steps the same method needs more iterations than the bound on each of them.
 TEST(ProximalSteps, SolveStacksOfRigidPlates)
 {
   for (const auto &[n_plates, n_contacts, mu] :
