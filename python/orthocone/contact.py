@@ -138,11 +138,6 @@ def _matrix(W):
         raise ValueError(f"W has the shape {W.shape}: allowed is (3 n, 3 n), n > 0")
     if not (W.flags.c_contiguous or W.flags.f_contiguous):
         W = np.ascontiguousarray(W)
-    asymmetry = _contact.asymmetry(W)
-    if np.isnan(asymmetry):
-        raise ValueError("W has entries that are no numbers, or a diagonal that is not positive")
-    if asymmetry > 1e-8:
-        raise ValueError(f"W is not symmetric: entries differ by {asymmetry:.2g} of those on the diagonal")
     return W
 
 

@@ -99,6 +99,14 @@ bool Hdf5File::has(const std::string &path) const
   }
 }
 
+bool Hdf5File::has_values(const std::string &path) const
+{
+  if (!has(path))
+    return false;
+  const Handle array(H5Dopen2(id_, path.c_str(), H5P_DEFAULT), H5Dclose);
+  return array.is_open() && H5Dget_storage_size(array.id()) > 0;
+}
+
 std::vector<int> Hdf5File::integers(const std::string &path) const
 {
   std::vector<int> values;

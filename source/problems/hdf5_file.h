@@ -28,6 +28,9 @@ public:
   /// Whether there is such a group or array; all groups on the path may be missing.
   bool has(const std::string &path) const;
 
+  /// Whether there is such an array, and values were written to it.
+  bool has_values(const std::string &path) const;
+
   std::vector<int> integers(const std::string &path) const;
   Eigen::VectorXd numbers(const std::string &path) const;
 

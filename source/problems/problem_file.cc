@@ -128,20 +128,16 @@ void check_agreement(const Hdf5File &file, const FclibScale &scale)
 void make_symmetric(const Hdf5File &file, MatrixXd &w)
 {
   constexpr double rounding = 1e-8;
-  const VectorXd scale = w.diagonal().cwiseMax(0).cwiseSqrt();
+  const VectorXd scale = w.diagonal().cwiseAbs().cwiseSqrt();
+  const double least = rounding * rounding * scale.maxCoeff() * scale.maxCoeff();
   for (Index j = 0; j < w.cols(); ++j)
-  {
-    if (!(w(j, j) > 0))
-      file.fail(local + "/W has the entry " + std::to_string(w(j, j)) +
-                " on its diagonal; allowed are numbers > 0");
     for (Index i = 0; i < j; ++i)
     {
-      if (std::abs(w(i, j) - w(j, i)) > rounding * scale[i] * scale[j])
+      if (std::abs(w(i, j) - w(j, i)) > std::max(least, rounding * scale[i] * scale[j]))
         file.fail(local +
                   "/W is not symmetric, and there is no group orthocone with the law that makes it so");
       w(i, j) = w(j, i) = (w(i, j) + w(j, i)) / 2;
     }
-  }
 }
 
 /// Reads u = W r + V l + q with V^T r + R l + s = 0, and eliminates l where R resists (docs/theory.md,
@@ -162,6 +158,40 @@ void read_constraints(const Hdf5File &file, ContactProblem &problem)
   problem.face.resize(problem.q.size(), 0);
   problem.balance.resize(0);
 }
+
+/// Whether the constraints have an R, by which they are eliminated.
+bool resists(const Hdf5File &file)
+{
+  if (!file.has(local + "/V"))
+    return false;
+  const Index m = file.numbers(local + "/vectors/s").size();
+  return !read_matrix(file, local + "/R", m, m).isZero(0);
+}
+
+/// A sum of products, and how large its parts are.
+struct Sum
+{
+  explicit Sum(const VectorXd &first)
+      : value(first),
+        size(first.cwiseAbs())
+  {
+  }
+
+  void add(const MatrixXd &matrix, const VectorXd &vector)
+  {
+    value += matrix * vector;
+    size += matrix.cwiseAbs() * vector.cwiseAbs();
+  }
+
+  /// The largest entry, relative to the largest parts.
+  double error() const
+  {
+    const double largest = size.size() > 0 ? size.maxCoeff() : 0;
+    return largest > 0 ? value.cwiseAbs().maxCoeff() / largest : 0;
+  }
+
+  VectorXd value, size;
+};
 
 void check_kind(const Hdf5File &file)
 {
@@ -212,10 +242,35 @@ std::optional<ProblemSolution> read_solution(const std::string &name)
   ProblemSolution solution;
   solution.force = scale.force.cwiseProduct(read_vector(file, "/solution/r", n));
   solution.displacement = read_vector(file, "/solution/u", n).cwiseQuotient(scale.displacement);
-  if (file.has("/solution/l"))
+  if (file.has_values("/solution/l") && !resists(file))
     solution.motions = file.numbers("/solution/l");
   if (file.has("/orthocone/residual"))
     solution.residual = file.numbers("/orthocone/residual").sum();
   return solution;
+}
+
+StoredErrors stored_errors(const std::string &name)
+{
+  const Hdf5File file(name, Hdf5File::Access::read);
+  const VectorXd q = file.numbers(local + "/vectors/q");
+  const VectorXd r = read_vector(file, "/solution/r", q.size());
+  const MatrixXd w = read_matrix(file, local + "/W", q.size(), q.size());
+  Sum u(q), balance(VectorXd::Zero(0));
+  u.add(w, r);
+  if (file.has(local + "/V"))
+  {
+    const VectorXd s = file.numbers(local + "/vectors/s");
+    const MatrixXd v = read_matrix(file, local + "/V", q.size(), s.size());
+    const MatrixXd resistance = read_matrix(file, local + "/R", s.size(), s.size());
+    balance = Sum(s);
+    balance.add(v.transpose(), r);
+    const VectorXd l = file.has_values("/solution/l")
+                           ? read_vector(file, "/solution/l", s.size())
+                           : VectorXd(-resistance.fullPivLu().solve(balance.value));
+    balance.add(resistance, l);
+    u.add(v, l);
+  }
+  u.value -= read_vector(file, "/solution/u", q.size());
+  return {u.error(), balance.error()};
 }
 } // namespace orthocone

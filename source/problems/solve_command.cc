@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 #include "solve_command.h"
+#include "solve_options.h"
 
 #include <orthocone/base/errors.h>
 #include <orthocone/base/stopwatch.h>
@@ -8,6 +9,7 @@
 #include <orthocone/contact/solvers/contact_method.h>
 #include <orthocone/contact/solvers/contact_solver.h>
 #include <orthocone/problems/problem_file.h>
+#include <orthocone/surface/given_compliance.h>
 
 #include <algorithm>
 #include <cmath>
@@ -15,6 +17,7 @@
 #include <new>
 #include <optional>
 #include <sstream>
+#include <stdexcept>
 #include <tuple>
 #include <utility>
 
@@ -22,106 +25,6 @@ namespace orthocone
 {
 namespace
 {
-using Pair = std::pair<double, double>;
-
-struct SolveOptions
-{
-  std::string file{};
-  std::string write{};
-  std::optional<Pair> friction{}, slip{};
-  ContactSolverOptions solver{};
-  unsigned int n_repeats = 1;
-  bool is_stored = false;
-  bool is_csv = false;
-  bool is_help = false;
-};
-
-const char *const usage =
-    "orthocone-solve FILE.hdf5 [options]: solves a contact problem in FCLIB's format (local, 3-D)\n"
-    "  --method WORD        contact solver (newton)\n"
-    "  --tolerance NUMBER   bound of the residual (1e-10)\n"
-    "  --iterations NUMBER  sweeps or iterations at most (5000)\n"
-    "  --friction MU_X,MU_Y friction of all nodes, instead of that of the file\n"
-    "  --slip P_X,P_Y       slip ellipse of all nodes, instead of that of the file\n"
-    "  --repeat NUMBER      solves so many times, and prints the median of the seconds (1)\n"
-    "  --stored             judges the solution in the file, instead of solving\n"
-    "  --write FILE.hdf5    writes the problem and the solution\n"
-    "  --csv                prints a line of names and a line of values\n"
-    "Methods:\n";
-
-double number(const std::string &option, const std::string &text, const double least, const double below)
-{
-  std::istringstream in(text);
-  double value = 0;
-  if (!(in >> value) || !in.eof() || !(value > least && value < below))
-  {
-    std::ostringstream message;
-    message << option << " = '" << text << "': allowed is " << least << " < number < " << below;
-    throw InputError(message.str());
-  }
-  return value;
-}
-
-Pair two_numbers(const std::string &option, const std::string &text)
-{
-  const std::size_t comma = text.find(',');
-  if (comma == std::string::npos)
-    throw InputError(option + " = '" + text + "': allowed are two numbers > 0, such as 0.3,0.15");
-  return {number(option, text.substr(0, comma), 0, 1e6), number(option, text.substr(comma + 1), 0, 1e6)};
-}
-
-void take(SolveOptions &options, const std::string &option, const std::string &value)
-{
-  if (option == "--method")
-    options.solver.method = value;
-  else if (option == "--tolerance")
-    options.solver.tolerance = number(option, value, 0, 1);
-  else if (option == "--iterations")
-    options.solver.maximum_iterations = static_cast<unsigned int>(number(option, value, 0.5, 4e9));
-  else if (option == "--repeat")
-    options.n_repeats = static_cast<unsigned int>(number(option, value, 0.5, 1e4));
-  else if (option == "--friction")
-    options.friction = two_numbers(option, value);
-  else if (option == "--slip")
-    options.slip = two_numbers(option, value);
-  else if (option == "--write")
-    options.write = value;
-  else
-    throw InputError("there is no option '" + option + "'; --help lists them");
-}
-
-SolveOptions parsed(const std::vector<std::string> &arguments)
-{
-  SolveOptions options;
-  for (std::size_t i = 0; i < arguments.size(); ++i)
-    if (arguments[i] == "--help")
-      options.is_help = true;
-    else if (arguments[i] == "--csv")
-      options.is_csv = true;
-    else if (arguments[i] == "--stored")
-      options.is_stored = true;
-    else if (arguments[i].rfind("--", 0) != 0)
-    {
-      if (!options.file.empty())
-        throw InputError("one file at a time: '" + options.file + "' and '" + arguments[i] + "'");
-      options.file = arguments[i];
-    }
-    else if (const std::size_t sign = arguments[i].find('='); sign != std::string::npos)
-      take(options, arguments[i].substr(0, sign), arguments[i].substr(sign + 1));
-    else if (i + 1 < arguments.size())
-    {
-      take(options, arguments[i], arguments[i + 1]);
-      ++i;
-    }
-    else
-      throw InputError("option '" + arguments[i] + "' wants a value; --help lists them");
-  if (options.file.empty() && !options.is_help)
-    throw InputError("which file? --help says more");
-  if (find_contact_method(options.solver.method) == nullptr)
-    throw InputError("--method = '" + options.solver.method + "': --help lists the methods");
-  return options;
-}
-
 void set_laws(const SolveOptions &options, std::vector<OrthotropicFriction> &laws)
 {
   for (OrthotropicFriction &law : laws)
@@ -166,55 +69,108 @@ std::string short_text(const double value)
   return text.str();
 }
 
-void print(const SolveOptions &options, const ContactProblem &problem, const SolverReport &report,
-           const double seconds, const double error, std::ostream &out)
+struct Answer
 {
-  const std::vector<std::pair<std::string, std::string>> values{
-      {"nodes", std::to_string(problem.laws.size())},
-      {"constraints", std::to_string(problem.face.cols())},
-      {"method", options.is_stored ? "stored" : options.solver.method},
-      {"verdict", to_word(report.verdict)},
-      {"iterations", std::to_string(report.iterations)},
-      {"seconds", short_text(seconds)},
-      {"residual", short_text(report.residual)},
-      {"fclib_error", short_text(error)},
-      {"penetration", short_text(report.law.penetration)},
-      {"complementarity", short_text(report.law.complementarity)},
-      {"friction_cone", short_text(report.law.friction_cone)},
-      {"slip_rule", short_text(report.law.slip_rule)}};
+  SolverReport report;
+  ProblemSolution solution;
+  double seconds = 0;                   ///< of the solver and its preparation
+  std::optional<StoredErrors> stored{}; ///< where the solution is that in the file
+};
+
+using Values = std::vector<std::pair<std::string, std::string>>;
+
+/// A solver's verdict tells how it failed; forces from a file can only be right or wrong.
+std::string verdict_of(const Answer &answer)
+{
+  return !answer.stored || answer.report.converged ? to_word(answer.report.verdict) : "unsolved";
+}
+
+Values values_of(const SolveOptions &options, const ContactProblem &problem, const Answer &answer)
+{
+  const SolverReport &report = answer.report;
+  Values values{{"nodes", std::to_string(problem.laws.size())},
+                {"constraints", std::to_string(problem.face.cols())},
+                {"method", options.is_stored ? "stored" : options.solver.method},
+                {"verdict", verdict_of(answer)},
+                {"iterations", std::to_string(report.iterations)},
+                {"seconds", short_text(answer.seconds)},
+                {"residual", short_text(report.residual)},
+                {"fclib_error", short_text(fclib_error(problem, answer.solution))},
+                {"penetration", short_text(report.law.penetration)},
+                {"complementarity", short_text(report.law.complementarity)},
+                {"friction_cone", short_text(report.law.friction_cone)},
+                {"slip_rule", short_text(report.law.slip_rule)}};
+  if (answer.stored)
+  {
+    values.emplace_back("stored_u_error", short_text(answer.stored->displacement));
+    values.emplace_back("stored_l_error", short_text(answer.stored->multiplier));
+  }
+  return values;
+}
+
+/// Says where the file has something else beside the forces than they imply.
+void print_contradictions(const StoredErrors &stored, std::ostream &out)
+{
+  constexpr double rounding = 1e-10;
+  if (stored.displacement > rounding)
+    out << "The stored velocities (solution/u) are not W r + q. All other numbers are of the forces alone.\n";
+  if (stored.multiplier > rounding)
+    out << "The stored multipliers (solution/l) do not obey the constraints.\n";
+}
+
+void print(const SolveOptions &options, const ContactProblem &problem, const Answer &answer,
+           std::ostream &out)
+{
+  const Values values = values_of(options, problem, answer);
   if (options.is_csv)
     return print_csv(values, out);
   for (const auto &[name, value] : values)
     out << std::left << std::setw(17) << name << value << '\n';
+  if (answer.stored)
+    print_contradictions(*answer.stored, out);
+}
+
+/// W as it may be used. Forces in the file may press where a node cannot move: they are judged by W itself.
+DenseCompliance compliance_of(const SolveOptions &options, const ContactProblem &problem)
+{
+  const DenseView w(problem.w.data(), problem.w.rows(), problem.w.cols());
+  try
+  {
+    if (problem.face.cols() > 0 && !immobile_directions(w).empty())
+      throw std::invalid_argument("W has zeros on its diagonal beside constraints: not known here");
+    if (!options.is_stored)
+      return given_compliance(w, problem.q);
+    check_compliance(w);
+    return DenseCompliance(w);
+  }
+  catch (const std::invalid_argument &error)
+  {
+    throw FileError(problem.title + ": " + error.what());
+  }
 }
 
 /// The unknowns of the solution in the file.
 Eigen::VectorXd stored_unknowns(const std::string &file, const ContactStep &step)
 {
   const auto stored = read_solution(file);
-  if (!stored || stored->motions.size() != step.face().n())
-    throw FileError(file + ": there is no solution of all unknowns in it (group solution)");
+  if (!stored)
+    throw FileError(file + ": there is no solution in it (group solution)");
+  if (stored->motions.size() != step.face().n())
+    throw FileError(file + ": solution/l has " + std::to_string(stored->motions.size()) +
+                    " values where there are " + std::to_string(step.face().n()) + " constraints");
   Eigen::VectorXd unknowns(step.n_unknowns());
   unknowns << stored->force, step.face().unknowns(stored->motions);
   return unknowns;
 }
 
-struct Answer
-{
-  SolverReport report;
-  ProblemSolution solution;
-  double seconds = 0; ///< of the solver and its preparation
-};
-
-Answer answer(const SolveOptions &options, const ContactProblem &problem)
+Answer answer(const SolveOptions &options, const ContactProblem &problem, const Compliance &compliance)
 {
   const Stopwatch watch;
-  const DenseCompliance compliance(DenseView(problem.w.data(), problem.w.rows(), problem.w.cols()));
   const ContactSystem system(compliance, problem.laws);
   const ContactStep step(system, problem.q, face_of(problem));
+  Answer found;
   Eigen::VectorXd unknowns =
       options.is_stored ? stored_unknowns(options.file, step) : Eigen::VectorXd::Zero(step.n_unknowns());
-  Answer found;
   found.report = options.is_stored ? make_report(step, unknowns, 0, options.solver.tolerance)
                                    : make_contact_solver(system, options.solver)->solve(step, unknowns);
   found.seconds = watch.seconds();
@@ -228,16 +184,20 @@ ExitCode solve(const SolveOptions &options, std::ostream &out)
   ContactProblem problem = read_problem(options.file);
   set_laws(options, problem.laws);
   const BlasThreads threads(problem.q.size());
+  const DenseCompliance compliance = compliance_of(options, problem);
   Answer found;
   std::vector<double> seconds;
   for (unsigned int i = 0; i < options.n_repeats; ++i)
   {
-    found = answer(options, problem);
+    found = answer(options, problem, compliance);
     seconds.push_back(found.seconds);
   }
   const auto middle = seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2);
   std::nth_element(seconds.begin(), middle, seconds.end());
-  print(options, problem, found.report, *middle, fclib_error(problem, found.solution), out);
+  found.seconds = *middle;
+  if (options.is_stored)
+    found.stored = stored_errors(options.file);
+  print(options, problem, found, out);
   if (!options.write.empty())
     write_problem(problem, found.solution, options.write);
   return found.report.converged ? ExitCode::done : ExitCode::unsolved_step;
@@ -245,7 +205,7 @@ ExitCode solve(const SolveOptions &options, std::ostream &out)
 
 void print_help(std::ostream &out)
 {
-  out << usage;
+  out << solve_usage;
   for (const ContactMethod &method : contact_methods())
     out << "  " << std::left << std::setw(19) << method.word << method.help << '\n';
 }
@@ -260,7 +220,7 @@ int solve_command(const std::vector<std::string> &arguments, std::ostream &out, 
   };
   try
   {
-    const SolveOptions options = parsed(arguments);
+    const SolveOptions options = read_solve_options(arguments);
     if (!options.is_help)
       return static_cast<int>(solve(options, out));
     print_help(out);

@@ -5,6 +5,7 @@
 // shapes are right here. Laws are rows (mu_x, mu_y, p_x, p_y), one for each node.
 #include <orthocone/contact/solvers/contact_method.h>
 #include <orthocone/contact/solvers/contact_solver.h>
+#include <orthocone/surface/given_compliance.h>
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
@@ -101,24 +102,6 @@ void add_laws(py::module_ &m)
         });
 }
 
-/// Largest |w_ij - w_ji| / sqrt(w_ii w_jj); NaN if an entry is no number or a diagonal entry is not positive.
-double asymmetry(const py::array_t<double> &array)
-{
-  const DenseView w = matrix_view(array);
-  const Eigen::VectorXd scale = w.diagonal().cwiseSqrt().cwiseInverse();
-  double largest = 0;
-  for (Index j = 0; j < w.cols(); ++j)
-    for (Index i = 0; i <= j; ++i)
-    {
-      const double difference = std::abs(w(i, j) - w(j, i)) * scale[i] * scale[j];
-      if (!(difference <= largest))
-        largest = difference;
-      if (std::isnan(largest))
-        return largest;
-    }
-  return largest;
-}
-
 Array to_array(const Trace &trace)
 {
   Eigen::VectorXd rows(4 * trace.points().size());
@@ -146,16 +129,18 @@ py::dict to_dict(const SolverReport &report)
   return result;
 }
 
-/// Returns (force, displacement, status, report).
+/// Returns (force, displacement, status, report). Throws std::invalid_argument, Python's ValueError, for a
+/// matrix that is no compliance.
 py::tuple solve(const py::array_t<double> &w, const Array &q, const Array &laws, const Array &start,
                 const ContactSolverOptions &options)
 {
   Eigen::VectorXd force = vector_view(start);
   Eigen::VectorXd displacement, status(force.size() / 3);
   SolverReport report;
-  const DenseCompliance compliance(matrix_view(w));
+  const DenseView view = matrix_view(w);
   {
     const py::gil_scoped_release release;
+    const DenseCompliance compliance = given_compliance(view, vector_view(q));
     const ContactSystem system(compliance, to_laws(laws));
     const ContactStep step(system, vector_view(q));
     report = make_contact_solver(system, options)->solve(step, force);
@@ -172,7 +157,6 @@ py::tuple solve(const py::array_t<double> &w, const Array &q, const Array &laws,
 PYBIND11_MODULE(_contact, m)
 {
   add_laws(m);
-  m.def("asymmetry", asymmetry);
   m.def("methods",
         []
         {

@@ -70,6 +70,15 @@ def write(path, W, q, mu, kind="columns", V=None, R=None, s=None, spacedim=3, ro
         raise OSError(f"FCLIB does not write {path}")
 
 
+def write_solution(path, u, r, multipliers=None):
+    """Beside the problem in the file, by FCLIB."""
+    solution = _Solution(None, _pointer(u), _pointer(r), None if multipliers is None else _pointer(multipliers))
+    written = library().fclib_write_solution(ctypes.byref(solution), str(path).encode())
+    _KEPT.clear()
+    if written != 1:
+        raise OSError(f"FCLIB does not write {path}")
+
+
 class Read:
     """A problem and its solution as FCLIB reads them: W, q, mu, u, r, and its measure of error."""
 

@@ -142,7 +142,8 @@ class SolveTest(unittest.TestCase):
         holed, tilted = W.copy(), W.copy()
         holed[0, 3], tilted[0, 3] = np.nan, 2 * W[0, 3]
         for words, arguments in (("W has the shape", (W[:8, :8], q, 0.3)), ("W has the shape", (W[:0, :0], q, 0.3)),
-                                 ("W has entries", (holed, q, 0.3)), ("W has entries", (-W, q, 0.3)),
+                                 ("W has entries", (holed, q, 0.3)), ("W has the entry", (-W, q, 0.3)),
+                                 ("W is indefinite", (W - 0.5 * np.ones(W.shape), q, 0.3)),
                                  ("W is not symmetric", (tilted, q, 0.3)), ("q has the shape", (W, q[:2], 0.3)),
                                  ("q has entries", (W, np.inf * q, 0.3)), ("mu has the shape", (W, q, [1, 2, 3])),
                                  ("mu: allowed", (W, q, -0.3)), ("mu: allowed", (W, q, (0.3, 0))),

@@ -165,6 +165,55 @@ class ProblemTest(unittest.TestCase):
         u = W @ r + V @ multiplier + q
         self.assertLess(np.abs(np.minimum(u[0::3], r[0::3])).max(), 1e-8)
 
+    def test_stored_solutions_are_judged_by_their_forces(self):
+        """Velocities and multipliers that do not belong to them are named."""
+        W, q = row_of_nodes(4)
+        V, R, s = np.tile([[1.], [0], [0]], (4, 1)), np.array([[-2.]]), np.array([-3.])
+        for has_constraint in (False, True):
+            constraint = {"V": V, "R": R, "s": s} if has_constraint else {}
+            fclib_files.write(self.folder / f"problem-{has_constraint}", W, q, np.full(4, 0.3), **constraint)
+            self.row(f"problem-{has_constraint}", "--write", self.folder / f"solved-{has_constraint}", "--tolerance=1e-13")
+            r = fclib_files.Read(self.folder / f"solved-{has_constraint}").r
+            multipliers = (V.T @ r + s) / 2 if has_constraint else None
+            u = W @ r + q + (V @ multipliers if has_constraint else 0)
+            moved = u + np.eye(12)[4] * 0.1
+            size = np.abs(W) @ np.abs(r) + np.abs(q)
+            u_size = (size + (np.abs(V @ multipliers) if has_constraint else 0)).max()
+            cases = [("right", u, r, multipliers, DONE, 0, 0), ("other u", moved, r, multipliers, DONE, 0.1 / u_size, 0),
+                     ("other r", W @ (1.1 * r) + u - W @ r, 1.1 * r, multipliers, UNSOLVED, 0, None)]
+            if has_constraint:
+                cases += [("other l", u, r, multipliers + 1, DONE, 1 / (size + abs(V @ (multipliers + 1))).max(),
+                           2 / (abs(V).T @ abs(r) + 2 * abs(multipliers + 1) + 3)[0]), ("no l", u, r, None, DONE, 0, 0)]
+            for name, its_u, its_r, its_l, code, u_error, l_error in cases:
+                name = f"{name}-{has_constraint}"
+                with self.subTest(name):
+                    fclib_files.write(self.folder / name, W, q, np.full(4, 0.3), **constraint)
+                    fclib_files.write_solution(self.folder / name, its_u, its_r, its_l)
+                    row = self.row(name, "--stored", code=code)
+                    self.assertEqual(row["verdict"], "converged" if code == DONE else "unsolved")
+                    self.assertAlmostEqual(float(row["stored_u_error"]), u_error, delta=1e-12 + 0.01 * u_error)
+                    if l_error is not None:
+                        self.assertAlmostEqual(float(row["stored_l_error"]), l_error, delta=1e-12 + 0.01 * l_error)
+                    said = self.solve(name, "--stored").stdout
+                    self.assertEqual("solution/u) are not W r + q" in said, u_error > 0, said)
+                    self.assertEqual("solution/l) do not" in said, float(row["stored_l_error"]) > 1e-9, said)
+
+    def test_directions_in_which_nodes_cannot_move(self):
+        """A plate of mass 1 on rails along x: no force acts across the rails, and the others are those of the rules for
+        a block in the plane, m v_n = sum r_n and friction mu r_n against its motion."""
+        H = np.zeros((12, 2))
+        H[0::3, 0], H[1::3, 1] = 1, 1
+        q = H @ [-1, 0.7]
+        fclib_files.write(self.folder / "rails", H @ H.T, q, np.full(4, 0.3))
+        for method in ("newton", "gauss-seidel", "uzawa"):
+            self.row("rails", "--method", method, "--write", self.folder / method)
+            r = fclib_files.Read(self.folder / method).r
+            np.testing.assert_allclose([r[0::3].sum(), r[1::3].sum(), *r[2::3]], [1, -0.3, 0, 0, 0, 0], atol=1e-8)
+            self.row(method, "--stored", "--tolerance=1e-9")
+        q[5] = 0.1
+        fclib_files.write(self.folder / "pulled", H @ H.T, q, np.full(4, 0.3))
+        self.assert_error(self.solve("pulled"), FILE_ERROR, "W is zero along y of node 1, .* but slips by 0.1")
+
     def test_not_converged(self):
         W, q = row_of_nodes(6)
         fclib_files.write(self.folder / "problem", W, q, np.full(6, 0.3))
@@ -193,6 +242,7 @@ class ProblemTest(unittest.TestCase):
         fclib_files.write(self.folder / "tilted", tilted, q, mu)
         fclib_files.write(self.folder / "negative", W, q, -mu)
         fclib_files.write(self.folder / "hollow", W * np.kron(np.eye(4), np.zeros((3, 3))), q, mu)
+        fclib_files.write(self.folder / "indefinite", W - 0.5 * np.ones((12, 12)), q, mu)
         fclib_files.write(self.folder / "nan", W, q * np.nan, mu)
         fclib_files.write(self.folder / "singular", W, q, mu, V=np.ones((12, 2)), R=np.ones((2, 2)), s=np.ones(2))
         fclib_files.write(self.folder / "twice", W, q, mu, V=np.ones((12, 2)), R=np.zeros((2, 2)), s=np.ones(2))
@@ -200,10 +250,12 @@ class ProblemTest(unittest.TestCase):
                                  ("cut", "truncated or damaged"), ("foreign", "there is no problem of FCLIB"),
                                  ("nameless", "there is no array"), ("plane", "2 dimensions; allowed are 3"),
                                  ("tilted", "W is not symmetric"), ("negative", "friction of node 0 is"),
-                                 ("hollow", "on its diagonal; allowed"), ("nan", "q has entries that are no numbers"),
-                                 ("singular", "R is singular"), ("double", "the laws of the group orthocone make it"), ("twice", "not independent of each other")):
+                                 ("hollow", "on its diagonal; allowed"),
+                                 ("indefinite", "W is indefinite: there are forces"), ("nan", "q has entries that are no numbers"),
+                                 ("singular", "R is singular"), ("double", "the laws of the group orthocone make it"),
+                                 ("twice", "not independent of each other"), ("good", "there is no solution in it")):
             with self.subTest(name):
-                self.assert_error(self.solve(name), FILE_ERROR, expression)
+                self.assert_error(self.solve(name, *["--stored"] * (name == "good")), FILE_ERROR, expression)
 
     def test_bytes_at_random(self):
         """Whatever is damaged: an answer or one line, never a crash."""

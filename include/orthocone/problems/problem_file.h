@@ -16,9 +16,21 @@ namespace orthocone
 /// its W is not symmetric and the file lacks the law that makes it symmetric.
 ContactProblem read_problem(const std::string &file);
 
-/// The solution in a file of write_problem(), in the problem's own scale; nothing if the file has none.
-/// Throws FileError.
+/// The solution in a file, in the problem's own scale; nothing if the file has none. It has the motions of a
+/// face only: constraints that resist are eliminated. Throws FileError.
 std::optional<ProblemSolution> read_solution(const std::string &file);
+
+/// How far the solution in a file contradicts itself: the largest entry of u - (W r + V l + q) and of V^T r +
+/// R l + s, relative to the largest sum of the sizes of their parts. Where l is not in the file, the
+/// constraints that resist give it.
+struct StoredErrors
+{
+  double displacement = 0;
+  double multiplier = 0;
+};
+
+/// Throws FileError, also where there is no solution.
+StoredErrors stored_errors(const std::string &file);
 
 /// Writes a file by FCLIB's library, which is either complete or not there. Throws FileError, and
 /// std::invalid_argument for a face beside a slip rule that is not associated, because FCLIB's form has one

@@ -17,7 +17,8 @@ ContactSystem::ContactSystem(const Compliance &compliance, std::vector<Orthotrop
   for (Eigen::Index node = 0; node < n_nodes(); ++node)
   {
     laws_.push_back(normalized(given_laws_[node]));
-    rho_.push_back(1 / compliance_.diagonal_block(node).diagonal().maxCoeff());
+    const double largest = compliance_.diagonal_block(node).diagonal().maxCoeff();
+    rho_.push_back(1 / (largest > 0 ? largest : softness_)); // a node that cannot move may have any rho
   }
 }
 
