@@ -25,9 +25,11 @@ class Status(enum.IntEnum):
 class Report:
     """A report on a solution, computed from its forces alone.
 
-    residual: of the natural map, relative to the forces. law_errors: the law in its own terms, relative: penetration,
-    complementarity, friction_cone, slip_rule. verdict: converged, slow, rounding, cycling or diverged. trace: (k, 4), a row
-    for each residual that the solver has evaluated: iterations, residual, norm of the forces (N), seconds."""
+    converged: whether the residual is within the tolerance, and the forces have a bound. iterations: sweeps and steps.
+    residual: of the natural map, relative to the forces. worst_node: the one with the largest part of it. verdict:
+    converged, slow, rounding, cycling or diverged. law_errors: {penetration, complementarity, friction_cone, slip_rule:
+    number}, the law in its own terms, relative. trace: (k, 4), a row for each residual that the solver has evaluated:
+    iterations, residual, norm of the forces (N), seconds."""
     converged: bool
     iterations: int
     residual: float
@@ -39,7 +41,9 @@ class Report:
 
 @dataclasses.dataclass(frozen=True)
 class Solution:
-    """force: (n, 3), N. displacement: (n, 3), d = q + W r in mm. status: (n,), numbers of Status. report: Report."""
+    """Forces and displacements of n nodes.
+
+    force: (n, 3), N. displacement: (n, 3), mm, d = q + W r. status: (n,), numbers of Status. report: Report."""
     force: np.ndarray
     displacement: np.ndarray
     status: np.ndarray
@@ -47,7 +51,7 @@ class Solution:
 
 
 class NotConverged(RuntimeError):
-    """A solver did not reach the tolerance. `solution` is its last state."""
+    """A solver did not reach the tolerance. `solution` is its last state, a Solution."""
 
     def __init__(self, message, solution):
         super().__init__(message)
@@ -62,12 +66,16 @@ def methods():
 def solve(W, q, mu, p=None, *, method="newton", tolerance=1e-10, maximum_iterations=5000, start=None):
     """Forces r (N) and displacements d = q + W r (mm) of n nodes that obey the law of contact and friction.
 
-    W: (3 n, 3 n), mm/N, symmetric and positive semidefinite with a diagonal > 0; used where it is, if it is contiguous and
-    float64. q: (n, 3) or (3 n,), mm: gap and slip that the nodes would have without forces. mu, p: semi-axes of the friction
-    and slip ellipses, without units: a number, (2,) or (n, 2); p = None is p = mu. method: a word of methods(). tolerance: of
-    Report.residual. maximum_iterations: for the whole problem. start: (n, 3), N, forces to start from.
+    W: (3 n, 3 n), mm/N, symmetric, with r . W r >= 0 for all forces r. Rows and columns of zeros are directions in which a
+    node cannot move. q: (n, 3) or (3 n,), mm, the gap and slip that the nodes would have without forces. mu: a number, (2,)
+    or (n, 2), without units, the semi-axes of the friction ellipse. p: a number, (2,) or (n, 2), without units, the
+    semi-axes of the slip ellipse; None is p = mu. method: a word of methods(). tolerance: of Report.residual.
+    maximum_iterations: for the whole problem. start: (n, 3) or (3 n,), N, the forces to start from.
 
-    If W is singular, forces may not exist, and need not be unique (the manual, Problems of FCLIB).
+    W is used where it is, if it is contiguous and float64. `newton` and `plain-newton` make a copy in single precision for
+    their linear systems. Up to 200 nodes a factorization of a copy checks W before all else. A W with directions in which
+    nodes cannot move is copied, too. If W is singular, forces may not exist, and need not be unique (docs/manual.md,
+    Problems of FCLIB, has what is checked and promised).
 
     Returns a Solution. Raises NotConverged, and ValueError for arguments of another form. docs/theory.md, section 3."""
     W = _matrix(W)
@@ -90,36 +98,48 @@ def solve(W, q, mu, p=None, *, method="newton", tolerance=1e-10, maximum_iterati
 
 
 def project(force, mu):
-    """Nearest points (n, 3) of the friction cone ||r_t||_m <= r_n, N. force: (n, 3) or (3,), N."""
+    """The nearest points of the friction cone ||r_t||_m <= r_n.
+
+    force: (n, 3) or (3,), N. mu: a number, (2,) or (n, 2), without units. Returns (n, 3) or (3,), N."""
     return _of_nodes(_contact.project, force, 3, "force", mu, None)
 
 
 def modified_displacement(displacement, mu, p=None):
-    """G(d) = (d_n + ||Q^2 d_t||*_m, Q^2 d_t) with Q^2 = (p/mu)^2, (n, 3), mm. The law is r = project(r - rho G(d)) for any
-    rho > 0, up to the length of p. displacement: (n, 3) or (3,), mm: gap, and slip since the last step."""
+    """G(d) = (d_n + ||Q^2 d_t||*_m, Q^2 d_t) with Q^2 = (p/mu)^2. The law is r = project(r - rho G(d)) for any rho > 0, up
+    to the length of p.
+
+    displacement: (n, 3) or (3,), mm, the gap, and the slip since the last step. mu: a number, (2,) or (n, 2), without units.
+    p: a number, (2,) or (n, 2), without units; None is p = mu. Returns (n, 3) or (3,), mm."""
     return _of_nodes(_contact.modified_displacement, displacement, 3, "displacement", mu, p)
 
 
 def friction_norm(force, mu):
-    """||r_t||_m = sqrt((r_x/mu_x)^2 + (r_y/mu_y)^2), (n,): the normal force (N) at which the tangential one slips.
-    force: (n, 2) or (2,), N."""
+    """||r_t||_m = sqrt((r_x/mu_x)^2 + (r_y/mu_y)^2): the normal force at which a tangential one slips.
+
+    force: (n, 2) or (2,), N. mu: a number, (2,) or (n, 2), without units, > 0. Returns (n,) or a number, N."""
     return _of_nodes(_contact.friction_norm, force, 2, "force", mu, None)[..., 0]
 
 
 def dual_norm(slip, mu):
-    """||v_t||*_m = sqrt((mu_x v_x)^2 + (mu_y v_y)^2), (n,), mm. slip: (n, 2) or (2,), mm."""
+    """||v_t||*_m = sqrt((mu_x v_x)^2 + (mu_y v_y)^2): what an associated slip dissipates per unit of normal force.
+
+    slip: (n, 2) or (2,), mm. mu: a number, (2,) or (n, 2), without units. Returns (n,) or a number, mm."""
     return _of_nodes(_contact.dual_norm, slip, 2, "slip", mu, None)[..., 0]
 
 
 def slip_direction(force, p):
-    """Direction (n, 2) in which a node slips under a tangential force, -(r_x/p_x^2, r_y/p_y^2), not normalized. force:
-    (n, 2) or (2,), N."""
+    """The direction in which a node slips under a tangential force, -(r_x/p_x^2, r_y/p_y^2), not normalized.
+
+    force: (n, 2) or (2,), N. p: a number, (2,) or (n, 2), without units. Returns (n, 2) or (2,), N: only the direction
+    counts."""
     return _of_nodes(_contact.slip_direction, force, 2, "force", 1., p)
 
 
 def sliding_traction(slip, mu, p=None):
-    """Tangential force on the body per unit normal force in steady slip along `slip`, (n, 2). slip: (n, 2) or (2,), not
-    zero."""
+    """The tangential force on the body per unit of normal force in steady slip along `slip`.
+
+    slip: (n, 2) or (2,), mm, not zero. mu: a number, (2,) or (n, 2), without units. p: a number, (2,) or (n, 2), without
+    units; None is p = mu. Returns (n, 2) or (2,), without units."""
     return _of_nodes(_contact.sliding_traction, slip, 2, "slip", mu, p)
 
 

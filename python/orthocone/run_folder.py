@@ -32,9 +32,11 @@ def read_csv(path):
 
 class ContactFile:
     """Fields of a contact-NNNN.vtu file at its points, which are the contact nodes of the whole body; in older run
-    folders each element has points of its own. points: (n, 3), mm. data: {field: (n,) or (n, 3)}; file["slip"] is one of
-    them. cells: (m, (degree + 1)^2) points of each element, in VTK's order of Lagrange cells. path: the file, for
-    pyvista.read() and other readers. Raises ValueError if it is not such a file."""
+    folders each element has points of its own.
+
+    points: (n, 3), mm. data: {field: (n,) or (n, 3)}, mm, N, MPa or N/mm as in docs/results.md; file["slip"] is one of
+    them. degree: of the elements. cells: (m, (degree + 1)^2), the points of each element in VTK's order of Lagrange cells.
+    path: the file, for pyvista.read() and other readers. Raises ValueError if it is not such a file."""
 
     def __init__(self, path):
         self.path = pathlib.Path(path)
@@ -56,15 +58,15 @@ class ContactFile:
         return self.data[name]
 
     def lattice(self):
-        """Place of the point (i, j) of a cell among its points."""
+        """(degree + 1, degree + 1): the place of the point (i, j) of a cell among its points."""
         return _lattice(self.degree)
 
     def quadrilaterals(self):
-        """The cells cut into quadrilaterals between all their points."""
+        """(m, 4): the points of the quadrilaterals into which the cells are cut between all their points."""
         return self._quadrilaterals
 
     def triangles(self):
-        """The cells cut into triangles between all their points."""
+        """(m, 3): the points of the triangles into which the cells are cut between all their points."""
         quads = self.quadrilaterals()
         return np.concatenate([quads[:, [0, 1, 2]], quads[:, [0, 2, 3]]])
 
@@ -106,7 +108,10 @@ def _lattice(degree):
 
 
 class Run:
-    """The files of one run. Tables are {column: (steps,) array, or list of words}, as pandas.DataFrame takes them. Raises
+    """The files of one run.
+
+    path: the run folder. history: the table of all steps. Tables are {column: (rows,) array, or list of words}, as
+    pandas.DataFrame takes them; docs/results.md has the units of their columns: mm, N, MPa, N mm or s. Raises
     FileNotFoundError for files that the run has not written."""
 
     def __init__(self, path):
@@ -118,23 +123,23 @@ class Run:
         return sorted(file.stem[len("probe-"):] for file in self.path.glob("probe-*.csv"))
 
     def probe(self, name):
-        """Table of a probe."""
+        """The table of a probe, one row a step."""
         return read_csv(self.path / f"probe-{name}.csv")
 
     @functools.cached_property
     def timing(self):
-        """Wall times of every step, s."""
+        """The table of wall times, s, one row a step."""
         return read_csv(self.path / "timing.csv")
 
     @functools.cached_property
     def checks(self):
-        """Independent checks of every step; {} for a run that wrote none."""
+        """The table of independent checks, one row a step; {} for a run that wrote none."""
         file = self.path / "checks.csv"
         return read_csv(file) if file.exists() else {}
 
     @functools.cached_property
     def cycles(self):
-        """One row a cycle, or one for several that were jumped; {} before the first cycle has ended."""
+        """The table of cycles, one row a cycle, or one for several that were jumped; {} before the first has ended."""
         file = self.path / "cycles.csv"
         return read_csv(file) if file.exists() else {}
 
