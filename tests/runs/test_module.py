@@ -101,6 +101,37 @@ class SolveTest(unittest.TestCase):
         scaled = solve(D[:, None] * W * D, D * q.ravel(), 1.).force
         self.assert_near(forces.ravel(), D * scaled.ravel(), np.abs(forces).max())
 
+    def assert_isotropic(self, W, q, mu, p, force):
+        """In the scale D = diag(1, mu_x, mu_y), C = diag(1, Q^2) forces of any law obey the isotropic, associated one with
+        mu = 1 and the unsymmetric W' = D C W D: Coulomb's cone, no penetration, and slip against the force."""
+        D, C = np.tile([1, *mu], len(q)), np.tile([1, *(np.divide(p, mu) / np.max(np.divide(p, mu)))**2], len(q))
+        r = force.ravel() / D
+        u = ((D * C)[:, None] * W * D @ r + D * C * q.ravel()).reshape(-1, 3)
+        r = r.reshape(-1, 3)
+        slip = np.linalg.norm(u[:, 1:], axis=1)
+        length, size = np.abs(q).max(), np.abs(force).max()
+        self.assertLessEqual((np.linalg.norm(r[:, 1:], axis=1) - r[:, 0]).max(), 1e-9 * size)
+        self.assertGreaterEqual(u[:, 0].min(), -1e-9 * length)
+        # The product is a sum of two parts that are never negative: r_n u_n, and what slip dissipates less than r_n |u_t|.
+        self.assertLessEqual(np.abs((r * u).sum(axis=1) + r[:, 0] * slip).max(), 2e-9 * size * length)
+
+    @many
+    @given(seeds, laws, laws, some.sampled_from(["newton", "gauss-seidel"]))
+    def test_any_law_is_solved(self, seed, mu, p, method):
+        """Ellipses of all lengths from 0.001 to 1000, whatever one has to do with the other."""
+        W, q = row_of_nodes(6, seed)
+        self.assert_isotropic(W, q, mu, p, solve(W, q, mu, p, method=method).force)
+
+    @quick
+    @given(seeds, laws, laws, some.sampled_from(list(orthocone.methods())))
+    def test_a_method_solves_or_says_that_it_does_not(self, seed, mu, p, method):
+        W, q = row_of_nodes(6, seed)
+        try:
+            self.assert_isotropic(W, q, mu, p, solve(W, q, mu, p, method=method, maximum_iterations=1000).force)
+        except orthocone.NotConverged as error:
+            self.assertNotIn(method, ("newton", "gauss-seidel"))
+            self.assertIn(error.solution.report.verdict, ("slow", "rounding", "cycling", "diverged"))
+
     @quick
     @given(seeds, mild, some.permutations(range(6)))
     def test_order_of_nodes(self, seed, mu, order):
