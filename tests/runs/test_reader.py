@@ -4,6 +4,7 @@
 
 Usage: test_reader.py PROGRAM [unittest options]"""
 import pathlib
+import subprocess
 import sys
 import tempfile
 
@@ -73,6 +74,47 @@ class ReaderTest(RunTest):
             self.skipTest("no pandas")
         frame = pandas.DataFrame(self.run_folder.history)
         self.assertEqual(len(frame), 15)
+
+    def compare(self, points, field):
+        """What another reader makes of a contact file: its points, and a function that gives its fields."""
+        contact = self.run_folder.contact(STEP)
+        np.testing.assert_array_equal(points, contact.points)
+        for name, values in contact.data.items():
+            np.testing.assert_array_equal(field(name), values, name)
+
+    def test_vtk_takes_the_files(self):
+        """PyVista reads by VTK."""
+        try:
+            from vtkmodules.util.numpy_support import vtk_to_numpy
+            from vtkmodules.vtkIOXML import vtkXMLUnstructuredGridReader
+        except ImportError:
+            self.skipTest("no VTK")
+        reader = vtkXMLUnstructuredGridReader()
+        reader.SetFileName(str(self.run_folder.contact(STEP).path))
+        reader.Update()
+        grid = reader.GetOutput()
+        self.compare(vtk_to_numpy(grid.GetPoints().GetData()), lambda name: vtk_to_numpy(grid.GetPointData().GetArray(name)))
+
+    def test_pyvista_takes_the_files(self):
+        try:
+            import pyvista
+        except ImportError:
+            self.skipTest("no PyVista: Debian 12 has no package of it")
+        grid = pyvista.read(self.run_folder.contact(STEP).path)
+        self.compare(grid.points, lambda name: grid.point_data[name])
+
+    def test_nothing_else_is_needed(self):
+        """Neither pandas nor PyVista, nor what they read by, nor the compiled part."""
+        code = """import sys
+for name in ("pandas", "pyvista", "vtk", "vtkmodules", "meshio", "matplotlib", "orthocone._contact"):
+    sys.modules[name] = None
+from orthocone import Run
+run = Run(sys.argv[1])
+contact = run.contact(int(sys.argv[2]))
+print(len(run.history["step"]), len(run.cycles["cycle"]), len(run.checks["step"]), len(contact["pressure"]) == len(contact.points))"""
+        result = subprocess.run([sys.executable, "-B", "-c", code, self.folder / "run", str(STEP)], capture_output=True,
+                                text=True, check=False, env={"PYTHONPATH": str(ROOT / "python")})
+        self.assertEqual((result.stdout, result.stderr), ("15 1 15 True\n", ""))
 
     def test_what_is_not_there(self):
         with self.assertRaises(FileNotFoundError):
