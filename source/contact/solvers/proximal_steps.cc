@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include "proximal_steps.h"
 
+#include <orthocone/surface/exact_compliance.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -36,7 +38,7 @@ struct SystemWithSpring
   {
   }
 
-  DenseCompliance compliance;
+  ExactCompliance compliance; // Newton's steps must be exact where a small spring alone holds forces
   ContactSystem with_spring;
 };
 } // namespace

@@ -27,9 +27,9 @@ Eigen::Matrix<double, 3, 6> contact_of_body(const double x, const double y, cons
 }
 
 /// H of plates on each other, with contacts at random places of their faces.
-MatrixXd stack(const Index n_plates, const Index n_contacts)
+MatrixXd stack(const Index n_plates, const Index n_contacts, const unsigned int seed = 1)
 {
-  std::mt19937 numbers(1);
+  std::mt19937 numbers(seed);
   std::uniform_real_distribution<double> place(-1, 1);
   MatrixXd h = MatrixXd::Zero(3 * n_plates * n_contacts, 6 * n_plates);
   for (Index plate = 0; plate < n_plates; ++plate)
@@ -59,19 +59,39 @@ SolverReport report_of(const MatrixXd &h, const VectorXd &motion, const double g
 }
 } // namespace
 
-// Without these steps the same method needs more iterations than the bound on each of them.
+// Without these steps the same method needs more iterations than the bound on each of them. With steps of
+// Newton's method that are solved to 1 % in single precision, the stack of 96 contacts is not solved at all.
 TEST(ProximalSteps, SolveStacksOfRigidPlates)
 {
   for (const auto &[n_plates, n_contacts, mu] :
-       {std::tuple<Index, Index, double>{5, 6, 0.5}, {10, 8, 0.9}, {12, 6, 0.9}, {4, 12, 0.9}})
+       {std::tuple<Index, Index, double>{5, 6, 0.5}, {10, 8, 0.9}, {12, 6, 0.9}, {4, 12, 0.9}, {12, 8, 0.2}})
   {
     VectorXd motion(6);
     motion << 0.2, 0.05, -1, 0, 0, 0.1;
     const SolverReport report = report_of(stack(n_plates, n_contacts), motion.replicate(n_plates, 1), 0, mu);
     EXPECT_TRUE(report.converged) << n_plates << " plates: " << to_word(report.verdict);
-    EXPECT_LT(report.iterations, 3000u) << n_plates << " plates";
+    EXPECT_LT(report.iterations, 500u) << n_plates << " plates";
     EXPECT_LT(report.law.penetration, 1e-5);
     EXPECT_LT(report.law.slip_rule, 1e-5);
+  }
+}
+
+// Each plate has a motion of its own. All such stacks have a solution: lifting each plate farther than the
+// one below opens all contacts.
+TEST(ProximalSteps, SolveStacksAtRandom)
+{
+  for (unsigned int seed = 1; seed <= 8; ++seed)
+  {
+    std::mt19937 numbers(seed);
+    const Index n_plates = std::uniform_int_distribution<Index>(5, 12)(numbers);
+    const Index n_contacts = std::uniform_int_distribution<Index>(4, 8)(numbers);
+    const double mu = std::pow(10., std::uniform_real_distribution<double>(-1.3, 0)(numbers));
+    std::normal_distribution<double> pushed(0, 0.3);
+    VectorXd motion = VectorXd::NullaryExpr(6 * n_plates, [&] { return pushed(numbers); });
+    motion(Eigen::seqN(2, n_plates, 6)).array() -= 1;
+    const SolverReport report = report_of(stack(n_plates, n_contacts, seed), motion, 0, mu);
+    EXPECT_TRUE(report.converged) << seed << ": " << to_word(report.verdict);
+    EXPECT_LT(report.iterations, 1000u) << seed;
   }
 }
 
