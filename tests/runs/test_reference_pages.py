@@ -32,7 +32,7 @@ class ReferencePagesTest(unittest.TestCase):
         with tempfile.TemporaryDirectory() as folder:
             subprocess.run([sys.executable, ROOT / "tools/plots/reference_pages.py", "--program", PROGRAM, "--output",
                             folder], check=True)
-            for name in ("parameters.md", "results.md"):
+            for name in ("parameters.md", "results.md", "python.md"):
                 self.assertEqual((pathlib.Path(folder) / name).read_text(encoding="utf-8"), page(f"docs/{name}"),
                                  "tools/reference_pages writes it anew")
 

@@ -9,7 +9,7 @@ import pathlib
 import re
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-GENERATED = {"parameters.md", "results.md"}
+GENERATED = {"parameters.md", "results.md", "python.md"}
 PAGES = [ROOT / "README.md", *sorted(path for path in (ROOT / "docs").glob("*.md") if path.name not in GENERATED)]
 MOST_WORDS = 20
 ITEM = re.compile(r"^\s*(?:[-*+]|\d+\.) +")

@@ -1,12 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 """docs/parameters.md and docs/results.md: every entry of a parameter file, and every column and field of the results, as
-`orthocone --defaults` and `orthocone --columns` have them."""
+`orthocone --defaults` and `orthocone --columns` have them; docs/python.md: the docstrings of the Python module."""
 import argparse
 import pathlib
 import re
 import subprocess
 import sys
+
+sys.dont_write_bytecode = True  # the source tree stays clean
+from python_page import python_page  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 PARAMETERS = """# Parameters
@@ -77,6 +80,7 @@ def main():
                                    ("results.md", "--columns", results_page)):
             text = subprocess.run([options.program, option], capture_output=True, text=True, check=True).stdout
             (options.output / name).write_text(page(text), encoding="utf-8")
+        (options.output / "python.md").write_text(python_page(ROOT / "python/orthocone"), encoding="utf-8")
     except (OSError, subprocess.CalledProcessError) as error:
         sys.exit(f"reference_pages: {error}")
 
