@@ -161,6 +161,21 @@ class SolveTest(unittest.TestCase):
         self.assertEqual(np.abs(solution.force[:, 1:]).max(), 0)
         self.assertLess(np.abs(solution.force[:, 0] * solution.displacement[:, 0]).max(), 1e-9)
 
+    def test_directions_in_which_nodes_cannot_move(self):
+        """The others are solved as if these were not there; W itself stays as it is."""
+        W, q = row_of_nodes(4, 1)
+        W[2::3], W[:, 2::3], q[:, 2] = 0, 0, 0
+        before = W.copy()
+        held = solve(W, q, 0.3)
+        W[2::3, 2::3] = np.eye(4)
+        self.assert_near(held.force, solve(W, q, 0.3).force, np.abs(held.force).max())
+        self.assertEqual(np.abs(held.force[:, 2]).max(), 0)
+        W[2::3, 2::3] = 0
+        np.testing.assert_array_equal(W, before)
+        q[1, 2] = 0.1
+        with self.assertRaisesRegex(ValueError, "W is zero along y of node 1, .* but slips by 0.1"):
+            solve(W, q, 0.3)
+
     def test_failure_has_what_there_is(self):
         W, q = row_of_nodes(8, 1)
         with self.assertRaisesRegex(orthocone.NotConverged, "uzawa: slow, residual .* after 3 iterations") as caught:

@@ -199,19 +199,20 @@ class ProblemTest(unittest.TestCase):
                     self.assertEqual("solution/l) do not" in said, float(row["stored_l_error"]) > 1e-9, said)
 
     def test_directions_in_which_nodes_cannot_move(self):
-        """A plate of mass 1 on rails along x: no force acts across the rails, and the others are those of the rules for
-        a block in the plane, m v_n = sum r_n and friction mu r_n against its motion."""
-        H = np.zeros((12, 2))
-        H[0::3, 0], H[1::3, 1] = 1, 1
+        """A plate of mass 1 on rails along x, and a fifth node that cannot move at all: no force acts across the rails, and
+        the others are those of a block in the plane, m v_n = sum r_n and friction mu r_n against its motion."""
+        H = np.zeros((15, 2))
+        H[0:12:3, 0], H[1:12:3, 1] = 1, 1
         q = H @ [-1, 0.7]
-        fclib_files.write(self.folder / "rails", H @ H.T, q, np.full(4, 0.3))
+        q[12] = 0.5
+        fclib_files.write(self.folder / "rails", H @ H.T, q, np.full(5, 0.3))
         for method in ("newton", "gauss-seidel", "uzawa"):
             self.row("rails", "--method", method, "--write", self.folder / method)
             r = fclib_files.Read(self.folder / method).r
-            np.testing.assert_allclose([r[0::3].sum(), r[1::3].sum(), *r[2::3]], [1, -0.3, 0, 0, 0, 0], atol=1e-8)
+            np.testing.assert_allclose([r[0::3].sum(), r[1::3].sum(), *r[2::3], *r[12:]], [1, -0.3] + 8 * [0], atol=1e-8)
             self.row(method, "--stored", "--tolerance=1e-9")
         q[5] = 0.1
-        fclib_files.write(self.folder / "pulled", H @ H.T, q, np.full(4, 0.3))
+        fclib_files.write(self.folder / "pulled", H @ H.T, q, np.full(5, 0.3))
         self.assert_error(self.solve("pulled"), FILE_ERROR, "W is zero along y of node 1, .* but slips by 0.1")
 
     def test_not_converged(self):
