@@ -5,15 +5,10 @@
 // differentiated there as polynomials through these (Kronbichler and Kormann 2012, Computers & Fluids 63).
 #include "cell_products.h"
 
+#include <orthocone/base/every_processor.h>
+
 #include <algorithm>
 
-// These functions are compiled for several processors, and chosen at run time. Sanitizers cannot handle this.
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) &&     \
-    !defined(__SANITIZE_THREAD__)
-#define ORTHOCONE_FOR_EVERY_PROCESSOR __attribute__((target_clones("avx512f", "fma", "default")))
-#else
-#define ORTHOCONE_FOR_EVERY_PROCESSOR
-#endif
 // Inlined functions are compiled for each processor, and for each number of nodes.
 #define ORTHOCONE_INLINE __attribute__((always_inline)) inline
 #define ORTHOCONE_INLINE_LAMBDA __attribute__((always_inline))

@@ -9,12 +9,11 @@
 namespace orthocone
 {
 using Eigen::Index;
-using Eigen::MatrixXf;
 
 namespace
 {
 /// The `n` nodes whose normal displacement a normal force on `node` changes most, `node` itself first.
-std::vector<Index> nearest_nodes(const MatrixXf &compliance, const Index node, const std::size_t n)
+std::vector<Index> nearest_nodes(const DenseView &compliance, const Index node, const std::size_t n)
 {
   std::vector<Index> nodes(compliance.rows() / 3);
   std::iota(nodes.begin(), nodes.end(), 0);
@@ -33,25 +32,30 @@ std::vector<Index> nearest_nodes(const MatrixXf &compliance, const Index node, c
 
 InnerCompliance::InnerCompliance(const DenseView &compliance, const double scale)
     : scale_(scale),
-      matrix_((compliance / scale).cast<float>()),
-      held_(n_held, matrix_.rows() / 3),
-      holding_forces_(3 * n_held, matrix_.rows())
+      held_(n_held, compliance.rows() / 3),
+      holding_forces_(3 * n_held, compliance.rows())
 {
+  constexpr Index fits_into_caches = 2000; // rows: docs/performance.md
+  if (compliance.rows() > fits_into_caches)
+    rounded_.emplace(compliance, scale);
+  else
+    single_ = (compliance / scale).cast<float>();
   for (Index node = 0; node < held_.cols(); ++node)
-    hold(node);
+    hold(node, compliance);
 }
 
 /// Forces on the nearest nodes of `node` that move it by one unit in each direction and hold the others.
-void InnerCompliance::hold(const Index node)
+void InnerCompliance::hold(const Index node, const DenseView &compliance)
 {
   using Patch = Eigen::Matrix<float, Eigen::Dynamic, Eigen::Dynamic, Eigen::ColMajor, 3 * n_held, 3 * n_held>;
   using Columns = Eigen::Matrix<float, Eigen::Dynamic, 3, Eigen::ColMajor, 3 * n_held, 3>;
-  const std::vector<Index> nodes = nearest_nodes(matrix_, node, n_held);
+  const std::vector<Index> nodes = nearest_nodes(compliance, node, n_held);
   const auto n = static_cast<Index>(nodes.size());
   Patch patch(3 * n, 3 * n);
   for (Index j = 0; j < n; ++j)
     for (Index i = j; i < n; ++i)
-      patch.block<3, 3>(3 * i, 3 * j) = matrix_.block<3, 3>(3 * nodes[i], 3 * nodes[j]);
+      patch.block<3, 3>(3 * i, 3 * j) =
+          (compliance.block<3, 3>(3 * nodes[i], 3 * nodes[j]) / scale_).cast<float>();
   Columns forces = Columns::Identity(3 * n, 3);
   if (const Eigen::LLT<Patch> factor(patch); factor.info() == Eigen::Success)
     for (Index d = 0; d < 3; ++d)

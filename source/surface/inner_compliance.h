@@ -2,12 +2,18 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
+#include "rounded_matrix.h"
+
 #include <orthocone/surface/compliance.h>
+
+#include <optional>
 
 namespace orthocone
 {
-/// The compliance as inner iterations use it. Single precision halves the memory to read. It is relative to
-/// its largest eigenvalue, so that no unit of force or length comes near the ends of the number range.
+/// The compliance as inner iterations use it, which want two digits of a product. Single precision halves the
+/// memory to read, and rounded entries halve it again where a matrix does not fit into the caches. It is
+/// relative to its largest eigenvalue, so that no unit of force or length comes near the ends of the number
+/// range.
 class InnerCompliance
 {
 public:
@@ -19,7 +25,7 @@ public:
   /// W v / scale.
   Eigen::VectorXf multiply(const Eigen::VectorXf &vector) const
   {
-    return matrix_.selfadjointView<Eigen::Lower>() * vector;
+    return rounded_ ? *rounded_ * vector : single_.selfadjointView<Eigen::Lower>() * vector;
   }
 
   /// About scale W^-1 v: for each node its nearest neighbours are held, and the others carry no force. The
@@ -30,10 +36,11 @@ public:
 private:
   static constexpr Eigen::Index n_held = 8; ///< a node and its neighbours
 
-  void hold(Eigen::Index node);
+  void hold(Eigen::Index node, const DenseView &compliance);
 
   double scale_;
-  Eigen::MatrixXf matrix_;
+  Eigen::MatrixXf single_{}; ///< one of these two
+  std::optional<RoundedMatrix> rounded_{};
   Eigen::Matrix<Eigen::Index, n_held, Eigen::Dynamic> held_;        ///< the nodes held for each node
   Eigen::Matrix<float, 3 * n_held, Eigen::Dynamic> holding_forces_; ///< on them, 3 columns a node
 };

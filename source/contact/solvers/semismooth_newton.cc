@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include "line_search.h"
+#include "pressure_first_steps.h"
 #include "proximal_steps.h"
 #include "solvers.h"
 
@@ -25,73 +25,52 @@ double relaxation_of_round(const unsigned int round)
   return round % 4 == 1 ? 0.3 : 0.05;
 }
 
-/// Of Newton's steps: a tighter bound costs more products than it saves iterations.
-constexpr double inexactness = 0.01;
-
 /// Semismooth Newton with a backtracking line search, on the natural map and on that of Alart and Curnier,
-/// whose pieces meet elsewhere. Where both stall, it falls back on exact sweeps, so that it inherits their
-/// robustness. Where W is singular, proximal steps come before the sweeps.
+/// whose pieces meet elsewhere. Where a few nodes keep its steps short, they are solved by themselves. Where
+/// both maps stall, it falls back on exact sweeps, so that it inherits their robustness. Where W is singular,
+/// proximal steps come before the sweeps.
 class SemismoothNewton : public ContactSolver
 {
 public:
-  /// Without `proximal_steps` it has nothing of its own for singular W.
-  SemismoothNewton(const ContactSystem &system, const ContactSolverOptions &options,
-                   std::unique_ptr<const ProximalSteps> proximal_steps = nullptr);
+  /// What it does beside its own steps, or nothing of each.
+  struct Help
+  {
+    std::unique_ptr<const HardestNodes> hardest_nodes{};
+    std::unique_ptr<const ProximalSteps> proximal_steps{}; ///< for singular W
+  };
+
+  SemismoothNewton(const ContactSystem &system, const ContactSolverOptions &options, Help help);
+  SemismoothNewton(const ContactSystem &system, const ContactSolverOptions &options)
+      : SemismoothNewton(system, options, Help())
+  {
+  }
 
   SolverReport solve(const ContactStep &step, Eigen::VectorXd &unknowns) const override;
 
 private:
-  /// A step on the way to its solution.
-  struct Progress;
-
-  void iterate_while_it_pays(Progress &progress) const;
-  void iterate_pressure_first(Progress &progress) const;
-  void iterate_in_full(Progress &progress) const;
-  bool run_round(unsigned int round, unsigned int n_sweeps, Progress &progress) const;
+  void iterate_while_it_pays(NewtonProgress &progress) const;
+  void iterate_in_full(NewtonProgress &progress) const;
+  bool run_round(unsigned int round, unsigned int n_sweeps, NewtonProgress &progress) const;
 
   ContactSolverOptions options_;
   GaussSeidel sweeps_;
   std::unique_ptr<ConditionSolver> conditions_;
-  std::unique_ptr<const ProximalSteps> proximal_steps_;
-};
-
-struct SemismoothNewton::Progress
-{
-  const ContactStep &step;
-  VectorXd &unknowns; ///< the best so far
-  double residual;    ///< of them
-  unsigned int iterations = 0;
-  Trace trace{};
-  BalanceWatch balance{};
-
-  void note(const double residual_, const VectorXd &unknowns_)
-  {
-    trace.add(iterations, residual_, step.force_scale(unknowns_));
-  }
-
-  /// Takes unknowns that are better than the best so far.
-  void offer(VectorXd candidate)
-  {
-    const double its_residual = step.residual(candidate);
-    if (!(its_residual < residual))
-      return;
-    residual = its_residual;
-    unknowns = std::move(candidate);
-    note(residual, unknowns);
-  }
+  Help help_;
+  PressureFirstSteps pressure_first_;
 };
 
 SemismoothNewton::SemismoothNewton(const ContactSystem &system, const ContactSolverOptions &options,
-                                   std::unique_ptr<const ProximalSteps> proximal_steps)
+                                   Help help)
     : options_(options),
       sweeps_(system, options),
       conditions_(condition_solver(system, "newton")),
-      proximal_steps_(std::move(proximal_steps))
+      help_(std::move(help)),
+      pressure_first_(options, *conditions_, help_.hardest_nodes.get())
 {
 }
 
 /// Newton's steps on the natural map, as long as each of them pays.
-void SemismoothNewton::iterate_while_it_pays(Progress &progress) const
+void SemismoothNewton::iterate_while_it_pays(NewtonProgress &progress) const
 {
   constexpr unsigned int most_iterations = 12;
   constexpr double paying_reduction = 0.9; // sweeps pay more for the same gain (docs/performance.md)
@@ -107,7 +86,7 @@ void SemismoothNewton::iterate_while_it_pays(Progress &progress) const
     if (progress.trace.points().back().residual <= options_.tolerance)
       break;
     const double last_error = best.linearization.error;
-    const VectorXd change = newton_change(*conditions_, best.linearization, inexactness);
+    const VectorXd change = newton_change(*conditions_, best.linearization, inexactness_of_newton);
     ++progress.iterations;
     if (!change.allFinite())
       break;
@@ -121,51 +100,9 @@ void SemismoothNewton::iterate_while_it_pays(Progress &progress) const
   progress.offer(step.admissible(best.unknowns));
 }
 
-/// Newton's steps on the map that asks for the pressure first, up to the iterate where it is least. The line
-/// search takes the shortest step where none reduces the map: that passes corners where pieces of it meet.
-void SemismoothNewton::iterate_pressure_first(Progress &progress) const
-{
-  constexpr unsigned int most_iterations = 30, most_without_gain = 5;
-  // The residual projects every node. The map's own error says without that where it may be small enough.
-  constexpr unsigned int interval = 4;
-  constexpr double likely = 10; // tolerances
-  constexpr double smallest_step = 1. / 16;
-  const ContactStep &step = progress.step;
-  Iterate last(linearize_pressure_first, step, progress.unknowns, step.displacement(progress.unknowns),
-               options_.rho_factor);
-  VectorXd best = progress.unknowns;
-  double least = last.linearization.error;
-  for (unsigned int i = 0, i_best = 0; i < most_iterations && i <= i_best + most_without_gain &&
-                                       progress.iterations < options_.maximum_iterations;
-       ++i)
-  {
-    const VectorXd change = newton_change(*conditions_, last.linearization, inexactness);
-    ++progress.iterations;
-    if (!change.allFinite())
-      break;
-    last = line_search(linearize_pressure_first, step, last, change, smallest_step, options_.rho_factor);
-    const double error = last.linearization.error;
-    const bool is_near = error <= likely * options_.tolerance * step.force_scale(last.unknowns);
-    const bool is_better = error < least;
-    if (is_better)
-    {
-      best = last.unknowns;
-      least = error;
-      i_best = i;
-    }
-    if (!is_near && i % interval != interval - 1)
-      continue;
-    const double residual = step.residual(last.unknowns, last.displacement);
-    progress.note(residual, last.unknowns);
-    if (is_better && residual <= options_.tolerance)
-      break;
-  }
-  progress.offer(step.admissible(std::move(best)));
-}
-
 /// Takes Newton's steps on the natural map in full, whatever the residual does on the way: where pieces of
 /// the map meet, line searches may stop at a corner that full steps pass.
-void SemismoothNewton::iterate_in_full(Progress &progress) const
+void SemismoothNewton::iterate_in_full(NewtonProgress &progress) const
 {
   constexpr unsigned int most_iterations = 15;
   constexpr double tight = 1e-4; // what single precision gives without trouble
@@ -186,21 +123,21 @@ void SemismoothNewton::iterate_in_full(Progress &progress) const
 
 /// Runs sweeps, then Newton's steps on both maps. Returns whether the face runs away.
 bool SemismoothNewton::run_round(const unsigned int round, const unsigned int n_sweeps,
-                                 Progress &progress) const
+                                 NewtonProgress &progress) const
 {
   for (unsigned int i = 0; i < n_sweeps && progress.iterations < options_.maximum_iterations;
        ++i, ++progress.iterations)
     sweeps_.sweep(progress.step, progress.unknowns, relaxation_of_round(round));
   if (round == 0)
   {
-    iterate_pressure_first(progress); // the natural map stalls sooner (docs/performance.md)
+    pressure_first_.iterate(progress); // the natural map stalls sooner (docs/performance.md)
     if (progress.residual <= options_.tolerance)
       return false;
   }
   iterate_while_it_pays(progress);
   if (round > 0 && progress.residual > options_.tolerance)
   {
-    iterate_pressure_first(progress);
+    pressure_first_.iterate(progress);
     iterate_in_full(progress);
   }
   return progress.residual > options_.tolerance &&
@@ -213,7 +150,7 @@ SolverReport SemismoothNewton::solve(const ContactStep &step, VectorXd &unknowns
   constexpr unsigned int most_sweeps = 160;
   const VectorXd start = unknowns;
   const double start_residual = step.residual(start);
-  Progress progress{step, unknowns, start_residual};
+  NewtonProgress progress{step, unknowns, start_residual};
   progress.note(progress.residual, unknowns);
   unsigned int n_sweeps = 0;
   for (unsigned int round = 0;
@@ -227,11 +164,11 @@ SolverReport SemismoothNewton::solve(const ContactStep &step, VectorXd &unknowns
       // the next load step may have none behind it (docs/stability.md).
       unknowns = start;
       progress.residual = start_residual;
-      if (proximal_steps_ && proximal_steps_->are_needed())
+      if (help_.proximal_steps && help_.proximal_steps->are_needed())
       {
         VectorXd improved = start;
         progress.iterations +=
-            proximal_steps_->improve(step, improved, options_.maximum_iterations - progress.iterations);
+            help_.proximal_steps->improve(step, improved, options_.maximum_iterations - progress.iterations);
         progress.offer(step.admissible(std::move(improved)));
         if (progress.residual <= options_.tolerance)
           break;
@@ -249,8 +186,9 @@ std::unique_ptr<ContactSolver> make_newton(const ContactSystem &system, const Co
 {
   if (system.compliance().dense() == nullptr)
     return make_continuation(system, options);
-  auto proximal_steps = std::make_unique<ProximalSteps>(system, options, make<SemismoothNewton>);
-  return std::make_unique<SemismoothNewton>(system, options, std::move(proximal_steps));
+  SemismoothNewton::Help help{std::make_unique<HardestNodes>(options, make<SemismoothNewton>),
+                              std::make_unique<ProximalSteps>(system, options, make<SemismoothNewton>)};
+  return std::make_unique<SemismoothNewton>(system, options, std::move(help));
 }
 } // namespace
 

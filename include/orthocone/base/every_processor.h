@@ -1,0 +1,12 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+/// Before a function: it is compiled for several processors, and the loader takes the best one. Sanitizers
+/// cannot handle this.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) &&     \
+    !defined(__SANITIZE_THREAD__)
+#define ORTHOCONE_FOR_EVERY_PROCESSOR __attribute__((target_clones("avx512f", "fma", "default")))
+#else
+#define ORTHOCONE_FOR_EVERY_PROCESSOR
+#endif

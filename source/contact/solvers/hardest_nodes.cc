@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "hardest_nodes.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+namespace orthocone
+{
+using Eigen::Index;
+using Eigen::Matrix3d;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace
+{
+using Nodes = std::vector<Index>;
+
+// Of the small problem, docs/performance.md: fewer neighbours leave more for the whole surface to mend.
+constexpr Index most_worst = 24, neighbours = 32, most_nodes = 100;
+
+/// A block of W, from its lower half.
+Matrix3d block(const DenseView &w, const Index i, const Index j)
+{
+  if (i >= j)
+    return w.block<3, 3>(3 * i, 3 * j);
+  return w.block<3, 3>(3 * j, 3 * i).transpose();
+}
+
+/// The nodes that hold nearly all of the map, worst first; none if they are many.
+Nodes worst_nodes(const VectorXd &map, const Index n_nodes)
+{
+  constexpr double remaining = 0.01; // of the squared map
+  std::vector<double> parts(n_nodes);
+  for (Index i = 0; i < n_nodes; ++i)
+    parts[i] = map.segment<3>(3 * i).squaredNorm();
+  Nodes nodes(n_nodes);
+  std::iota(nodes.begin(), nodes.end(), 0);
+  std::partial_sort(nodes.begin(), nodes.begin() + most_worst, nodes.end(),
+                    [&](const Index a, const Index b) { return parts[a] > parts[b]; });
+  const double all = std::accumulate(parts.begin(), parts.end(), 0.);
+  double rest = all;
+  for (Index n = 0; n < most_worst; ++n)
+  {
+    rest -= parts[nodes[n]];
+    if (rest <= remaining * all)
+    {
+      nodes.resize(n + 1);
+      return nodes;
+    }
+  }
+  return {};
+}
+
+/// The `n` nodes whose normal displacement a normal force on `node` changes most, nearest first.
+Nodes nearest_nodes(const DenseView &w, const Index node, const Index n)
+{
+  Nodes nodes(w.rows() / 3);
+  std::iota(nodes.begin(), nodes.end(), 0);
+  const auto moved = [&](const Index i) { return w(3 * std::max(i, node), 3 * std::min(i, node)); };
+  std::partial_sort(nodes.begin(), nodes.begin() + n, nodes.end(),
+                    [&](const Index a, const Index b) { return moved(a) > moved(b); });
+  nodes.resize(n);
+  return nodes;
+}
+
+/// `nodes`, and their nearest ones in turn, until there are enough.
+Nodes with_neighbours(Nodes nodes, const DenseView &w)
+{
+  const Index n_near = std::min<Index>(neighbours, w.rows() / 3);
+  std::vector<bool> is_chosen(w.rows() / 3, false);
+  std::vector<Nodes> near;
+  for (const Index node : nodes)
+  {
+    is_chosen[node] = true;
+    near.push_back(nearest_nodes(w, node, n_near));
+  }
+  for (Index k = 0; k < n_near; ++k)
+    for (const Nodes &candidates : near)
+      if (const Index node = candidates[k]; !is_chosen[node] && static_cast<Index>(nodes.size()) < most_nodes)
+      {
+        is_chosen[node] = true;
+        nodes.push_back(node);
+      }
+  return nodes;
+}
+
+MatrixXd compliance_of(const Nodes &nodes, const DenseView &w)
+{
+  const auto n = static_cast<Index>(nodes.size());
+  MatrixXd result(3 * n, 3 * n);
+  for (Index j = 0; j < n; ++j)
+    for (Index i = 0; i < n; ++i)
+      result.block<3, 3>(3 * i, 3 * j) = block(w, nodes[i], nodes[j]);
+  return result;
+}
+
+VectorXd values_at(const Nodes &nodes, const VectorXd &values)
+{
+  VectorXd result(3 * static_cast<Index>(nodes.size()));
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    result.segment<3>(3 * static_cast<Index>(i)) = values.segment<3>(3 * nodes[i]);
+  return result;
+}
+} // namespace
+
+HardestNodes::HardestNodes(const ContactSolverOptions &options, Make *const make)
+    : options_(options),
+      make_(make)
+{
+  constexpr unsigned int most_iterations = 200;
+  options_.maximum_iterations = std::min(options.maximum_iterations, most_iterations);
+}
+
+HardestNodes::Result HardestNodes::solve(const ContactStep &step, const VectorXd &unknowns,
+                                         const NodeVector &displacement) const
+{
+  constexpr Index least_surface = 3; // of the small problem's nodes: else it is no small one
+  const DenseView *const w = step.system().compliance().dense();
+  if (w == nullptr || step.n_nodes() < least_surface * most_nodes)
+    return {};
+  Nodes nodes = worst_nodes(step.natural_map(unknowns, displacement), step.n_nodes());
+  if (nodes.empty())
+    return {};
+  nodes = with_neighbours(std::move(nodes), *w);
+  const DenseCompliance compliance(compliance_of(nodes, *w));
+  std::vector<OrthotropicFriction> laws;
+  for (const Index node : nodes)
+    laws.push_back(step.law(node));
+  const ContactSystem system(compliance, std::move(laws));
+  VectorXd forces = values_at(nodes, unknowns);
+  const ContactStep problem(system, values_at(nodes, displacement) - *compliance.dense() * forces);
+  const SolverReport report = make_(system, options_)->solve(problem, forces);
+  Result result;
+  const double share = static_cast<double>(nodes.size()) / static_cast<double>(step.n_nodes());
+  result.iterations = static_cast<unsigned int>(std::ceil(share * report.iterations));
+  if (!report.converged)
+    return result;
+  result.unknowns = unknowns;
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    result.unknowns->segment<3>(3 * nodes[i]) = forces.segment<3>(3 * static_cast<Index>(i));
+  return result;
+}
+} // namespace orthocone
