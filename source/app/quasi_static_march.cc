@@ -54,6 +54,20 @@ void QuasiStaticProblem::failed(const LoadStep &step, const SolverReport &report
   record_.seconds.contact += seconds;
   record_.verdict = report.verdict;
   outcome_ = {ExitCode::unsolved_step, failure_text(step, report)};
+  write_unsolved(step);
+}
+
+/// The earlier failure is the one to report: a file that cannot be written is only named.
+void QuasiStaticProblem::write_unsolved(const LoadStep &step)
+{
+  try
+  {
+    timed(record_.seconds.output, [&] { output_.write_unsolved(step, *solver_.unsolved()); });
+  }
+  catch (const FileError &error)
+  {
+    outcome_.message += std::string(" No problem file: ") + error.what();
+  }
 }
 
 std::string QuasiStaticProblem::failure_text(const LoadStep &step, const SolverReport &report) const

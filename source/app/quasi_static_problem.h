@@ -46,6 +46,7 @@ private:
   void failed(const LoadStep &step, const SolverReport &report, double seconds) override;
   std::string failure_text(const LoadStep &step, const SolverReport &report) const;
   void write(const SolvedStep &solved);
+  void write_unsolved(const LoadStep &step);
   void end_cycle(const CycleRow &row, ContactState &state);
   Outcome with_checkpoint(Outcome outcome);
   void save_checkpoint();

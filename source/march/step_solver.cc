@@ -111,7 +111,7 @@ SolverReport StepSolver::solve(ContactState &state, const LoadStep &step)
   return report;
 }
 
-SolverReport StepSolver::solve_in_one(ContactState &state, const LoadStep &step) const
+SolverReport StepSolver::solve_in_one(ContactState &state, const LoadStep &step)
 {
   constexpr unsigned int most_halvings = 3;
   const ContactState before = state;
@@ -124,6 +124,7 @@ SolverReport StepSolver::solve_in_one(ContactState &state, const LoadStep &step)
     state.step = step.number;
   else
     state = before;
+  unsolved_ = report.converged ? std::nullopt : std::optional<ContactStep>(whole.problem);
   return report;
 }
 

@@ -70,7 +70,7 @@ const std::vector<RunFile> &run_files()
       {"volume-#.*.vtu", FileKind::file, "the piece of a process"},
       {"lower.pvd", FileKind::file, "names the files of the lower body"},
       {"lower-#.vtu", FileKind::file, "the same fields of the lower body"},
-      {"problem-#.hdf5", FileKind::file, "the contact problem of a step, and its solution"},
+      {"problem-#.hdf5", FileKind::file, "the contact problem of a step, and its solution if it was found"},
       {"input.prm", FileKind::file, "the parameter file as given"},
       {"input.json", FileKind::file, "the parameter file as given"},
       {"parameters.prm", FileKind::file, "all values used"},

@@ -53,7 +53,18 @@ void RunOutput::write(const SolvedStep &step)
   probes_.write(step.state);
   write_fields(step.state, step.checks.volume);
   if (options_.problem_interval != 0 && step.state.step % options_.problem_interval == 0)
-    write_step_problem(step, folder_.place_for(field_file("problem", step.state.step, "hdf5")).string());
+    write_step_problem(step, problem_file(step.state.step));
+}
+
+void RunOutput::write_unsolved(const LoadStep &step, const ContactStep &problem) const
+{
+  if (options_.problem_interval != 0)
+    write_unsolved_problem(step, problem, problem_file(step.number));
+}
+
+std::string RunOutput::problem_file(const unsigned int step) const
+{
+  return folder_.place_for(field_file("problem", step, "hdf5")).string();
 }
 
 void RunOutput::write_fields(const ContactState &state, const Eigen::VectorXd &volume)

@@ -56,28 +56,53 @@ std::string title_of(const SolvedStep &step)
                       : "") +
          (step.report.is_released ? ", in which nothing presses" : "");
 }
+
+ContactProblem data_of(const ContactStep &problem, const std::string &title)
+{
+  const DenseView *const w = problem.system().compliance().dense();
+  if (w == nullptr)
+    throw std::logic_error("a compliance that is no matrix cannot be written");
+  ContactProblem data{w->selfadjointView<Eigen::Lower>(), problem.q(), {}, problem.face().columns(),
+                      problem.face().balance(),           title};
+  for (Eigen::Index node = 0; node < problem.n_nodes(); ++node)
+    data.laws.push_back(problem.system().given_law(node));
+  return data;
+}
 } // namespace
 
 void write_step_problem(const SolvedStep &step, const std::string &file)
 {
   const ContactStep &problem = step.report.last_part->problem;
   const Eigen::VectorXd &unknowns = step.report.last_part->unknowns;
-  const DenseView *const w = problem.system().compliance().dense();
-  if (w == nullptr)
-    throw std::logic_error("a compliance that is no matrix cannot be written");
-  ContactProblem written{w->selfadjointView<Eigen::Lower>(), problem.q(),   {}, problem.face().columns(),
-                         problem.face().balance(),           title_of(step)};
-  for (Eigen::Index node = 0; node < problem.n_nodes(); ++node)
-    written.laws.push_back(problem.system().given_law(node));
-  write_problem(written,
-                {unknowns.head(problem.q().size()), problem.displacement(unknowns),
-                 unknowns.tail(problem.face().n()), problem.residual(unknowns)},
+  write_problem(data_of(problem, title_of(step)),
+                ProblemSolution{unknowns.head(problem.q().size()), problem.displacement(unknowns),
+                                unknowns.tail(problem.face().n()), problem.residual(unknowns)},
                 file);
 }
+
+void write_unsolved_problem(const LoadStep &step, const ContactStep &problem, const std::string &file)
+{
+  const std::string what = step.parts.empty() ? "which" : "of which a part";
+  write_problem(data_of(problem, "load step " + std::to_string(step.number) + ", " + what + " is not solved"),
+                {}, file);
+}
 #else
-void write_step_problem(const SolvedStep &, const std::string &file)
+namespace
+{
+[[noreturn]] void refuse(const std::string &file)
 {
   throw std::logic_error(file + ": a program without FCLIB writes no problems");
+}
+} // namespace
+
+void write_step_problem(const SolvedStep &, const std::string &file)
+{
+  refuse(file);
+}
+
+void write_unsolved_problem(const LoadStep &, const ContactStep &, const std::string &file)
+{
+  refuse(file);
 }
 #endif
 } // namespace orthocone

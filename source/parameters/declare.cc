@@ -256,7 +256,8 @@ void declare_output(OutputOptions &output, EntryTable &table)
             "Every how many steps displacement and stress of the body are written; 0 = never.");
   add_count(table, "Problems", output.problem_interval, 0, 1000000,
             "Every how many steps the contact problem is written with its solution, in FCLIB's format; 0 = "
-            "never. For condensed solids, and a program that was built with FCLIB.");
+            "never. A step that is not solved leaves its problem, too. For condensed solids, and a program "
+            "that was built with FCLIB.");
   add_number(table, "Checkpoint", output.checkpoint_seconds, Range{0, 1e9, true, true},
              "Least seconds between two checkpoints, from which --resume goes on; 0 = one after every step.");
   add_probes(table, "Probes", output.probes,

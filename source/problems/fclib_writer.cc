@@ -54,21 +54,18 @@ private:
   fclib_matrix view_{};
 };
 
-/// A problem and its solution in FCLIB's form.
+/// A problem in FCLIB's form.
 class FclibProblem
 {
 public:
-  FclibProblem(const ContactProblem &problem, const ProblemSolution &solution)
+  explicit FclibProblem(const ContactProblem &problem)
       : scale_(problem.laws),
         w_(scale_.displacement.asDiagonal() * problem.w * scale_.force.asDiagonal()),
         v_(scale_.displacement.asDiagonal() * problem.face),
         r_(MatrixXd::Zero(problem.face.cols(), problem.face.cols())),
         q_(scale_.displacement.cwiseProduct(problem.q)),
         s_(-problem.balance),
-        title_(problem.title),
-        force_(solution.force.cwiseQuotient(scale_.force)),
-        displacement_(solution.displacement.cwiseProduct(scale_.displacement)),
-        motions_(solution.motions)
+        title_(problem.title)
   {
     const bool has_face = problem.face.cols() > 0;
     if (has_face && !scale_.is_symmetric())
@@ -83,11 +80,19 @@ public:
               has_face ? s_.data() : nullptr,
               3,
               &info_};
-    solution_ = {nullptr, displacement_.data(), force_.data(), has_face ? motions_.data() : nullptr};
   }
 
   fclib_local *local() { return &local_; }
-  fclib_solution *solution() { return &solution_; }
+
+  /// A solution in the same form; it lives until the next one.
+  fclib_solution *scaled(const ProblemSolution &solution)
+  {
+    force_ = solution.force.cwiseQuotient(scale_.force);
+    displacement_ = solution.displacement.cwiseProduct(scale_.displacement);
+    motions_ = solution.motions;
+    solution_ = {nullptr, displacement_.data(), force_.data(), local_.V ? motions_.data() : nullptr};
+    return &solution_;
+  }
 
 private:
   FclibScale scale_;
@@ -105,8 +110,8 @@ private:
   fclib_solution solution_{};
 };
 
-void write_extension(const std::vector<OrthotropicFriction> &laws, const double residual,
-                     const std::string &name)
+void write_extension(const std::vector<OrthotropicFriction> &laws,
+                     const std::optional<ProblemSolution> &solution, const std::string &name)
 {
   VectorXd mu(2 * laws.size()), p(2 * laws.size());
   Index i = 0;
@@ -120,7 +125,8 @@ void write_extension(const std::vector<OrthotropicFriction> &laws, const double 
   file.make_group("/orthocone");
   file.write("/orthocone/mu", mu);
   file.write("/orthocone/p", p);
-  file.write("/orthocone/residual", VectorXd::Constant(1, residual));
+  if (solution)
+    file.write("/orthocone/residual", VectorXd::Constant(1, solution->residual));
   file.close();
 }
 
@@ -146,18 +152,19 @@ void check_room(const std::string &part, const std::string &file, const double n
 }
 } // namespace
 
-void write_problem(const ContactProblem &problem, const ProblemSolution &solution, const std::string &file)
+void write_problem(const ContactProblem &problem, const std::optional<ProblemSolution> &solution,
+                   const std::string &file)
 {
   const std::string part = file + ".part";
   const auto n = static_cast<double>(problem.q.size());
   if (problem.q.size() > most_rows)
     fail(file, "FCLIB counts no more than 2^31 entries of W");
   check_room(part, file, n * (n + static_cast<double>(problem.face.cols()) + 4));
-  FclibProblem fclib(problem, solution);
+  FclibProblem fclib(problem);
   if (fclib_write_local(fclib.local(), part.c_str()) != 1 ||
-      fclib_write_solution(fclib.solution(), part.c_str()) != 1)
+      (solution && fclib_write_solution(fclib.scaled(*solution), part.c_str()) != 1))
     fail(file, "FCLIB refuses");
-  write_extension(problem.laws, solution.residual, part);
+  write_extension(problem.laws, solution, part);
   std::error_code error;
   std::filesystem::rename(part, file, error);
   if (error)
@@ -168,7 +175,7 @@ double fclib_error(const ContactProblem &problem, const ProblemSolution &solutio
 {
   if (problem.q.size() > most_rows)
     return std::numeric_limits<double>::quiet_NaN();
-  FclibProblem fclib(problem, solution);
-  return fclib_merit_local(fclib.local(), MERIT_1, fclib.solution());
+  FclibProblem fclib(problem);
+  return fclib_merit_local(fclib.local(), MERIT_1, fclib.scaled(solution));
 }
 } // namespace orthocone

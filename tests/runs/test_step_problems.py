@@ -11,9 +11,11 @@ import meshio
 import numpy as np
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-import fclib_files  # noqa: E402
 import program  # noqa: E402
 from program import PROGRAM, ROOT, SMALL, main  # noqa: E402
+
+sys.path.insert(0, str(ROOT / "tools/peer"))
+import fclib_files  # noqa: E402
 
 SOLVE = pathlib.Path(PROGRAM).resolve().parent / "orthocone-solve"
 PRESS_AND_TURN = "Load program/Legs=0 0 -0.1 : 2 ; 0.01 0.004 -0.1 : 2"
@@ -98,6 +100,44 @@ class StepProblemsTest(program.RunTest):
         np.testing.assert_allclose(np.sort(np.hypot(*read.u.reshape(-1, 3)[:, 1:].T)), np.sort(slip), atol=1e-8)
         np.testing.assert_allclose(read.u, read.q + read.W @ read.r, atol=1e-12)
         self.assertIn(b"load step 4", (self.folder / "run/problem-0004.hdf5").read_bytes())
+
+    def failed(self, name, *settings):
+        """The problem of the only step that few sweeps do not solve."""
+        result = self.run_program(name, settings=[*FULL, "Load program/Cycles=1", "Friction/Slip potential=0.05, 0.2",
+                                                  f"Contact solver/Tolerance={TOLERANCE}", "Contact solver/Method=gauss-seidel",
+                                                  *settings])
+        self.assertEqual(result.returncode, 3, result.stderr)
+        step = len(self.rows(name)) + 1
+        self.assertIn(f"load step {step} ", result.stderr)
+        return self.folder / name / f"problem-{step:04}.hdf5"
+
+    def test_unsolved_step(self):
+        """Its problem is that of the whole step, as a later attempt solves it; nobody has solved it before."""
+        file = self.failed("run", "Contact solver/Maximum iterations=40", "Output/Problems=100")
+        self.assertEqual(self.files("run"), [file])
+        self.assertEqual(file.name, "problem-0003.hdf5")
+        self.assertIn(b"load step 3, which is not solved", file.read_bytes())
+        kept = self.folder / "kept"
+        kept.write_bytes(file.read_bytes())
+        result = subprocess.run([SOLVE, kept, "--stored"], text=True, capture_output=True, timeout=120, check=False)
+        self.assertEqual((result.returncode, result.stdout), (4, ""))
+        self.assertRegex(result.stderr, r"\Aorthocone-solve: .*there is no solution.*\n\Z")
+        self.done("run", "--resume", settings=[*FULL, "Load program/Cycles=1", "Friction/Slip potential=0.05, 0.2",
+                                               "Contact solver/Method=newton", "Output/Problems=1"])
+        self.row(kept, "--tolerance=1e-12", "--write", self.folder / "again")
+        unsolved, later, again = (fclib_files.Read(path, path != kept) for path in (kept, file, self.folder / "again"))
+        np.testing.assert_allclose(unsolved.W, later.W, rtol=1e-14)
+        np.testing.assert_allclose(unsolved.q, later.q, atol=1e-7 * np.abs(later.q).max())  # two methods, steps 1 and 2
+        np.testing.assert_allclose(again.r, later.r, atol=1e-5 * np.abs(later.r).max())
+
+    def test_unsolved_part(self):
+        file = self.failed("run", "Contact solver/Maximum iterations=40", "Output/Problems=100",
+                           "Load program/Legs=0 0 -0.1 : 2 ; 0.01 0.004 -0.1 : 1 * 2")
+        self.assertIn(b"of which a part is not solved", file.read_bytes())
+
+    def test_unsolved_step_without_problems(self):
+        self.failed("run", "Contact solver/Maximum iterations=40", "Output/Problems=0")
+        self.assertEqual(self.files("run"), [])
 
     def test_parts_are_reported(self):
         self.done("run", settings=[*SMALL, "Mesh/Model=full", "Output/Problems=1", "Load program/Legs=0 0 -0.1 : 1 * 3",

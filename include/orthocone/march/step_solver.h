@@ -90,6 +90,10 @@ public:
   /// false) `state` stays as it was. Throws SolveError where the body cannot be solved.
   SolverReport solve(ContactState &state, const LoadStep &step);
 
+  /// What the last call of solve() failed on: the problem of the whole step, or of its part
+  /// (LoadStep::parts), before it was halved. Nothing if that call solved the step.
+  const std::optional<ContactStep> &unsolved() const { return unsolved_; }
+
   /// The held face when the leg of a step began. `before` is the state before the step.
   FaceState leg_begin(const ContactState &before, const LoadStep &step) const;
 
@@ -121,7 +125,7 @@ private:
     std::vector<unsigned int> components; ///< of its free face
   };
 
-  SolverReport solve_in_one(ContactState &state, const LoadStep &step) const;
+  SolverReport solve_in_one(ContactState &state, const LoadStep &step);
   void keep_bodies(const ContactState &state);
   void accept_undivided(const ContactState &before, const ContactState &after, const LoadStep &step);
   Eigen::VectorXd start_of(const Attempt &attempt, const ContactState &state, const LoadStep &step) const;
@@ -143,5 +147,6 @@ private:
   StartForces starts_;
   std::unique_ptr<CoarserMarch> coarser_;     ///< where that pays
   std::optional<StartMemory> before_parts_{}; ///< of the step that was solved last, if it has parts
+  std::optional<ContactStep> unsolved_{};
 };
 } // namespace orthocone

@@ -28,6 +28,9 @@ public:
   void write(const SolvedStep &step);
   void write(const CycleRow &row) const { cycles_.write(row); }
 
+  /// Writes the problem of StepSolver::unsolved(), whatever the interval of problems, unless this is 0.
+  void write_unsolved(const LoadStep &step, const ContactStep &problem) const;
+
   /// Writes the fields that are due after the last step of a run that ends before its program does.
   void end_with(const ContactState &state);
 
@@ -39,6 +42,7 @@ public:
 
 private:
   bool is_due(unsigned int interval, unsigned int step) const;
+  std::string problem_file(unsigned int step) const;
   void write_volume(const ContactState &state, const Eigen::VectorXd &volume);
   void write_lower(const ContactState &state);
   void write_fields(const ContactState &state, const Eigen::VectorXd &volume);

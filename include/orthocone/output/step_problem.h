@@ -12,4 +12,7 @@ void require_writable_problems(const Parameters &parameters, const ModelSymmetry
 /// Writes what was solved last in a step, all of the step or its last part, as a problem of FCLIB. Throws
 /// FileError.
 void write_step_problem(const SolvedStep &step, const std::string &file);
+
+/// Writes the problem of a step that is not solved, or of its part, without a solution. Throws FileError.
+void write_unsolved_problem(const LoadStep &step, const ContactStep &problem, const std::string &file);
 } // namespace orthocone

@@ -32,10 +32,11 @@ struct StoredErrors
 /// Throws FileError, also where there is no solution.
 StoredErrors stored_errors(const std::string &file);
 
-/// Writes a file by FCLIB's library, which is either complete or not there. Throws FileError, and
-/// std::invalid_argument for a face beside a slip rule that is not associated, because FCLIB's form has one
-/// matrix for both its sides (docs/theory.md, section 9).
-void write_problem(const ContactProblem &problem, const ProblemSolution &solution, const std::string &file);
+/// Writes a file by FCLIB's library, which is either complete or not there, with a solution if there is one.
+/// Throws FileError, and std::invalid_argument for a face beside a slip rule that is not associated, because
+/// FCLIB's form has one matrix for both its sides (docs/theory.md, section 9).
+void write_problem(const ContactProblem &problem, const std::optional<ProblemSolution> &solution,
+                   const std::string &file);
 
 /// FCLIB's own measure of error (its MERIT_1, relative) of a solution, in FCLIB's form of the problem.
 double fclib_error(const ContactProblem &problem, const ProblemSolution &solution);

@@ -108,6 +108,50 @@ TEST(March, EndsAtAStepThatIsNotSolved)
   EXPECT_EQ(recorder.calls, "next 1, failed 1");
 }
 
+/// Remembers the problem of the step that is not solved.
+class Keeper : public MarchObserver
+{
+public:
+  explicit Keeper(const StepSolver &solver)
+      : solver_(solver)
+  {
+  }
+  bool accepts(const MarchedStep &) override { return !solver_.unsolved(); }
+  void failed(const LoadStep &, const SolverReport &, double) override { q = solver_.unsolved()->q(); }
+
+  NodeVector q;
+
+private:
+  const StepSolver &solver_;
+};
+
+// Without forces a plane base sinks in by the motion of the whole step, or of its first part. Half of it
+// would be that of a step that is halved.
+TEST(StepSolver, NamesTheProblemThatItFailedOnFirst)
+{
+  for (const unsigned int parts : {1, 4})
+  {
+    Parameters parameters = small();
+    parameters.load.legs = {move_to(0, 0, -0.1, 1)};
+    parameters.load.legs[0].parts = parts;
+    parameters.contact_solver.method = "box3";
+    parameters.contact_solver.maximum_iterations = 1;
+    const Scene scene(parameters, choose_model(parameters));
+    StepSolver solver(scene);
+    Keeper keeper(solver);
+    ContactState state(scene.gaps());
+    EXPECT_EQ(march(LoadProgram(parameters.load).steps(), solver, state, keeper), MarchEnd::unsolved);
+    ASSERT_EQ(keeper.q.size(), state.force.size());
+    EXPECT_NEAR(keeper.q[0], -0.1 / parts, 1e-12) << parts << " parts";
+    parameters.contact_solver = {};
+    const Scene easy(parameters, choose_model(parameters));
+    StepSolver good(easy);
+    Keeper nothing(good);
+    ContactState other(easy.gaps());
+    EXPECT_EQ(march(LoadProgram(parameters.load).steps(), good, other, nothing), MarchEnd::done);
+  }
+}
+
 /// Case B on few cells, pressed, moved and released.
 Parameters moved()
 {

@@ -80,11 +80,11 @@ def write_solution(path, u, r, multipliers=None):
 
 
 class Read:
-    """A problem and its solution as FCLIB reads them: W, q, mu, u, r, and its measure of error."""
+    """A problem and, if it has one, its solution as FCLIB reads them: W, q, mu, u, r, and its measure of error."""
 
-    def __init__(self, path):
+    def __init__(self, path, has_solution=True):
         fclib = library()
-        local, solution = fclib.fclib_read_local(str(path).encode()), fclib.fclib_read_solution(str(path).encode())
+        local = fclib.fclib_read_local(str(path).encode())
         matrix = local.contents.W.contents
         n = matrix.n
         assert matrix.nz == -1
@@ -93,6 +93,9 @@ class Read:
         self.W[rows, np.repeat(np.arange(n), np.diff(np.ctypeslib.as_array(matrix.p, (n + 1,))))] = values
         self.q = np.ctypeslib.as_array(local.contents.q, (n,)).copy()
         self.mu = np.ctypeslib.as_array(local.contents.mu, (n // 3,)).copy()
+        if not has_solution:  # FCLIB ends the program that asks for it
+            return
+        solution = fclib.fclib_read_solution(str(path).encode())
         self.u = np.ctypeslib.as_array(solution.contents.u, (n,)).copy()
         self.r = np.ctypeslib.as_array(solution.contents.r, (n,)).copy()
         self.error = fclib.fclib_merit_local(local, 0, solution)
