@@ -110,13 +110,24 @@ def _lattice(degree):
 class Run:
     """The files of one run.
 
-    path: the run folder. history: the table of all steps. Tables are {column: (rows,) array, or list of words}, as
-    pandas.DataFrame takes them; docs/results.md has the units of their columns: mm, N, MPa, N mm or s. Raises
-    FileNotFoundError for files that the run has not written."""
+    path: the run folder. Tables are {column: (rows,) array, or list of words}, as pandas.DataFrame takes them, and {} before
+    their first row; docs/results.md has the units of their columns: mm, N, MPa, N mm or s. Raises FileNotFoundError for files
+    that the run has not written, and where there is no such folder."""
 
     def __init__(self, path):
         self.path = pathlib.Path(path)
-        self.history = read_csv(self.path / "history.csv")
+        if not self.path.is_dir():
+            raise FileNotFoundError(f"{path}: no such folder")
+
+    @functools.cached_property
+    def history(self):
+        """The table of all steps, one row a step."""
+        return read_csv(self.path / "history.csv")
+
+    @property
+    def has_history(self):
+        """Whether there is a table of steps: a model that is too much for the machine leaves a summary alone."""
+        return (self.path / "history.csv").exists()
 
     def probe_names(self):
         """Names of the probes whose tables are in the folder, sorted."""
@@ -146,7 +157,7 @@ class Run:
     @functools.cached_property
     def summary(self):
         """The content of summary.json."""
-        return json.loads((self.path / "summary.json").read_text())
+        return json.loads((self.path / "summary.json").read_text(encoding="utf-8"))
 
     @functools.cached_property
     def parameters(self):
@@ -158,6 +169,11 @@ class Run:
             elif match := re.match(r"\s*set (.+?)\s*=\s*(.*)", line):
                 current[match[1]] = match[2].strip()
         return sections
+
+    def problems(self):
+        """{step: file} of the contact problems that the run has written. The last one may be of a step that is not solved: the
+        history has no row of it."""
+        return {int(file.stem.rsplit("-", 1)[1]): file for file in sorted(self.path.glob("problem-[0-9]*.hdf5"))}
 
     def contact_steps(self, kind="contact"):
         """Numbers of the steps that have a contact file. `kind` is the beginning of the names of these files."""

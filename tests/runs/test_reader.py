@@ -121,6 +121,13 @@ print(len(run.history["step"]), len(run.cycles["cycle"]), len(run.checks["step"]
             self.run_folder.contact(99)
         with self.assertRaises(FileNotFoundError):
             Run(self.folder / "none")
+        (self.folder / "empty").mkdir()
+        begun = Run(self.folder / "empty")
+        self.assertFalse(begun.has_history)
+        self.assertEqual((begun.cycles, begun.problems()), ({}, {}))
+        for table in ("history", "summary"):
+            with self.assertRaises(FileNotFoundError):
+                getattr(begun, table)
 
     def test_damaged_files(self):
         whole = (self.folder / "run" / f"contact-{STEP:04d}.vtu").read_bytes()

@@ -9,6 +9,8 @@ import subprocess
 import tempfile
 import time
 
+from run_folder import RunFolder
+
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 CASE = ROOT / "prm/paper/case_b.prm"  # a quarter of quadratic elements, 3 cycles, 45 steps, all fields written
 PAPER = 8  # core cells of the paper's mesh; a mesh of n core cells has n / 2 layers
@@ -51,7 +53,7 @@ def sample(program, cells, folder):
     command = [program, CASE, "--quiet", "--output", out, f"--set=Mesh/Core cells={cells}",
                f"--set=Mesh/Layers={max(1, cells // 2)}"]
     process, gigabytes = timed_process(command)
-    summary = json.loads((out / "summary.json").read_text())
+    summary = RunFolder(out).summary
     seconds = {phase: summary["seconds"][phase] for phase in PHASES}
     return {"start_up": start_up, "process": process, "gigabytes": gigabytes, **seconds}, summary
 

@@ -25,8 +25,8 @@ class RunData:
     def __init__(self, path):
         self.path = path
         self.notes = []
-        self.run = self.read("history.csv", lambda: RunFolder(path))
-        self.history = self.run.history
+        self.run = RunFolder(path)
+        self.history = self.read("history.csv", lambda: self.run.history)
         self.read("history.csv", self.check_history)
         self.steps = np.asarray(self.history.get("step", ()), dtype=int)
         self.n_solved = len(self.steps)

@@ -4,7 +4,6 @@
 
 Case B on meshes that grow. The bodies have equal meshes, so that what the second one costs is what the first costs. On each
 of the three the base slips: on a second body that is like the first it would not."""
-import json
 import statistics
 
 import matplotlib.pyplot as plt
@@ -23,8 +22,8 @@ SOFTER = {"Lower material/Young modulus": 70000}  # that of case B is 210000
 def measures(result, point):
     if result.code != 0:
         raise StudyError(f"exit code {result.code}: {point.command}\n{result.errors}")
-    summary = json.loads((result.folder / "summary.json").read_text(encoding="utf-8"))
-    history = RunFolder(result.folder).history
+    run = RunFolder(result.folder)
+    summary, history = run.summary, run.history
     pressed = sum(history[name].sum() for name in ("n_stick", "n_slip"))
     return {"nodes": summary["model"]["contact_nodes"], "steps": summary["steps"]["solved"],
             "iterations": int(history["iterations"].sum()), "slipping": f"{history['n_slip'].sum() / pressed:.4f}",

@@ -3,7 +3,6 @@
 """Meshes by Gmsh against the built-in cylinder: what three sizes of cells differ by, at the peak of case B.
 
 The sides of the imported cylinders are facets between the nodes of the file, so that their bases are too small."""
-import json
 import math
 
 import matplotlib.pyplot as plt
@@ -22,8 +21,7 @@ def measures(result, point):
     if result.code != 0:
         raise StudyError(f"exit code {result.code}: {point.command}\n{result.errors}")
     run = RunFolder(result.folder)
-    summary = json.loads((result.folder / "summary.json").read_text(encoding="utf-8"))
-    return {"nodes": summary["model"]["contact_nodes"], "area": summary["scene"]["area_mm2"],
+    return {"nodes": run.summary["model"]["contact_nodes"], "area": run.summary["scene"]["area_mm2"],
             **{name: run.history[name][-1] for name in ("force_z", "max_slip", "total_dissipation")}}
 
 

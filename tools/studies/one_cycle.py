@@ -1,14 +1,15 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 """One cycle of a case of the paper, and what users look at in it."""
-import csv
-import json
-import pathlib
 import subprocess
 import tempfile
 import time
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
+import numpy as np
+
+from points import ROOT
+from run_folder import RunFolder
+
 # No levels of the ladder: what all of these have in common counts as an error. Cells of the section's base are 0.7 mm wide
 # at the most, and thinner at its rim than those of all levels.
 FINEST = ["Mesh/Core cells=14", "Mesh/Rings=8", "Mesh/Layers=14", "Mesh/Degree=3", "Mesh/Core ratio=0.8",
@@ -21,11 +22,6 @@ STICK_AREAS = {"b": 51.59, "c": 36.11}
 QUANTITIES = ("largest_slip_mm", "peak_force_N", "dissipation_Nmm", "stick_area_mm2", "loop_area_Nmm")
 
 
-def numbers(path, names):
-    with open(path, encoding="ascii") as file:
-        return [{name: float(row[name]) for name in names} for row in csv.DictReader(file)]
-
-
 def run(program, case, settings):
     """The quantities, in the order of QUANTITIES, the summary, and the seconds of the process."""
     with tempfile.TemporaryDirectory() as folder:
@@ -35,12 +31,10 @@ def run(program, case, settings):
         subprocess.run([program, ROOT / f"prm/paper/case_{case}.prm", "--quiet", "--output", folder, *words], check=True,
                        stdout=subprocess.DEVNULL)
         seconds = time.monotonic() - start
-        folder = pathlib.Path(folder)
-        summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
-        rows = numbers(folder / "history.csv",
-                       ("uz", "max_slip", "force_x", "force_y", "force_z", "stick_area", "total_dissipation"))
-        cycle = numbers(folder / "cycles.csv", ("work",))[0]
-    peak = min(rows, key=lambda row: row["uz"])
-    force = sum(peak[f"force_{axis}"]**2 for axis in "xyz")**0.5
-    values = (max(row["max_slip"] for row in rows), force, rows[-1]["total_dissipation"], peak["stick_area"], cycle["work"])
-    return values, summary, seconds
+        done = RunFolder(folder)
+        history, cycles, summary = done.history, done.cycles, done.summary
+    peak = np.argmin(history["uz"])
+    force = np.linalg.norm([history[f"force_{axis}"][peak] for axis in "xyz"])
+    values = (history["max_slip"].max(), force, history["total_dissipation"][-1], history["stick_area"][peak],
+              cycles["work"][0])
+    return [float(value) for value in values], summary, seconds

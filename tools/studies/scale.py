@@ -1,7 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 """One, two and four processes: time, memory and messages of a V-cycle, from 11 000 to 618 000 unknowns."""
-import json
 import os
 import re
 import statistics
@@ -9,6 +8,7 @@ import statistics
 import matplotlib.pyplot as plt
 
 from points import Point, RUN_FOLDER, StudyError
+from run_folder import RunFolder
 
 PAGE = "scale.md"
 CASES = ("a", "b", "c")
@@ -44,7 +44,7 @@ def sent(output, kind):
 def extract(result, _point):
     if result.code:
         raise StudyError(result.errors.strip())
-    summary = json.loads((result.folder / "summary.json").read_text())
+    summary = RunFolder(result.folder).summary
     messages, size = sent(result.output, "E")
     sums, _ = sent(result.output, "A2A")
     return {"dofs": summary["model"]["dofs"], "contact_nodes": summary["model"]["contact_nodes"],

@@ -3,11 +3,11 @@
 """Several solutions of one load step: critical friction of a node and of meshes, and where solvers notice it."""
 import csv
 import io
-import json
 
 import numpy as np
 import style
 from points import program_point, tool_point
+from run_folder import RunFolder
 
 PAGE = "stability.md"
 CASES = {"a": ((0.2, 0.2), "A"), "b": ((0.3, 0.15), "B"), "c": ((0.3, 0.15), "C (non-associated)")}
@@ -62,7 +62,7 @@ def extract(result, point):
     if result.code != 0:
         return {"critical_factor": "failed"}
     if point.columns["kind"] == "mesh":
-        critical = json.loads((result.folder / "summary.json").read_text(encoding="utf-8"))["critical_friction"] or {"factor": "", "node_mm": None}
+        critical = RunFolder(result.folder).summary["critical_friction"] or {"factor": "", "node_mm": None}
         node = critical["node_mm"] or ("", "")  # nothing is coupled
         return {"critical_factor": critical["factor"], "node_x": node[0], "node_y": node[1]}
     rows = list(csv.DictReader(io.StringIO(result.output)))

@@ -1,11 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 """What came of a run, for the maps: how it ended, and whether methods that came to an end agree."""
-import csv
-import json
 import math
 
 from points import StudyError
+from run_folder import RunFolder
 
 SOLVED, UNSOLVED = 0, 3  # exit codes
 # Sums over the steps of the history; two solutions are the same if all of these agree.
@@ -13,17 +12,20 @@ SIGNATURE = ("force_z", "max_slip", "max_pressure", "dissipation", "elastic_ener
 SAME = 1e-6  # relative, on top of what the tolerance leaves
 
 
-def history(folder):
-    with open(folder / "history.csv", newline="", encoding="utf-8") as file:
-        return list(csv.DictReader(file))
+def tables(folder):
+    """Summary and history of a run; {} where it ended before it wrote them."""
+    try:
+        run = RunFolder(folder)
+        return run.summary, run.history if run.has_history else {}
+    except FileNotFoundError:
+        return {}, {}
 
 
 def outcome(result, _point):
     """Figures of a row: verdict, iterations of the hardest step, residual, steps solved, signature."""
     if result.code not in (SOLVED, UNSOLVED):
         raise StudyError(f"ended with code {result.code}: {result.errors.strip()}")
-    summary_file = result.folder / "summary.json"
-    summary = json.loads(summary_file.read_text(encoding="utf-8")) if summary_file.exists() else {}
+    summary, history = tables(result.folder)
     if "contact_solver" not in summary:  # the body alone was too much
         return {"verdict": "no-model", "iterations": 0, "residual": math.nan, "steps": 0, "signature": "",
                 "seconds": round(result.seconds, 3), "message": result.errors.partition("\n")[0][:200]}
@@ -31,10 +33,9 @@ def outcome(result, _point):
     if result.code == UNSOLVED and verdict == "converged":
         # Solved, but an independent check stopped the run; or the body alone was too much.
         verdict = "no-model" if "is not solved: " in summary["status"] else "check"
-    steps = history(result.folder) if (result.folder / "history.csv").exists() else []
-    sums = [math.fsum(float(row[name]) for row in steps) for name in SIGNATURE]
-    return {"verdict": verdict, "iterations": max((int(row["iterations"]) for row in steps), default=0),
-            "residual": summary["contact_solver"]["largest_residual"], "steps": len(steps),
+    sums = [math.fsum(history.get(name, ())) for name in SIGNATURE]
+    return {"verdict": verdict, "iterations": int(max(history.get("iterations", ()), default=0)),
+            "residual": summary["contact_solver"]["largest_residual"], "steps": len(history.get("step", ())),
             "signature": " ".join(f"{value:.12g}" for value in sums), "seconds": round(result.seconds, 3),
             "message": " ".join(result.errors.split())[:300]}
 

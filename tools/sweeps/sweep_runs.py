@@ -4,11 +4,15 @@
 import csv
 import json
 import os
+import pathlib
 import queue
 import signal
 import subprocess
 import sys
 import threading
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "plots"))
+from run_folder import RunFolder  # noqa: E402
 
 # Column, unit, and where summary.json has it.
 COLUMNS = [
@@ -36,8 +40,9 @@ class Run:
         self.exit, self.message, self.cpu_seconds = None, "", None
 
     def summary(self):
+        """{} where the run has not come so far."""
         try:
-            return json.loads((self.folder / "summary.json").read_text(encoding="utf-8"))
+            return RunFolder(self.folder).summary
         except (OSError, ValueError):
             return {}
 
