@@ -5,6 +5,8 @@ import dataclasses
 import math
 import random as python_random
 
+import numpy as np
+
 import scenes  # of tools/studies
 
 # Displacements drive them all: Siconos' solvers of local problems know no equality constraints.
@@ -12,6 +14,10 @@ DOWN_AND_UP = "0 0 -0.1 : 5 ; 0 0 -0.01 : 9"
 FRETTING = "0 0 -0.02 : 3 ; 0.01 0 -0.02 : 4 ; -0.01 0.004 -0.02 : 8 ; 0.01 0 -0.02 : 8"
 LAWS = {**scenes.CASES, "isotropic": ((0.3, 0.3), (0.3, 0.3)), "narrow": ((0.6, 0.06), (0.6, 0.06)),
         "crossed": ((0.6, 0.06), (0.06, 0.6))}
+
+
+UNSOLVED = "unsolved"  # the family of steps that a run ended with
+NEVER = 10**6
 
 
 @dataclasses.dataclass
@@ -99,6 +105,47 @@ def random(count=30):
         yield Run("random", f"random-{seed}", "paper/scene.prm", settings, 4, law)
 
 
+def unsolved():
+    """The random scenes of docs/stability.md that no method comes to the end of: only the step that ends them is written."""
+    for seed in (14, 77, 190):
+        yield Run(UNSOLVED, f"scene-{seed}", "paper/scene.prm", scenes.random_scene(seed), NEVER, "non-associated")
+
+
+@dataclasses.dataclass
+class Stack:
+    """Rigid plates on each other, with contacts at random places of their faces: more contacts than degrees of freedom, so
+    that W is singular and forces are not unique. They fall, slide and turn."""
+    name: str
+    n_plates: int
+    n_contacts: int  # of each face
+    mu: float
+
+    def problem(self):
+        """W, q and mu. Plates have mass and inertia 1, sides of 2 and height 1."""
+        chance = python_random.Random(self.name)
+        H = np.zeros((3 * self.n_plates * self.n_contacts, 6 * self.n_plates))
+        for plate in range(self.n_plates):
+            for i in range(self.n_contacts):
+                x, y = chance.uniform(-1, 1), chance.uniform(-1, 1)
+                rows = slice(3 * (plate * self.n_contacts + i), 3 * (plate * self.n_contacts + i) + 3)
+                H[rows, 6 * plate:6 * plate + 6] = contact_of_body(x, y, -0.5)
+                if plate:
+                    H[rows, 6 * plate - 6:6 * plate] = -contact_of_body(x, y, 0.5)
+        fall = np.tile([0.2, 0.05, -1, 0, 0, 0.1], self.n_plates)
+        return H @ H.T, H @ fall, np.full(len(H) // 3, self.mu)
+
+
+def contact_of_body(x, y, z):
+    """What moves a place of a body along the normal, x and y: its three translations and rotations."""
+    return np.array([[0, 0, 1, y, -x, 0], [1, 0, 0, 0, z, -y], [0, 1, 0, -z, 0, x]])
+
+
+def stacks(is_quick):
+    sizes = ((1, 16, 0.4), (2, 10, 0.3), (3, 30, 0.5), (4, 12, 0.9), (5, 6, 0.5), (6, 15, 0.7), (8, 20, 0.3), (12, 6, 0.9))
+    return [Stack(f"stack-{n_plates}-{n_contacts}", n_plates, n_contacts, mu)
+            for n_plates, n_contacts, mu in (sizes[1:2] if is_quick else sizes)]
+
+
 @dataclasses.dataclass
 class ChangedLaw:
     """A problem of a run with another law, so that nobody has solved it before."""
@@ -106,6 +153,7 @@ class ChangedLaw:
     base: str  # problem of another run
     mu: tuple
     p: tuple
+    family: str = "changed law"
 
     @property
     def law(self):
@@ -121,10 +169,15 @@ def changed_laws(is_quick, count=30):
         mu = tuple(chance.lognormvariate(math.log(0.3), 0.8) for _ in range(2))
         p = mu if seed % 3 == 0 else (1, math.exp(chance.gauss(0, 1.2)))
         yield ChangedLaw(f"law-{seed}", bases[0 if is_quick else seed % len(bases)], mu, p)
+    for base, mu, p in RIGID_LAWS[:1] if is_quick else RIGID_LAWS:
+        yield ChangedLaw(f"{base}-law", f"{base}/1", mu, p, "rigid")
 
 
-QUICK = ("b-small", "fretting-isotropic-coarse", "two-bodies-b", "mesh-c-q1-1", "friction-8-1", "random-1")
-FAMILIES = (paper, fretting, counterbodies, meshes, frictions, random)
+RIGID_LAWS = (("stack-2-10", (0.3, 0.15), (0.05, 0.2)), ("stack-4-12", (0.6, 0.3), (0.6, 0.3)),
+              ("stack-6-15", (0.6, 0.3), (0.3, 0.6)))
+QUICK = ("b-small", "fretting-isotropic-coarse", "two-bodies-b", "mesh-c-q1-1", "friction-8-1", "random-1", "scene-190")
+FAMILIES = (paper, fretting, counterbodies, meshes, frictions, random, unsolved)
+NAMES = ("paper", "fretting", "counterbody", "meshes", "friction", "random", UNSOLVED, "rigid", "changed law")
 
 
 def all_runs(is_quick):

@@ -13,11 +13,12 @@ typedef struct
 {
   struct fclib_local *local;
   double unit;    /* the force that is 1 */
-  double *stored; /* forces of the solution in the file */
+  double *stored; /* forces of the solution in the file; NULL: it has none */
 } Problem;
 
 /* `error`: the natural map, with 1 / rho of a node the largest diagonal entry of W there, relative to the
- * forces. `merit`: FCLIB's own measure. `difference` to the stored solution, relative to it. */
+ * forces. `merit`: FCLIB's own measure. `difference` to the stored solution, relative to it; NAN
+ * where there is none. */
 typedef struct
 {
   double error, merit, difference;
@@ -28,3 +29,4 @@ double *vector(int n);
 Problem read_problem(const char *file);
 double *forces(const Problem *problem, const char *file);
 void judge(const Problem *problem, double *force, Judgement *judgement);
+void print_judgement(const Judgement *judgement);

@@ -20,6 +20,8 @@ from benchmark_measure import processor  # noqa: E402
 
 import bodies  # noqa: E402
 import docs_page  # noqa: E402
+import families  # noqa: E402
+import forces  # noqa: E402
 import problems  # noqa: E402
 import profiles  # noqa: E402
 import race  # noqa: E402
@@ -27,7 +29,10 @@ import scenes_race  # noqa: E402
 import tables  # noqa: E402
 
 OF_THE_ERROR_CHART = ("a-bricks/8", "fretting-c-fine/10", "random-1/4")
+FCLIB = "fclib"
 SICONOS_HEADERS = ("/usr/include/siconos/numerics", "/usr/include/siconos")
+HDF5_HEADERS = "/usr/include/hdf5/serial"  # FCLIB's library needs them, too
+BUILD = ROOT / "build"
 
 
 def say(text):
@@ -37,6 +42,9 @@ def say(text):
 def parsed_options():
     parser = argparse.ArgumentParser(prog="tools/peers", description=__doc__)
     parser.add_argument("--only", choices=("problems", "scenes"), help="one of the two parts (both)")
+    parser.add_argument("--families", metavar="NAME,NAME", help=f"some of {', '.join((*families.NAMES, FCLIB))} (all)")
+    parser.add_argument("--problems", metavar="DIR", type=pathlib.Path,
+                        help=f"also the files *.hdf5 of FCLIB below this folder, as the family {FCLIB}")
     parser.add_argument("--list", action="store_true", help="print the problems with their commands, and stop")
     parser.add_argument("--docs", action="store_true", help="also refresh page, pictures and tables in docs/")
     parser.add_argument("--anew", action="store_true", help="compute also what is there already")
@@ -46,8 +54,14 @@ def parsed_options():
     options = parser.parse_args()
     if options.output is None:
         options.output = ROOT / ("output/peers-quick" if options.quick else "output/peers")
-    if options.quick and options.docs:
-        parser.error("--quick measures nothing that belongs in --docs")
+    if options.docs and (options.quick or options.families):
+        parser.error("--quick and --families measure nothing that belongs in --docs")
+    names = (*families.NAMES, *([FCLIB] if options.problems else []))
+    options.families = options.families.split(",") if options.families else names
+    if unknown := set(options.families).difference(names):
+        parser.error(f"--families {','.join(sorted(unknown))}: allowed are {', '.join(names)}")
+    if options.problems and not options.problems.is_dir():
+        parser.error(f"--problems {options.problems}: there is no such folder")
     return options
 
 
@@ -62,17 +76,28 @@ def compiled(sources, target, *words):
 
 
 def programs(folder):
+    """Those of the race; without siconos_solve where there is no Siconos."""
     here = pathlib.Path(__file__).resolve().parent
-    return {"orthocone": ROOT / "build/orthocone", "solve": ROOT / "build/orthocone-solve",
-            "siconos": compiled([here / "siconos_solve.c", here / "fclib_problem.c"], folder / "siconos_solve",
-                                *(f"-I{path}" for path in SICONOS_HEADERS), "-lsiconos_numerics", "-lfclib", "-lm"),
-            "clock": compiled([here / "cpu_clock.c"], folder / "cpu_clock.so", "-shared", "-fPIC")}
+    judge, fclib = here / "fclib_problem.c", (f"-I{HDF5_HEADERS}", "-lfclib", "-lhdf5_serial", "-lm")
+    found = {"orthocone": BUILD / "orthocone", "solve": BUILD / "orthocone-solve",
+             "judge": compiled([here / "judge_forces.c", judge], folder / "judge_forces", *fclib),
+             "clock": compiled([here / "cpu_clock.c"], folder / "cpu_clock.so", "-shared", "-fPIC")}
+    if any((pathlib.Path(path) / "fc3d_Solvers.h").exists() for path in SICONOS_HEADERS):
+        headers = (f"-I{path}" for path in SICONOS_HEADERS)
+        found["siconos"] = compiled([here / "siconos_solve.c", judge], folder / "siconos_solve", *headers,
+                                    "-lsiconos_numerics", *fclib)
+    else:
+        say("no Siconos here (Debian's libsiconos-numerics-dev): our methods race alone")
+    return found
 
 
 def raced(options, tools, found):
     """Rows of all problems."""
-    answers = race.Answers(options.output / "answers.csv", options.anew)
-    missing = [problem for problem in found if not answers.has(problem.name)]
+    prints = race.Fingerprints(tools)
+    answers = race.Answers(options.output / "answers.csv", {problem.name: prints.of(problem) for problem in found},
+                           options.anew)
+    names = set(answers.missing())
+    missing = [problem for problem in found if problem.name in names]
     random.Random(0).shuffle(missing)  # so that what is there of an interrupted run is a sample of them all
     say(f"{len(found)} problems, of which {len(missing)} are to be solved")
     racer, begin = race.Racer(tools, options.output), time.monotonic()
@@ -80,45 +105,57 @@ def raced(options, tools, found):
         if time.monotonic() - begin > 60 * options.minutes:
             say(f"the time is up: {len(missing) - count + 1} problems are left out; the same command goes on")
             break
-        answers.add(racer.race(problem))
+        answers.add(racer.race(problem, 1 if options.quick else race.ROUNDS))
         if count % 10 == 0 or count == len(missing):
             say(f"{len(found) - len(missing) + count} of {len(found)} problems, {time.monotonic() - begin:.0f} s")
-    names = {problem.name for problem in found}
-    return [row for row in race.within_limits(answers.rows) if row["problem"] in names]
+    return list(race.within_limits(answers.asked_for()))
 
 
 def raced_errors(options, tools, found):
     """Rows of some problems with other bounds of the error."""
-    answers = race.Answers(options.output / "errors.csv", options.anew)
-    named = {problem.name: problem for problem in found}
-    for name in OF_THE_ERROR_CHART:
-        for bound in race.BOUNDS:
-            key = f"{name} to {bound:g}"
-            if name in named and not answers.has(key):
-                problem = dataclasses.replace(named[name], name=key)
-                answers.add(race.Racer(tools, options.output, bound).race(problem, 1))
-    return answers.rows
+    points = {f"{problem.name} to {bound:g}": (problem, bound) for bound in race.BOUNDS for name in OF_THE_ERROR_CHART
+              for problem in found if problem.name == name}
+    prints = race.Fingerprints(tools)
+    answers = race.Answers(options.output / "errors.csv", {key: prints.of(problem) for key, (problem, _) in points.items()},
+                           options.anew)
+    for key in answers.missing():
+        problem, bound = points[key]
+        answers.add(race.Racer(tools, options.output, bound).race(dataclasses.replace(problem, name=key), 1))
+    return answers.asked_for()
+
+
+def raced_forces(options, tools, found, rows):
+    """Rows of Siconos with a bound that is a thousand times tighter, of the problems of which it finds the forces only nearly."""
+    prints, nearly = race.Fingerprints(tools), forces.nearly(rows)
+    asked = {problem.name: problem for problem in found if problem.name in nearly}
+    answers = race.Answers(options.output / "forces.csv", {name: prints.of(asked[name]) for name in asked}, options.anew)
+    racer = race.Racer(tools, options.output, race.BOUND / 1000)
+    for name in answers.missing():
+        answers.add(racer.of_solvers(asked[name], forces.SOLVERS))
+    return answers.asked_for()
 
 
 def conditions(n_raced, n_found):
     """With what the rows were measured."""
-    versions = subprocess.run([ROOT / "build/orthocone", "--version"], capture_output=True, text=True, check=True).stdout
+    versions = subprocess.run([BUILD / "orthocone", "--version"], capture_output=True, text=True, check=True).stdout
     return (f"{n_raced} of {n_found} problems, one thread, {os.cpu_count()} cores ({processor()}), load average at the end "
             f"{os.getloadavg()[0]:.1f}; {versions.splitlines()[0]}.\n")
 
 
 def problems_part(options):
     """Pictures and tables of the problems; in docs/ also their rows and commands."""
-    if not any((pathlib.Path(path) / "fc3d_Solvers.h").exists() for path in SICONOS_HEADERS):
-        say("no Siconos here (Debian's libsiconos-numerics-dev): nobody to race with")
-        return {}
     tools = programs(options.output / "bin")
-    found = problems.listed(options.quick, tools, say)
+    if options.docs and "siconos" not in tools:
+        raise StudyError("--docs is of a race with Siconos")
+    found = problems.listed(problems.Writer(options.output / "problems", tools, say), options.quick, options.families)
+    if FCLIB in options.families:
+        found += problems.at_hand(options.problems, tools, say)
     if options.list:
         for problem in found:
             print(f"{problem.name:32}{problem.command}")
         return {}
     rows, errors = raced(options, tools, found), raced_errors(options, tools, found)
+    tight = raced_forces(options, tools, found, rows) if "siconos" in tools else []
     folders = [options.output, *([ROOT / "docs/images"] if options.docs else [])]
     profiles.save(profiles.figures(rows, errors), folders)
     if options.docs:
@@ -126,12 +163,12 @@ def problems_part(options):
         write_rows(ROOT / "docs/data/peers_errors.csv", errors)
         commands = {problem.name: problem.command for problem in found}
         write_rows(ROOT / "docs/data/peers_problems.csv", [{"problem": name, "command": text} for name, text in commands.items()])
-    return {**tables.all_tables(rows), "conditions": conditions(len({row["problem"] for row in rows}), len(found))}
+    return {**tables.all_tables(rows, forces.agreement([*rows, *tight])), "conditions": conditions(len({row["problem"] for row in rows}), len(found))}
 
 
 def scenes_part(options):
     names = list(bodies.SCENES)[1:2] if options.quick else list(bodies.SCENES)
-    rows = scenes_race.raced(names, options, ROOT / "build/orthocone", 1 if options.quick else scenes_race.ROUNDS, say)
+    rows = scenes_race.raced(names, options, BUILD / "orthocone", 1 if options.quick else scenes_race.ROUNDS, say)
     if options.docs:
         write_rows(ROOT / "docs/data/peers_scenes.csv", rows)
     return {"scenes": tables.scenes(rows)}

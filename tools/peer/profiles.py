@@ -27,6 +27,10 @@ class Times:
 
     def __init__(self, rows):
         self.problems = list(dict.fromkeys(row["problem"] for row in rows))
+        there = {row["solver"] for row in rows}
+        self.solvers = [solver for solver in race.SOLVERS if solver in there]
+        self.peers = [solver for solver in race.PEERS if solver in there]
+        self.family = {row["problem"]: row["family"] for row in rows}
         self.law = {row["problem"]: row["law"] for row in rows}
         self.nodes = {row["problem"]: int(row["nodes"]) for row in rows if row["nodes"]}
         self._seconds = {(row["problem"], row["solver"]): float(row["seconds"]) for row in rows
@@ -44,9 +48,10 @@ class Times:
 
 
 def draw_profile(axes, times, problems):
-    best = times.best(race.SOLVERS, problems)
-    for solver in race.SOLVERS:
-        ratios = np.sort(times.of(solver, problems) / best)
+    best = times.best(times.solvers, problems)
+    is_solved = np.isfinite(best)
+    for solver in times.solvers:
+        ratios = np.sort(times.of(solver, problems)[is_solved] / best[is_solved])
         ratios = ratios[ratios <= FARTHEST]
         shares = 100 * np.arange(1, len(ratios) + 1) / len(problems)
         last = shares[-1] if len(shares) else 0
@@ -60,7 +65,8 @@ def profiles(times):
     charts, legend = figure.subfigures(2, 1, height_ratios=(4.2, 0.8))
     for axes, (name, laws) in zip(charts.subplots(1, 3, sharey=True), GROUPS.items()):
         problems = times.group(laws)
-        draw_profile(axes, times, problems)
+        if problems:
+            draw_profile(axes, times, problems)
         axes.set_title(f"{name}: {len(problems)} problems", fontsize=9)
         if laws is None:
             axes.set_ylabel("% of the problems solved in that time")
@@ -94,11 +100,12 @@ def time_against_error(rows):
     """Seconds to an error of 1e-2 to 1e-11 on some problems."""
     rows = [{**row, "problem": row["problem"].split(" to ")[0]} for row in rows]
     names = list(dict.fromkeys(row["problem"] for row in rows))
+    solvers = Times(rows).solvers
     figure = plt.figure(figsize=(11, 4.4))
     charts, legend = figure.subfigures(2, 1, height_ratios=(3.7, 0.7))
     for axes, name in zip(np.atleast_1d(charts.subplots(1, len(names))), names):
         own = [row for row in rows if row["problem"] == name]
-        for solver in race.SOLVERS:
+        for solver in solvers:
             points = [row for row in own if row["solver"] == solver and row["verdict"] == "solved"]
             axes.plot([float(row["seconds"]) for row in points], [max(float(row["error"]), 1e-14) for row in points],
                       marker="o", markersize=3, label=label(solver), **line_of(solver))
@@ -111,7 +118,9 @@ def time_against_error(rows):
 
 def figures(rows, error_rows):
     times = Times(rows)
-    found = {"peers_profiles": profiles(times), "peers_nodes": over_nodes(times)}
+    found = {"peers_profiles": profiles(times)}
+    if times.peers:
+        found["peers_nodes"] = over_nodes(times)
     if error_rows:
         found["peers_errors"] = time_against_error(error_rows)
     return found

@@ -2,6 +2,7 @@
 # Copyright (C) 2026 the orthocone authors
 """Solves problem files by our methods and by Siconos' solvers, to the same error in the same measure, in turns."""
 import csv
+import hashlib
 import os
 import resource
 import signal
@@ -23,14 +24,30 @@ START = 0.3  # s of CPU time, of a process that reads a file
 ENOUGH, MOST_REPEATS = 0.05, 9  # seconds, solutions of a process whose median is taken; siconos_solve does the same
 FAILURES = {3: "slow, cycling or diverging", -27: "time", -9: "time", -6: "abort"}
 COLUMNS = ("problem", "family", "law", "nodes", "solver", "verdict", "iterations", "tolerance", "seconds", "error", "merit",
-           "difference")
+           "difference", "fingerprint")
+
+
+class Fingerprints:
+    """What a row depends on, in twelve digits: the solvers' programs and the file of the problem."""
+
+    def __init__(self, tools):
+        self._programs = hashlib.sha256()
+        for name in ("solve", "judge", "siconos"):
+            self._programs.update(tools[name].read_bytes() if name in tools else b"")
+
+    def of(self, problem):
+        digest = self._programs.copy()
+        digest.update(problem.path.read_bytes())
+        return digest.hexdigest()[:12]
 
 
 class Racer:
-    """Runs one process at a time. `tools` has the programs: orthocone-solve, siconos_solve and the clock."""
+    """Runs one process at a time. `tools` has the programs: orthocone-solve, judge_forces, the clock, and siconos_solve if it
+    is there."""
 
     def __init__(self, tools, folder, bound=BOUND):
         self._tools = tools
+        self._solvers = SOLVERS if "siconos" in tools else OURS
         self._bound = bound
         self._answer = folder / "answer.hdf5"
         self._environment = {**os.environ, "OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1",
@@ -51,10 +68,10 @@ class Racer:
         return result.returncode, result.stdout.strip().splitlines()
 
     def _judged(self, path):
-        code, values = self._run([self._tools["siconos"], path, "judge", self._answer], 60)
+        code, values = self._run([self._tools["judge"], path, self._answer], 60)
         if code:
             raise StudyError(f"{path}: cannot be judged")
-        return {"error": float(values[4]), "merit": float(values[5]), "difference": float(values[6])}
+        return dict(zip(("error", "merit", "difference"), map(float, values)))
 
     def ours(self, path, method, tolerance, limit, repeats, is_written):
         """A row, without judgement unless the forces are written."""
@@ -111,10 +128,14 @@ class Racer:
             seconds.update({row["solver"]: float(line) for row, line in zip(peers, lines)})
         return seconds
 
+    def of_solvers(self, problem, solvers):
+        """Rows of one solution by each of these solvers of Siconos."""
+        return [{**about(problem), "solver": solver, **self.peer(problem.path, solver, MOST_LIMIT)} for solver in solvers]
+
     def race(self, problem, n_rounds=ROUNDS):
         """Rows of all solvers of a problem, newton's first: it sets the limit of the others."""
         rows, limit = [], MOST_LIMIT
-        for solver in SOLVERS:
+        for solver in self._solvers:
             rows.append({"solver": solver, **self.first(problem.path, solver, limit)})
             if solver == "newton" and rows[0]["verdict"] == "solved":
                 limit = min(MOST_LIMIT, max(LEAST_LIMIT, TIMES_OF_NEWTON * rows[0]["seconds"]))
@@ -124,9 +145,12 @@ class Racer:
         rounds = [self.round(problem.path, solved) for _ in range(n_rounds)]
         for row in solved:
             row["seconds"] = f"{statistics.median(seconds[row['solver']] for seconds in rounds):.4g}"
-        nodes = next((row["nodes"] for row in rows if "nodes" in row), "")
-        about = {"problem": problem.name, "family": problem.family, "law": problem.law, "nodes": nodes}
-        return [{**row, **about} for row in rows]
+        nodes = self._run([self._tools["judge"], problem.path], 60)[1][0]
+        return [{**row, **about(problem), "nodes": nodes} for row in rows]
+
+
+def about(problem):
+    return {"problem": problem.name, "family": problem.family, "law": problem.law}
 
 
 def within_limits(rows):
@@ -139,26 +163,41 @@ def within_limits(rows):
 
 
 class Answers:
-    """Rows in a file that grows with every problem: what is there is not computed again."""
+    """Rows in a file that grows with every problem: what is there is not computed again, unless it is of another program or
+    problem. `fingerprints` are those of the problems by their names."""
 
-    def __init__(self, path, is_anew):
+    def __init__(self, path, fingerprints, is_anew=False):
         self.path = path
-        if is_anew:
-            path.unlink(missing_ok=True)
-        self.rows = []
-        if path.exists():
+        self._fingerprints = fingerprints
+        known = []
+        if path.exists() and not is_anew:
             with open(path, newline="", encoding="utf-8") as file:
-                self.rows = list(csv.DictReader(file))
-        self._done = {row["problem"] for row in self.rows}
+                known = list(csv.DictReader(file))
+        self.rows = [row for row in known if self._is_right(row)]
+        self._write("w", self.rows)
 
-    def has(self, name):
-        return name in self._done
+    def _is_right(self, row):
+        """Rows of problems that are not asked for stay as they are."""
+        print_of_row = row.get("fingerprint", "")
+        return print_of_row == self._fingerprints.get(row["problem"], print_of_row)
 
-    def add(self, rows):
-        is_new = not self.path.exists()
-        with open(self.path, "a", newline="", encoding="utf-8") as file:
+    def _write(self, mode, rows):
+        with open(self.path, mode, newline="", encoding="utf-8") as file:
             writer = csv.DictWriter(file, COLUMNS)
-            if is_new:
+            if mode == "w":
                 writer.writeheader()
             writer.writerows(rows)
+
+    def missing(self):
+        """Names of problems without rows, in their order."""
+        done = {row["problem"] for row in self.rows}
+        return [name for name in self._fingerprints if name not in done]
+
+    def add(self, rows):
+        rows = [{**row, "fingerprint": self._fingerprints[row["problem"]]} for row in rows]
+        self._write("a", rows)
         self.rows += [{name: str(row.get(name, "")) for name in COLUMNS} for row in rows]
+
+    def asked_for(self):
+        """The rows of the problems that have a fingerprint."""
+        return [row for row in self.rows if row["problem"] in self._fingerprints]

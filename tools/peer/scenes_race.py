@@ -2,6 +2,7 @@
 # Copyright (C) 2026 the orthocone authors
 """The scenes of bodies.py by orthocone, GetFEM and CalculiX: forces and slips of each step, and CPU time of the process."""
 import csv
+import hashlib
 import io
 import json
 import os
@@ -14,6 +15,7 @@ import subprocess
 import bodies
 import ccx_scene
 from points import ROOT, program_point
+from run_folder import RunFolder
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROUNDS = 1
@@ -41,8 +43,8 @@ def by_orthocone(scene, folder, program):
     words = [program, ROOT / words[1], *words[2:]]
     words[words.index("--output") + 1] = folder / "run"
     code, _, seconds = run(words, folder)
-    with open(folder / "run/history.csv", newline="", encoding="utf-8") as file:
-        rows = [{name: float(row[name]) for name in COLUMNS} for row in csv.DictReader(file)]
+    history = RunFolder(folder / "run").history
+    rows = [dict(zip(COLUMNS, map(float, values))) for values in zip(*(history.get(name, ()) for name in COLUMNS))]
     return code, rows, seconds
 
 
@@ -92,20 +94,29 @@ def raced(names, options, orthocone, rounds, say):
     for program, package in (("getfem", "python3-getfem"), ("calculix", "calculix-ccx")):
         if not there(program):
             say(f"no {program} here (Debian's {package}): the scenes go without it")
-    found = []
+    programs, found = [program for program in PROGRAMS if there(program)], []
     for name in names:
         folder = options.output / "scenes" / name.replace(" ", "-")
-        done = folder / "rows.json"
-        if options.anew or not done.exists():
-            folder.mkdir(parents=True, exist_ok=True)
-            done.write_text(json.dumps(raced_scene(name, folder, orthocone, rounds)), encoding="utf-8")
+        folder.mkdir(parents=True, exist_ok=True)
+        done, about = folder / "rows.json", fingerprint(orthocone, programs)
+        known = json.loads(done.read_text(encoding="utf-8")) if done.exists() and not options.anew else None
+        if not isinstance(known, dict) or known["fingerprint"] != about:
+            known = {"fingerprint": about, "rows": raced_scene(name, folder, orthocone, programs, rounds)}
+            done.write_text(json.dumps(known), encoding="utf-8")
             say(f"scene '{name}' is done")
-        found += json.loads(done.read_text(encoding="utf-8"))
+        found += known["rows"]
     return found
 
 
-def raced_scene(name, folder, orthocone, rounds):
-    programs = [program for program in PROGRAMS if there(program)]
+def fingerprint(orthocone, programs):
+    """What rows depend on: our program, who races, and what they are asked."""
+    digest = hashlib.sha256(" ".join(programs).encode())
+    for path in (orthocone, *(HERE / f"{name}.py" for name in ("bodies", "ccx_scene", "getfem_scene"))):
+        digest.update(path.read_bytes())
+    return digest.hexdigest()[:12]
+
+
+def raced_scene(name, folder, orthocone, programs, rounds):
     answers = [{program: solved(name, program, folder / program.replace(" ", "-"), orthocone) for program in programs}
                for _ in range(rounds)]
     ours, rows = answers[0]["orthocone"][1], []

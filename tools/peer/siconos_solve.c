@@ -2,12 +2,10 @@
  * Copyright (C) 2026 the orthocone authors
  *
  *   siconos_solve FILE solve SOLVER BOUND TOLERANCE SECONDS   solves a local problem of FCLIB by Siconos
- *   siconos_solve FILE judge OTHER_FILE                       judges the solution in another file of the
- * problem siconos_solve FILE time [SOLVER TOLERANCE]...             solves again: a line with seconds for
- * each solver
+ *   siconos_solve FILE time [SOLVER TOLERANCE]...             solves again: a line with seconds for each
  *
- * The first two print info, iterations, tolerance, seconds, error, merit and the difference to the solution
- * in FILE. TOLERANCE, the solver's own, is tightened until the error is within BOUND. Each solution may take
+ * The first prints info, iterations, tolerance, seconds, error, merit and the difference to the solution in
+ * FILE. TOLERANCE, the solver's own, is tightened until the error is within BOUND. Each solution may take
  * SECONDS of CPU time. Exit code 3: no tolerance does; killed by SIGPROF: it takes too long.
  */
 #include "fclib_problem.h"
@@ -173,8 +171,8 @@ static double again(const Problem *problem, const Preset *preset, const double t
 
 static int finish(const Answer *answer, const int is_solved)
 {
-  printf("%d,%d,%.3g,%.4g,%.4g,%.4g,%.4g\n", answer->info, answer->iterations, answer->tolerance,
-         answer->seconds, answer->judgement.error, answer->judgement.merit, answer->judgement.difference);
+  printf("%d,%d,%.3g,%.4g,", answer->info, answer->iterations, answer->tolerance, answer->seconds);
+  print_judgement(&answer->judgement);
   return is_solved ? 0 : 3;
 }
 
@@ -188,8 +186,7 @@ static const Preset *find_preset(const char *name)
 
 int main(const int n_arguments, char **arguments)
 {
-  const char *usage =
-      "FILE solve SOLVER BOUND TOLERANCE SECONDS | FILE judge OTHER_FILE | FILE time [SOLVER TOLERANCE]...";
+  const char *usage = "FILE solve SOLVER BOUND TOLERANCE SECONDS | FILE time [SOLVER TOLERANCE]...";
   if (n_arguments < 4)
     or_stop(NULL, usage);
   const Problem problem = read_problem(arguments[1]);
@@ -199,11 +196,6 @@ int main(const int n_arguments, char **arguments)
     for (int i = 3; i + 1 < n_arguments; i += 2)
       printf("%.4g\n", again(&problem, find_preset(arguments[i]), atof(arguments[i + 1])));
     return 0;
-  }
-  if (n_arguments == 4)
-  {
-    judge(&problem, forces(&problem, arguments[3]), &answer.judgement);
-    return finish(&answer, 1);
   }
   if (n_arguments != 7)
     or_stop(NULL, usage);

@@ -3,6 +3,7 @@
 """Tables of the race for docs/peers.md."""
 import numpy as np
 
+import forces
 import race
 from profiles import GROUPS, Times, label
 
@@ -19,6 +20,10 @@ def short(value):
     return "–" if not np.isfinite(value) else f"{value:.3g}"
 
 
+def middle(values):
+    return np.median(values) if len(values) else np.nan
+
+
 def groups(times):
     """Names of groups with their problems."""
     for name, laws in GROUPS.items():
@@ -27,35 +32,53 @@ def groups(times):
         yield name, [problem for problem in times.problems if least <= times.nodes.get(problem, 0) < most]
 
 
+def is_first(seconds, others):
+    """Where a solver solves a problem, and nobody else is faster."""
+    return np.isfinite(seconds) & (seconds <= others)
+
+
+def kinds(times):
+    """Who solves the problems of each kind."""
+    rows = []
+    for family in sorted(set(times.family.values())):
+        problems = [problem for problem in times.problems if times.family[problem] == family]
+        every = (times.of("newton", problems), times.best(race.OURS, problems), times.best(times.peers, problems))
+        most = max(np.isfinite(times.of(solver, problems)).sum() for solver in times.peers)
+        rows.append((family, len(problems), *(np.isfinite(seconds).sum() for seconds in every), most,
+                     f"{100 * np.mean(is_first(every[0], np.minimum(*every[1:]))):.0f}"))
+    return markdown(("kind", "number", "`newton` solves", "one of ours", "one of Siconos", "the best of Siconos",
+                     "`newton` first, %"), rows)
+
+
 def fastest(times):
     rows = []
     for name, problems in groups(times):
         if not problems:
             continue
-        newton, peers = times.of("newton", problems), times.best(race.PEERS, problems)
-        ours, every = times.best(race.OURS, problems), times.best(race.SOLVERS, problems)
+        newton, peers = times.of("newton", problems), times.best(times.peers, problems)
+        ours, every = times.best(race.OURS, problems), times.best(times.solvers, problems)
         both = np.isfinite(newton) & np.isfinite(peers)
         ratios = newton[both] / peers[both]
-        rows.append((name, len(problems), f"{100 * np.mean(newton <= every):.0f}", f"{100 * np.mean(ours <= every):.0f}",
-                     f"{100 * np.mean(newton <= peers):.0f}", *(short(of(ratios)) for of in (np.median, np.min, np.max))))
+        shares = (is_first(newton, every), is_first(ours, every), is_first(newton, peers))
+        rows.append((name, len(problems), *(f"{100 * np.mean(share):.0f}" for share in shares), *(short(of(ratios) if len(ratios) else np.nan) for of in (np.median, np.min, np.max))))
     return markdown(("problems", "number", "`newton` first, %", "one of ours first, %", "`newton` before all of Siconos, %",
                      "median of `newton` / best of Siconos", "least", "largest"), rows)
 
 
 def solvers(times, rows):
     table = []
-    newton, every = times.of("newton"), times.best(race.SOLVERS)
-    for solver in race.SOLVERS:
+    newton, every = times.of("newton"), times.best(times.solvers)
+    for solver in times.solvers:
         seconds = times.of(solver)
         both = np.isfinite(seconds) & np.isfinite(newton)
         own = [row for row in rows if row["solver"] == solver and row["verdict"] == "solved"]
         ratios = seconds[both] / newton[both]
-        table.append((f"`{label(solver)}`", int(np.isfinite(seconds).sum()), f"{100 * np.mean(seconds <= every):.0f}",
-                      f"{100 * np.mean(newton < seconds):.0f}" if solver != "newton" else "", short(np.median(ratios)),
-                      short(np.percentile(ratios, 90)),
-                      f"{np.median([float(row['error']) for row in own]):.1e}",
-                      f"{np.median([float(row['merit']) for row in own]):.1e}",
-                      f"{-np.log10(np.median([float(row['difference']) for row in own])):.1f}"))
+        apart = forces.median_difference(own)
+        table.append((f"`{label(solver)}`", int(np.isfinite(seconds).sum()), f"{100 * np.mean(is_first(seconds, every)):.0f}",
+                      f"{100 * np.mean(newton < seconds):.0f}" if solver != "newton" else "", short(middle(ratios)),
+                      short(np.percentile(ratios, 90)) if len(ratios) else "–",
+                      *(f"{middle([float(row[name]) for row in own]):.1e}" for name in ("error", "merit")),
+                      "–" if apart is None else f"{-np.log10(max(apart, 1e-16)):.1f}"))
     return markdown(("solver", "solved", "first, %", "behind `newton`, %", "time / `newton`, median", "90 % below", "error, median",
                      "`MERIT_1`, median", "digits of the forces, median"), table)
 
@@ -63,7 +86,7 @@ def solvers(times, rows):
 def failures(times, rows):
     verdicts = {(row["problem"], row["solver"]): row["verdict"] for row in rows}
     table = []
-    for solver in race.SOLVERS:
+    for solver in times.solvers:
         cells = []
         for law in LAWS:
             own = [verdicts[problem, solver] for problem in times.group((law,))]
@@ -76,12 +99,12 @@ def failures(times, rows):
 
 def losses(times, most=12):
     """Where newton is farthest behind a peer, and where it fails."""
-    newton, peers = times.of("newton"), times.best(race.PEERS)
+    newton, peers = times.of("newton"), times.best(times.peers)
     order = np.argsort(-np.where(np.isfinite(newton), newton, 1e9) / peers)[:most]
     rows = []
     for place in order:
         problem = times.problems[place]
-        winner = min(race.PEERS, key=lambda solver: times.of(solver, [problem])[0])
+        winner = min(times.peers, key=lambda solver: times.of(solver, [problem])[0])
         ratio = newton[place] / peers[place]
         rows.append((f"`{problem}`", times.law[problem], times.nodes.get(problem, ""),
                      short(1e3 * newton[place]) if np.isfinite(newton[place]) else "fails", f"`{label(winner)}`",
@@ -89,28 +112,34 @@ def losses(times, most=12):
     return markdown(("problem", "law", "nodes", "`newton`, ms", "best of Siconos", "ms", "ratio"), rows)
 
 
-def summary(times):
+def summary(times, agreement):
     """The first sentences of the page."""
-    newton, peers, every = times.of("newton"), times.best(race.PEERS), times.best(race.SOLVERS)
-    counts = {solver: int(np.isfinite(times.of(solver)).sum()) for solver in race.SOLVERS}
-    most = max(race.PEERS, key=counts.get)
+    newton, peers, every = times.of("newton"), times.best(times.peers), times.best(times.solvers)
+    counts = {solver: int(np.isfinite(times.of(solver)).sum()) for solver in times.solvers}
+    most = max(times.peers, key=counts.get)
     both = np.isfinite(newton) & np.isfinite(peers)
+    if not both.any():
+        return "No problem is solved by `newton` and by Siconos.\n"
     ratios = newton[both] / peers[both]
     worst = np.array(times.problems)[both][np.argmax(ratios)]
-    rivals = {solver: 100 * np.mean(newton < times.of(solver)) for solver in race.PEERS}
+    rivals = {solver: 100 * np.mean(newton < times.of(solver)) for solver in times.peers}
     nearest = min(rivals, key=rivals.get)
     return (f"Of {len(times.problems)} problems `newton` solves {counts['newton']}. The most that a solver of Siconos solves is "
-            f"{counts[most]} (`{most}`).\n`newton` is the fastest of all {len(race.SOLVERS)} solvers on "
-            f"{100 * np.mean(newton <= every):.0f} %. It is faster than all {len(race.PEERS)} of\nSiconos on "
+            f"{counts[most]} (`{most}`).\n`newton` is the fastest of all {len(times.solvers)} solvers on "
+            f"{100 * np.mean(is_first(newton, every)):.0f} %. It is faster than all {len(times.peers)} of\nSiconos on "
             f"{100 * np.mean(newton < peers):.0f} %, and faster than each single one of them on {rivals[nearest]:.0f} % at least "
             f"(`{nearest}`).\nAgainst the best of Siconos on each problem its worst ratio is {ratios.max():.3g} (`{worst}`), its "
-            f"best {ratios.min():.2g}.\n")
+            f"best {ratios.min():.2g}.\n" + agreement)
 
 
-def all_tables(rows):
+def all_tables(rows, agreement):
+    """Those of the page; without Siconos those that need no ratio to it."""
     times = Times(rows)
-    return {"summary": summary(times), "fastest": fastest(times), "solvers": solvers(times, rows),
-            "failures": failures(times, rows), "losses": losses(times)}
+    found = {"solvers": solvers(times, rows), "failures": failures(times, rows)}
+    if times.peers:
+        found |= {"summary": summary(times, agreement), "kinds": kinds(times), "fastest": fastest(times),
+                  "losses": losses(times)}
+    return found
 
 
 def digits(value):
