@@ -18,7 +18,6 @@ OURS = ("newton", "gauss-seidel", "uzawa", "plain-newton")
 PEERS = ("nsgs-ac", "nsgs-pli", "nsn-ac", "nsn-ac-new", "nsn-hybrid", "admm", "admm-balanced")
 SOLVERS = OURS + PEERS
 TIMES_OF_NEWTON, LEAST_LIMIT, MOST_LIMIT = 100, 0.2, 10.  # seconds of CPU time for one solution
-LIMIT_WITHOUT_NEWTON = 1.
 ROUNDS, ATTEMPTS = 2, 10
 START = 0.3  # s of CPU time, of a process that reads a file
 ENOUGH, MOST_REPEATS = 0.05, 9  # seconds, solutions of a process whose median is taken; siconos_solve does the same
@@ -133,14 +132,12 @@ class Racer:
         return [{**about(problem), "solver": solver, **self.peer(problem.path, solver, MOST_LIMIT)} for solver in solvers]
 
     def race(self, problem, n_rounds=ROUNDS):
-        """Rows of all solvers of a problem, newton's first: it sets the limit of the others."""
+        """Rows of all solvers of a problem, newton's first: it sets the limit of the others, unless it fails."""
         rows, limit = [], MOST_LIMIT
         for solver in self._solvers:
             rows.append({"solver": solver, **self.first(problem.path, solver, limit)})
             if solver == "newton" and rows[0]["verdict"] == "solved":
                 limit = min(MOST_LIMIT, max(LEAST_LIMIT, TIMES_OF_NEWTON * rows[0]["seconds"]))
-            elif solver == "newton":
-                limit = LIMIT_WITHOUT_NEWTON
         solved = [row for row in rows if row["verdict"] == "solved"]
         rounds = [self.round(problem.path, solved) for _ in range(n_rounds)]
         for row in solved:
