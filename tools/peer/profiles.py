@@ -63,10 +63,10 @@ def draw_profile(axes, times, problems):
 def profiles(times):
     figure = plt.figure(figsize=(11, 5))
     charts, legend = figure.subfigures(2, 1, height_ratios=(4.2, 0.8))
-    for axes, (name, laws) in zip(charts.subplots(1, 3, sharey=True), GROUPS.items()):
+    groups = {name: laws for name, laws in GROUPS.items() if times.group(laws)}
+    for axes, (name, laws) in zip(charts.subplots(1, len(groups), sharey=True, squeeze=False)[0], groups.items()):
         problems = times.group(laws)
-        if problems:
-            draw_profile(axes, times, problems)
+        draw_profile(axes, times, problems)
         axes.set_title(f"{name}: {len(problems)} problems", fontsize=9)
         if laws is None:
             axes.set_ylabel("% of the problems solved in that time")
