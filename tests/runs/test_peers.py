@@ -78,6 +78,18 @@ class PeersTest(RunTest):
         self.assertEqual(len(rows), 4 * len(OURS))
         self.assertNotIn("0123456789ab", {row["fingerprint"] for row in rows})
 
+    def test_rows_that_are_kept(self):
+        """Those of what is not asked for stay, whatever is computed anew."""
+        file = self.folder / "rows.csv"
+        race.Answers(file, {"a": "1", "b": "2"}).add([{"problem": name, "solver": "newton"} for name in "ab"])
+        for fingerprints, is_anew, missing in (({"a": "1", "b": "2"}, False, []), ({"a": "1", "b": "3"}, False, ["b"]),
+                                               ({"a": "1"}, True, ["a"])):
+            answers = race.Answers(file, fingerprints, is_anew)
+            self.assertEqual(answers.missing(), missing)
+            answers.add([{"problem": name, "solver": "newton"} for name in missing])
+            self.assertEqual({row["problem"] for row in answers.asked_for()}, set(fingerprints))
+            self.assertEqual(sorted(row["problem"] for row in race.Answers(file, {}).rows), ["a", "b"])
+
     def test_files_at_hand(self):
         """All below the folder; those that are refused are named with the reason."""
         folder = self.folder / "collection"

@@ -167,10 +167,10 @@ class Answers:
         self.path = path
         self._fingerprints = fingerprints
         known = []
-        if path.exists() and not is_anew:
+        if path.exists():
             with open(path, newline="", encoding="utf-8") as file:
                 known = list(csv.DictReader(file))
-        self.rows = [row for row in known if self._is_right(row)]
+        self.rows = [row for row in known if self._is_right(row) and not (is_anew and row["problem"] in fingerprints)]
         self._write("w", self.rows)
 
     def _is_right(self, row):
