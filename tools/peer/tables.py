@@ -100,9 +100,9 @@ def failures(times, rows):
 def losses(times, most=12):
     """Where newton is farthest behind a peer, and where it fails."""
     newton, peers = times.of("newton"), times.best(times.peers)
-    order = np.argsort(-np.where(np.isfinite(newton), newton, 1e9) / peers)[:most]
+    order = np.argsort(-np.where(np.isfinite(newton), newton, 1e9) / peers)
     rows = []
-    for place in order:
+    for place in [place for place in order if np.isfinite(peers[place])][:most]:
         problem = times.problems[place]
         winner = min(times.peers, key=lambda solver: times.of(solver, [problem])[0])
         ratio = newton[place] / peers[place]
