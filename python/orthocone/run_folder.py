@@ -110,9 +110,11 @@ def _lattice(degree):
 class Run:
     """The files of one run.
 
-    path: the run folder. Tables are {column: (rows,) array, or list of words}, as pandas.DataFrame takes them, and {} before
-    their first row; docs/results.md has the units of their columns: mm, N, MPa, N mm or s. Raises FileNotFoundError for files
-    that the run has not written, and where there is no such folder."""
+    path: the run folder.
+
+    Tables are {column: (rows,) array, or list of words}, as pandas.DataFrame takes them, and {} before their first row;
+    docs/results.md has the units of their columns: mm, N, MPa, N mm or s. Raises FileNotFoundError for files that the run has
+    not written, and where there is no such folder."""
 
     def __init__(self, path):
         self.path = pathlib.Path(path)
