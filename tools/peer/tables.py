@@ -77,7 +77,7 @@ def solvers(times, rows):
         table.append((f"`{label(solver)}`", int(np.isfinite(seconds).sum()), f"{100 * np.mean(is_first(seconds, every)):.0f}",
                       f"{100 * np.mean(newton < seconds):.0f}" if solver != "newton" else "", short(middle(ratios)),
                       short(np.percentile(ratios, 90)) if len(ratios) else "–",
-                      *(f"{middle([float(row[name]) for row in own]):.1e}" for name in ("error", "merit")),
+                      *(f"{middle([float(row[name]) for row in own]):.1e}" if own else "–" for name in ("error", "merit")),
                       "–" if apart is None else f"{-np.log10(max(apart, 1e-16)):.1f}"))
     return markdown(("solver", "solved", "first, %", "behind `newton`, %", "time / `newton`, median", "90 % below", "error, median",
                      "`MERIT_1`, median", "digits of the forces, median"), table)
