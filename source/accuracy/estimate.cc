@@ -19,7 +19,7 @@ namespace
 {
 constexpr double bytes_per_number = 8;
 constexpr double gigabyte = 1e9;
-constexpr double dense_matrices = 3;     // at most at a time, each as large as the compliance
+constexpr double dense_matrices = 1.5;   // the compliance, and what inner iterations use of it
 constexpr double of_counterbody = 1;     // one more: its compliance, then the sum
 constexpr double bytes_per_step = 100;   // in the load program and the lists of files
 constexpr double memory_bandwidth = 8e9; // bytes/s that one core of a usual machine reads

@@ -16,31 +16,35 @@ CondensedBody::CondensedBody(const BodyUnknowns &unknowns, const StiffnessFactor
     : unknowns_(unknowns),
       factor_(factor),
       frame_(unknowns, std::move(axes)),
-      compliance_(local_compliance(factor.trailing_inverse()))
+      compliance_(local_compliance())
 {
 }
 
-MatrixXd CondensedBody::local_compliance(const MatrixXd &inverse) const
+/// The inverse of the Schur complement where its unknowns are directions of nodes, turned into local axes.
+MatrixXd CondensedBody::local_compliance() const
 {
   const auto &nodes = unknowns_.contact_surface().nodes;
-  const Index n_interior = unknowns_.n_interior();
+  const auto n = static_cast<Index>(nodes.size());
+  std::vector<Index> places(unknowns_.n_free() - unknowns_.n_interior());
   std::vector<Matrix3d> turns;
-  for (std::size_t i = 0; i < nodes.size(); ++i)
+  for (Index i = 0; i < n; ++i)
+  {
     turns.push_back(frame_.global_in_local(i));
-  MatrixXd local(3 * nodes.size(), 3 * nodes.size());
-  for (std::size_t j = 0; j < nodes.size(); ++j)
-    for (std::size_t i = 0; i < nodes.size(); ++i)
-    {
-      Matrix3d block = Matrix3d::Zero();
-      for (Index e = 0; e < 3; ++e)
-        for (Index d = 0; d < 3; ++d)
-          if (nodes[i].is_free[d] && nodes[j].is_free[e])
-            block(d, e) = inverse(nodes[i].dofs[d] - n_interior, nodes[j].dofs[e] - n_interior);
+    for (Index d = 0; d < 3; ++d)
+      if (nodes[i].is_free[d])
+        places[nodes[i].dofs[d] - unknowns_.n_interior()] = 3 * i + d;
+  }
+  MatrixXd local = factor_.trailing_inverse(places, 3 * n);
+  for (Index i = 0; i < n; ++i)
+    for (Index d = 0; d < 3; ++d)
       // Any positive number serves as the compliance of a held direction; one of the node's own size keeps
       // the matrix well conditioned.
-      for (Index d = 0; d < 3; ++d)
-        if (i == j && !nodes[i].is_free[d])
-          block(d, d) = block(2, 2);
+      if (!nodes[i].is_free[d])
+        local(3 * i + d, 3 * i + d) = local(3 * i + 2, 3 * i + 2);
+  for (Index j = 0; j < n; ++j)
+    for (Index i = 0; i < n; ++i)
+    {
+      const Matrix3d block = local.block<3, 3>(3 * i, 3 * j);
       local.block<3, 3>(3 * i, 3 * j) = turns[i].transpose() * block * turns[j];
     }
   return local;

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/body/backends/stiffness_factor.h>
 
+#include "dense_in_place.h"
 #include "metis_order.h"
 
 #include <cholmod.h>
@@ -17,6 +18,8 @@
 
 namespace orthocone
 {
+using Eigen::Index;
+
 /// CHOLMOD's objects and their owners. The namespace is not anonymous because they are members of
 /// StiffnessFactor::Cholmod, which other files of a group see.
 namespace cholmod
@@ -221,8 +224,13 @@ Eigen::VectorXd StiffnessFactor::solve(const Eigen::VectorXd &right_side) const
   return copy;
 }
 
-/// Rows and columns from n_interior_ on of the supernodal factor, in elimination order.
-Eigen::MatrixXd StiffnessFactor::trailing_factor() const
+Index StiffnessFactor::n_trailing() const
+{
+  return static_cast<Eigen::Index>(cholmod_->factor->n) - n_interior_;
+}
+
+/// Copies the rows and columns from n_interior_ on of the supernodal factor, in elimination order.
+void StiffnessFactor::copy_trailing_factor(Eigen::MatrixXd &matrix) const
 {
   const cholmod_factor &factor = *cholmod_->factor;
   const auto *const first_column = static_cast<const int *>(factor.super);
@@ -231,37 +239,53 @@ Eigen::MatrixXd StiffnessFactor::trailing_factor() const
   const auto *const rows = static_cast<const int *>(factor.s);
   const auto *const values = static_cast<const double *>(factor.x);
   const int n_interior = static_cast<int>(n_interior_);
-  const auto n = static_cast<Eigen::Index>(factor.n) - n_interior;
-  Eigen::MatrixXd trailing = Eigen::MatrixXd::Zero(n, n);
   for (std::size_t s = 0; s < factor.nsuper; ++s)
   {
     const int n_rows = first_row[s + 1] - first_row[s];
     for (int column = std::max(first_column[s], n_interior); column < first_column[s + 1]; ++column)
       for (int i = column - first_column[s]; i < n_rows; ++i)
-        trailing(rows[first_row[s] + i] - n_interior, column - n_interior) =
+        matrix(rows[first_row[s] + i] - n_interior, column - n_interior) =
             values[first_value[s] + static_cast<std::ptrdiff_t>(column - first_column[s]) * n_rows + i];
   }
-  return trailing;
+}
+
+/// Where each row in elimination order goes. Rows that belong to no unknown take what is left.
+std::vector<Index> StiffnessFactor::targets(const std::vector<Index> &places, const Index size) const
+{
+  // CHOLMOD may have reordered the last unknowns, but must not have mixed in others.
+  const auto *const order = static_cast<const int *>(cholmod_->factor->Perm) + n_interior_;
+  std::vector<Index> result;
+  std::vector<bool> is_taken(size, false);
+  for (Index k = 0; k < n_trailing(); ++k)
+  {
+    const Index unknown = order[k] - static_cast<Index>(n_interior_);
+    if (unknown < 0)
+      throw std::logic_error("condensing the stiffness: interior unknowns among the last ones");
+    result.push_back(places[unknown]);
+    is_taken[places[unknown]] = true;
+  }
+  for (Index place = 0; place < size; ++place)
+    if (!is_taken[place])
+      result.push_back(place);
+  return result;
 }
 
 Eigen::MatrixXd StiffnessFactor::trailing_inverse() const
 {
-  Eigen::MatrixXd inverse = trailing_factor();
-  const auto n = static_cast<lapack_int>(inverse.rows());
-  if (LAPACKE_dpotri(LAPACK_COL_MAJOR, 'L', n, inverse.data(), n) != 0)
+  std::vector<Index> places(n_trailing());
+  std::iota(places.begin(), places.end(), 0);
+  return trailing_inverse(places, n_trailing());
+}
+
+Eigen::MatrixXd StiffnessFactor::trailing_inverse(const std::vector<Index> &places, const Index size) const
+{
+  Eigen::MatrixXd matrix = Eigen::MatrixXd::Zero(size, size);
+  copy_trailing_factor(matrix);
+  if (LAPACKE_dpotri(LAPACK_COL_MAJOR, 'L', static_cast<lapack_int>(n_trailing()), matrix.data(),
+                     static_cast<lapack_int>(size)) != 0)
     throw std::runtime_error("condensing the stiffness: the Schur complement is singular");
-  // CHOLMOD may have reordered the last unknowns, but must not have mixed in others.
-  const auto *const order = static_cast<const int *>(cholmod_->factor->Perm) + n_interior_;
-  Eigen::MatrixXd sorted(n, n);
-  for (lapack_int j = 0; j < n; ++j)
-    for (lapack_int i = j; i < n; ++i)
-    {
-      const int row = order[i] - static_cast<int>(n_interior_);
-      const int column = order[j] - static_cast<int>(n_interior_);
-      if (row < 0 || column < 0)
-        throw std::logic_error("condensing the stiffness: interior unknowns among the last ones");
-      sorted(row, column) = sorted(column, row) = inverse(i, j);
-    }
-  return sorted;
+  mirror_lower_half(matrix);
+  move_rows_and_columns(matrix, targets(places, size));
+  return matrix;
 }
 } // namespace orthocone

@@ -31,7 +31,7 @@ public:
                         double bound) const;
 
 private:
-  Eigen::MatrixXd local_compliance(const Eigen::MatrixXd &inverse) const;
+  Eigen::MatrixXd local_compliance() const;
 
   const BodyUnknowns &unknowns_;
   const StiffnessFactor &factor_;

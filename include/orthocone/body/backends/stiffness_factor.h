@@ -47,9 +47,16 @@ public:
   /// for a stiffness). Throws std::runtime_error if it is singular, std::bad_alloc if memory runs out.
   Eigen::MatrixXd trailing_inverse() const;
 
+  /// The same in a larger matrix, `size` x `size`: its row and column places[k] belong to the kth of the last
+  /// unknowns, and the others are 0. `places` are m different numbers below `size`. There is no other dense
+  /// matrix in memory.
+  Eigen::MatrixXd trailing_inverse(const std::vector<Eigen::Index> &places, Eigen::Index size) const;
+
 private:
   struct Cholmod;
-  Eigen::MatrixXd trailing_factor() const;
+  Eigen::Index n_trailing() const;
+  void copy_trailing_factor(Eigen::MatrixXd &matrix) const;
+  std::vector<Eigen::Index> targets(const std::vector<Eigen::Index> &places, Eigen::Index size) const;
 
   std::unique_ptr<Cholmod> cholmod_;
   unsigned int n_interior_;
