@@ -55,18 +55,30 @@ class ResumedTest(ResumeTest):
     SETTINGS = [*ISOTROPIC, "Mesh/Refinements=1", "Mesh/Backend=multigrid", "Load program/Cycles=2", EVERY_STEP]
     RESULTS = ["history.csv", "checks.csv", "cycles.csv", "contact.pvd", "contact-0030.vtu"]
 
+    def assert_goes_on(self, settings, n_steps):
+        """Kills a run after some steps, and resumes it."""
+        name = f"after-{n_steps}"
+        run = self.start(name, settings)
+        history = self.folder / name / "history.csv"
+        while run.poll() is None and (not history.exists() or history.read_text().count("\n") <= n_steps):
+            time.sleep(0.002)
+        run.send_signal(signal.SIGKILL)
+        run.communicate()
+        self.assertEqual(run.returncode, -signal.SIGKILL, "it has ended before")
+        self.assert_resumes(name, settings)
+
     def test_to_the_last_bit(self):
         """What later steps start from is in the checkpoint, wherever the run was interrupted."""
         self.whole(self.SETTINGS, self.RESULTS)
         for n_steps in (3, 8, 20):
             with self.subTest(steps=n_steps):
-                run = self.start(f"after-{n_steps}", self.SETTINGS)
-                history = self.folder / f"after-{n_steps}/history.csv"
-                while run.poll() is None and (not history.exists() or history.read_text().count("\n") <= n_steps):
-                    time.sleep(0.002)
-                run.send_signal(signal.SIGKILL)
-                run.communicate()
-                self.assert_resumes(f"after-{n_steps}", self.SETTINGS)
+                self.assert_goes_on(self.SETTINGS, n_steps)
+
+    def test_every_coarser_mesh_has_a_history(self):
+        """Three meshes, each of which starts from the one below it."""
+        settings = [*self.SETTINGS, "Mesh/Degree=1", "Mesh/Refinements=2", "Load program/Cycles=1"]
+        self.whole(settings, ["history.csv", "checks.csv", "contact-0015.vtu"])
+        self.assert_goes_on(settings, 8)
 
 
 class UnsolvedTest(RunTest):
