@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 """Scenes for multigrid, and what it means that two runs of one have the same states."""
+import pathlib
 
 TOLERANCE = 1e-10  # of the contact solver, as by default
 ISOTROPIC = ["Mesh/Core cells=2", "Mesh/Rings=1", "Mesh/Core ratio=0.6", "Mesh/Layers=2"]
@@ -8,6 +9,7 @@ BOX = ["Geometry/Shape=box", "Mesh/Cells=2, 4, 2"]
 FRETTING = ["Load program/Preload=Fz -5e5 : 2", "Load program/Legs=ux 0.01 : 2 ; ux -0.01 : 3", "Load program/Cycles=1"]
 RUBBING = ["Load program/Preload=0 0 -0.05 : 2", "Load program/Legs=0.02 0 -0.05 : 2 ; -0.02 0 -0.05 : 4", "Load program/Cycles=8"]
 ONE_CYCLE = ["Load program/Legs=0 0 -0.1 : 2 ; 0 0 0.0 : 4", "Load program/Cycles=1"]
+GAPS = pathlib.Path(__file__).resolve().parent / "gaps.txt"
 
 # Name: file, settings besides the mesh.
 SCENES = {
@@ -38,6 +40,15 @@ SCENES = {
                                                    "Obstacle/Gap=0.002*(1-cos(x/3))"]),
     "twisted": ("paper/case_b.prm", [*ISOTROPIC, "Load program/Legs=uz -0.05 : 2 ; rz 0.1 : 2 ; Mz 0 : 2",
                                      "Load program/Cycles=1", "Mesh/Refinements=1"]),
+    "friction and gap that vary, parts of steps, until it is periodic": (
+        "paper/case_b.prm", [*ISOTROPIC, "Mesh/Refinements=1", "Friction/Coefficients=0.3*(1+x/40), 0.15-0.002*y",
+                             "Friction/Slip potential=0.1, 0.2*(1+y/60)", f"Obstacle/Gap file={GAPS}",
+                             "Load program/Legs=0 0 -0.1 : 2 ; 0 0 -0.04 : 1 * 2", "Load program/Cycles=20",
+                             "Load program/Stop when periodic=1e-3"]),
+    "tilted by motion and moment, with a jump when it is periodic": (
+        "paper/case_c.prm", [*ISOTROPIC, "Mesh/Refinements=1", "Load program/Preload=uz -0.1 : 1",
+                             "Load program/Legs=rx 0.02 My 4e4 : 1 ; rx 0 My -4e4 : 1 * 2", "Load program/Cycles=50",
+                             "Load program/Jump when periodic=1e-3"]),
     "worn, with jumps": ("paper/case_b.prm", [*ISOTROPIC, *RUBBING, "Mesh/Degree=1", "Mesh/Refinements=1", "Wear/Law=archard",
                                               "Wear/Coefficient=1e-5", "Wear/Largest depth of a jump=1e-4"]),
 }
