@@ -62,9 +62,13 @@ public:
       finer.mesh.refined_cells.push_back(to_halve);
     }
     before_ = finer.mesh;
-    finer.mesh.backend = choose_backend(finer, choice_.symmetry, gigabytes_).backend;
+    of_latest_ = choose_backend(finer, choice_.symmetry, gigabytes_);
+    finer.mesh.backend = of_latest_.backend;
     return finer;
   }
+
+  /// Why the latest mesh has its backend; empty where nothing was compared.
+  const std::string &reason() const { return of_latest_.reason; }
 
 private:
   static constexpr unsigned int n_graded = 2;
@@ -75,6 +79,7 @@ private:
   const ModelChoice &choice_;
   const double gigabytes_;
   MeshOptions before_{};
+  BackendChoice of_latest_{BodyBackend::automatic};
 };
 
 /// Solves the first cycle on the mesh of `finer`, keeps the model, and adds its quantities. Returns the cells
@@ -106,6 +111,7 @@ ChosenModel find_mesh(const Parameters &parameters, const ModelChoice &choice, c
   AccuracyEstimate accuracy{parameters.mesh.accuracy, {}, {}, steps_share};
   std::vector<Quantities> levels;
   std::vector<CellRange> to_halve;
+  std::string reason;
   MeshLevels meshes(parameters, choice, gigabytes);
   for (unsigned int level = 0; level < meshes.n_levels(); ++level)
   {
@@ -116,6 +122,7 @@ ChosenModel find_mesh(const Parameters &parameters, const ModelChoice &choice, c
              " would need more memory than this machine has");
       break;
     }
+    reason = meshes.reason();
     to_halve = solve_level(finer, choice, levels, found, accuracy);
     report(line_of(level, *found.scene, describe_quantities(accuracy)));
     if (levels.size() >= least_levels && is_fine_enough(accuracy, most_steps_share))
@@ -123,6 +130,8 @@ ChosenModel find_mesh(const Parameters &parameters, const ModelChoice &choice, c
   }
   found.accuracy = accuracy;
   found.search_seconds = watch.seconds();
+  if (!reason.empty())
+    report(reason);
   report("accuracy       " + describe(accuracy));
   return found;
 }

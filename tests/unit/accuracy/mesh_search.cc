@@ -8,6 +8,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <string>
+#include <vector>
 
 namespace orthocone::test
 {
@@ -198,10 +200,12 @@ TEST(MeshSearch, StopsWhereTheEstimatesAreAsWantedAndItsModelRemembersTheCycle)
   Parameters parameters;
   parameters.load.legs = {move_to(0, 0, -0.1, 1), move_to(0, 0, -0.05, 1)};
   parameters.mesh.accuracy = 10;
-  unsigned int n_lines = 0;
-  const ChosenModel chosen =
-      choose_mesh_and_steps(parameters, choose_model(parameters), [&](const std::string &) { ++n_lines; });
-  EXPECT_EQ(n_lines, 4U); // three levels and the result
+  std::vector<std::string> lines;
+  const ChosenModel chosen = choose_mesh_and_steps(parameters, choose_model(parameters),
+                                                   [&](const std::string &line) { lines.push_back(line); });
+  ASSERT_EQ(lines.size(), 5U); // three levels, the backend of the last one, and the result
+  EXPECT_EQ(chosen.parameters.mesh.backend, BodyBackend::condensed);
+  EXPECT_EQ(lines[3].rfind("backend        condensed about ", 0), 0U) << lines[3];
   ASSERT_TRUE(chosen.accuracy);
   EXPECT_TRUE(chosen.accuracy->is_reached());
   EXPECT_EQ(chosen.given.mesh.accuracy, 10);
