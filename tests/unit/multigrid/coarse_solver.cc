@@ -53,20 +53,24 @@ MeshOptions cells_without_hierarchy(const unsigned int degree, const unsigned in
 }
 } // namespace
 
-/// What a factorization solves is solved exactly, with whatever contact holds there.
+/// What a factorization solves is solved exactly, with whatever contact holds there: six cells, and
+/// thousands.
 TEST(FactorizedCoarse, IsExact)
 {
-  RefinedBody refined(default_geometry, even_mesh(1, 0), quarter);
-  const std::vector<NodeRelation> relations = mixed_relations(refined);
-  refined.cycle.hold(relations);
-  const HeldStiffness held(refined.stiffness, refined.nodes(), relations);
-  const auto right_side = held.right_side(refined.stiffness.make_vector(),
-                                          random_numbers(refined.body.discretization.n_free(), 3));
-  BodyVector<double> solution = refined.stiffness.make_vector(), image = solution;
-  refined.cycle.vmult(solution, right_side);
-  held.vmult(image, solution);
-  image -= right_side;
-  EXPECT_LE(image.l2_norm(), 1e-5 * right_side.l2_norm()); // vectors of the levels are in single precision
+  for (const MeshOptions &mesh : {even_mesh(1, 0), cells_without_hierarchy(1, 7)})
+  {
+    RefinedBody refined(default_geometry, mesh, quarter, LocalAxes(0), CoarseMethod::factorized);
+    const std::vector<NodeRelation> relations = mixed_relations(refined);
+    refined.cycle.hold(relations);
+    const HeldStiffness held(refined.stiffness, refined.nodes(), relations);
+    const auto right_side = held.right_side(refined.stiffness.make_vector(),
+                                            random_numbers(refined.body.discretization.n_free(), 3));
+    BodyVector<double> solution = refined.stiffness.make_vector(), image = solution;
+    refined.cycle.vmult(solution, right_side);
+    held.vmult(image, solution);
+    image -= right_side;
+    EXPECT_LE(image.l2_norm(), 1e-5 * right_side.l2_norm()); // vectors of the levels are in single precision
+  }
 }
 
 /// The assembled matrix is what the products cell by cell make, where contact holds nothing and where it
@@ -144,6 +148,26 @@ TEST(AlgebraicCoarse, DoesWithoutCoarserMeshes)
                               CoarseMethod::algebraic);
     EXPECT_EQ(refined.body.discretization.size().cells, 6 * n * n * n);
     EXPECT_LE(iterations(refined, pressed_base(refined), most_iterations), most_iterations) << degree;
+  }
+}
+
+/// Without a factorization of the finest stiffness, which such a body has no memory for elsewhere.
+TEST(CoarseSolver, TakesThousandsOfQuadraticCells)
+{
+  start_mpi_unwatched();
+  constexpr unsigned int most_iterations = 13, n = 7;
+  const MeshOptions options = cells_without_hierarchy(2, n);
+  const BodyMesh mesh(default_geometry, options, quarter);
+  const Discretization space(mesh.triangulation(), options, default_geometry.top_face);
+  EXPECT_EQ(space.size().cells, 6 * n * n * n);
+  const MatrixFreeStiffness<double> stiffness(space, default_material);
+  BodyVector<double> forces = stiffness.make_vector();
+  const VectorXd random = random_numbers(space.n_free(), 3);
+  std::copy(random.begin(), random.end(), forces.begin());
+  for (const CoarseMethod method : {CoarseMethod::factorized, CoarseMethod::algebraic})
+  {
+    const VCycle cycle(space, options, default_geometry, default_material, method);
+    EXPECT_LE(iterations(stiffness, cycle, forces, most_iterations), most_iterations);
   }
 }
 

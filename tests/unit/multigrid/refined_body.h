@@ -63,21 +63,27 @@ inline BodyVector<double> pressed_base(const RefinedBody &refined)
 }
 
 /// Iterations of conjugate gradients to eight digits; one more than `most` if those are not enough.
-inline unsigned int iterations(const RefinedBody &refined, const BodyVector<double> &forces,
-                               const unsigned int most)
+inline unsigned int iterations(const MatrixFreeStiffness<double> &stiffness, const VCycle &cycle,
+                               const BodyVector<double> &forces, const unsigned int most)
 {
-  BodyVector<double> displacement = refined.stiffness.make_vector();
+  BodyVector<double> displacement = stiffness.make_vector();
   dealii::SolverControl control(most, 1e-8 * forces.l2_norm(), false, false);
   dealii::SolverCG<BodyVector<double>> cg(control);
   try
   {
-    cg.solve(refined.stiffness, displacement, forces, refined.cycle);
+    cg.solve(stiffness, displacement, forces, cycle);
   }
   catch (const dealii::SolverControl::NoConvergence &)
   {
     return most + 1;
   }
   return control.last_step();
+}
+
+inline unsigned int iterations(const RefinedBody &refined, const BodyVector<double> &forces,
+                               const unsigned int most)
+{
+  return iterations(refined.stiffness, refined.cycle, forces, most);
 }
 
 /// Numbers from -1 to 1, the same in every run.
