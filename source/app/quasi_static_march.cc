@@ -114,7 +114,9 @@ bool QuasiStaticProblem::accepts(const MarchedStep &marched)
                           marched.seconds,
                           reported,
                           parameters_.contact_solver.method,
-                          marched.step.driven(scene_.symmetry(), parameters_.geometry.top_face)};
+                          marched.step.driven(scene_.symmetry(), parameters_.geometry.top_face),
+                          static_cast<unsigned int>(scene_.body().n_v_cycles() - v_cycles_written_)};
+  v_cycles_written_ += solved.n_v_cycles;
   write(solved);
   if (marched.report.is_released)
     log_.line("nothing presses any more: the top opens the contact at u_z = " + to_text(next.motion[2] + 0.) +

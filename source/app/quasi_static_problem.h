@@ -74,9 +74,10 @@ private:
   Outcome outcome_{};                     ///< why the march did not go on
   std::optional<CycleRow> ended_cycle_{}; ///< a cycle that the last step has ended
   Stopwatch since_checkpoint_;
-  const std::uint32_t gap_file_;      ///< input_files_checksum()
-  double checkpoint_pause_;           ///< least seconds to the next one
-  double seconds_before_ = 0;         ///< wall time of the runs before the checkpoint
-  unsigned long v_cycles_before_ = 0; ///< V-cycles of these runs
+  const std::uint32_t gap_file_;       ///< input_files_checksum()
+  double checkpoint_pause_;            ///< least seconds to the next one
+  double seconds_before_ = 0;          ///< wall time of the runs before the checkpoint
+  unsigned long v_cycles_before_ = 0;  ///< V-cycles of these runs
+  unsigned long v_cycles_written_ = 0; ///< V-cycles of this run that timing.csv has
 };
 } // namespace orthocone

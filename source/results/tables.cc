@@ -126,7 +126,9 @@ const Columns<SolvedStep> &timing_columns()
       {"step", "", "number of the load step, from 1", [](const Step &s) { return s.state.step; }},
       {"seconds", "s", "wall time of the contact solver", [](const Step &s) { return s.seconds; }},
       {"iterations", "", "iterations of the contact solver",
-       [](const Step &s) { return s.report.iterations; }}};
+       [](const Step &s) { return s.report.iterations; }},
+      {"v_cycles", "", "V-cycles on the finest mesh, since the step before; 0 without multigrid",
+       [](const Step &s) { return s.n_v_cycles; }}};
   return columns;
 }
 

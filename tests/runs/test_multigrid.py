@@ -49,6 +49,11 @@ class SameStatesTest(RunTest):
         iterations = [int(row["iterations"]) for row in self.rows("run")]
         self.assertGreater(sum(iterations[:15]), 15)
         self.assertEqual(sum(iterations[15:]), 0)
+        v_cycles = [int(row["v_cycles"]) for row in self.rows("run", "timing.csv")]
+        summary = json.loads((self.folder / "run/summary.json").read_text())
+        self.assertEqual(sum(v_cycles), summary["contact_solver"]["v_cycles"])
+        self.assertLess(sum(v_cycles[15:]), sum(v_cycles[:15]))
+        self.assertEqual(max(v_cycles[1:5]), 0)  # proportional to the first
 
 
 class ResumedTest(ResumeTest):

@@ -22,6 +22,7 @@ struct SolvedStep
   double seconds; ///< wall time of the solver
   LoadStep step{};
   std::string method = ContactSolverOptions().method; ///< word of a ContactMethod
-  std::string driven{}; ///< components of the held face that the step drives, such as "ux uy uz"
+  std::string driven{};        ///< components of the held face that the step drives, such as "ux uy uz"
+  unsigned int n_v_cycles = 0; ///< on the finest mesh, since the step before
 };
 } // namespace orthocone
