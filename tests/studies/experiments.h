@@ -60,4 +60,8 @@ void fixed_jumps(const Words &words);
 /// studies half_space DEGREE: error of the half-space's quadrature over cells and Gauss points, by the work
 /// of a uniform pressure on a square, and the orders in both.
 void half_space(const Words &words);
+
+/// studies elastic FILE.prm [--set "Section/Entry=value"]...: size of the body, V-cycles that its solution
+/// under a uniform pressure on the base takes for eight digits, seconds, and the memory of the process.
+void elastic(const Words &words);
 } // namespace orthocone::studies

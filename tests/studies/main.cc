@@ -22,6 +22,7 @@ int main(const int argc, const char *const *const argv)
       {"one_node", one_node},
       {"half_space", half_space},
       {"fixed_jumps", fixed_jumps},
+      {"elastic", elastic},
   };
   const Words words(argv + 1, argv + argc);
   const auto experiment = words.empty() ? experiments.end() : experiments.find(words.front());

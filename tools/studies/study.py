@@ -16,7 +16,7 @@ import style  # noqa: E402
 # that shows it; measured(context), the rows of its points; figures(rows), {name: figure}; and, if the page has tables
 # of it, tables(rows), {name: text}.
 STUDIES = ("discretization", "adaptive", "solvers", "load_stepping", "slip_integration", "projection", "reduced_models", "maps",
-           "backends", "scale", "spectra", "small_problems", "uniqueness", "locking", "wear_jumps", "wear_steps",
+           "backends", "elastic", "scale", "spectra", "small_problems", "uniqueness", "locking", "wear_jumps", "wear_steps",
            "wear_flicker", "counterbodies", "imported")
 
 
@@ -26,6 +26,7 @@ class Context:
     def __init__(self, name, options):
         self.name = name
         self.is_quick = options.quick
+        self.is_large = options.large
         self.jobs = options.jobs
         self.folder = options.output  # of files that are no rows
         self._programs = {"build/orthocone": options.program, "build/tests/studies/studies": options.studies}
@@ -44,6 +45,7 @@ def parsed_options():
     parser.add_argument("--docs", action="store_true", help="also refresh the pages, pictures and tables in docs/")
     parser.add_argument("--anew", action="store_true", help="compute also the points that are there already")
     parser.add_argument("--quick", action="store_true", help="few points: a test of this tool, not a study")
+    parser.add_argument("--large", action="store_true", help="also the points of `elastic` that take gigabytes")
     parser.add_argument("--jobs", type=int, default=2, help="runs at a time where no time is measured (2)")
     parser.add_argument("--output", type=pathlib.Path, help="folder of the results (output/study)")
     parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/orthocone")
