@@ -21,7 +21,7 @@ struct BodyIterate
       : unknowns(std::move(unknowns_)),
         displacement(std::move(displacement_)),
         body(std::move(body_)),
-        linearization(linearize(step, unknowns, displacement, rho_factor)),
+        linearization(linearize_pressure_first(step, unknowns, displacement, rho_factor)),
         rest_norm(step.system().compliance().norm(body.rest)),
         error(std::hypot(linearization.error, rest_norm))
   {
