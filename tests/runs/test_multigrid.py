@@ -56,6 +56,19 @@ class SameStatesTest(RunTest):
         self.assertEqual(max(v_cycles[1:5]), 0)  # proportional to the first
 
 
+    def test_a_step_costs_few_elastic_solutions(self):
+        """In the first cycle: mean and worst step. An elastic solution is some ten V-cycles."""
+        elastic = 10
+        for case, mean, worst in (("b", 2, 3.5), ("c", 3, 6)):
+            result = self.run_program(case, file=ROOT / f"prm/paper/case_{case}.prm", settings=[
+                *ISOTROPIC, "Mesh/Backend=multigrid", "Mesh/Refinements=2", "Load program/Cycles=1",
+                "Contact solver/Tolerance=1e-8", "Output/Volume fields=0"])
+            self.assertEqual((result.returncode, result.stderr), (DONE, ""))
+            v_cycles = [int(row["v_cycles"]) for row in self.rows(case, "timing.csv")]
+            self.assertLessEqual(sum(v_cycles), mean * elastic * len(v_cycles))
+            self.assertLessEqual(max(v_cycles), worst * elastic)
+
+
 class ResumedTest(ResumeTest):
     SETTINGS = [*ISOTROPIC, "Mesh/Refinements=1", "Mesh/Backend=multigrid", "Load program/Cycles=2", EVERY_STEP]
     RESULTS = ["history.csv", "checks.csv", "cycles.csv", "contact.pvd", "contact-0030.vtu"]
