@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
+#include "body/mpi.h"
 #include "multigrid/matrix_free_stiffness.h"
 #include "multigrid/v_cycle.h"
 #include "scene.h"
@@ -12,7 +13,6 @@
 #include <deal.II/lac/solver_cg.h>
 #include <deal.II/lac/solver_control.h>
 
-#include <mpi.h>
 #include <sys/resource.h>
 
 #include <iostream>
@@ -65,7 +65,7 @@ Parameters adapted(Parameters parameters)
 
 void elastic(const Words &words)
 {
-  MPI_Init(nullptr, nullptr);
+  test::start_mpi_unwatched();
   {
     const Parameters parameters = adapted(SceneWords(words).parameters);
     const Stopwatch set_up;
