@@ -45,6 +45,26 @@ ContactSystem system_on_the_way(const ContactSystem &system, const double t)
   return {system.compliance(), std::move(laws)};
 }
 
+/// Whether another way may find what Newton's method did not.
+bool may_be_solvable(const Verdict verdict)
+{
+  return verdict == Verdict::cycling || verdict == Verdict::slow || verdict == Verdict::diverged;
+}
+
+/// Newton's method on the map that stalls less often, and on the other one where it stalls.
+SolverReport solve_on_a_map(const ContactStep &step, const ContactSolverOptions &options, VectorXd &unknowns)
+{
+  const VectorXd start = unknowns;
+  SolverReport report = make_inexact_newton(step.system(), options)->solve(step, unknowns);
+  if (report.converged || !may_be_solvable(report.verdict))
+    return report;
+  const unsigned int iterations = report.iterations;
+  unknowns = start;
+  report = make_natural_newton(step.system(), options)->solve(step, unknowns);
+  report.iterations += iterations;
+  return report;
+}
+
 /// Newton's method. Where it does not converge for a slip rule far from the associated one, it solves with
 /// slip rules between both, each from the solution of the one before: without a dense W no sweeps can help.
 class Continuation : public ContactSolver
@@ -52,7 +72,6 @@ class Continuation : public ContactSolver
 public:
   Continuation(const ContactSystem &system, const ContactSolverOptions &options)
       : options_(options),
-        newton_(make_inexact_newton(system, options)),
         is_associated_(is_associated(system))
   {
   }
@@ -71,7 +90,6 @@ private:
   SolverReport solve_at(const ContactStep &step, double t, Walk &walk) const;
 
   ContactSolverOptions options_;
-  std::unique_ptr<ContactSolver> newton_;
   bool is_associated_;
 };
 
@@ -89,11 +107,10 @@ SolverReport Continuation::solve_at(const ContactStep &step, const double t, Wal
   {
     options.tolerance = accurate;
     const ContactSystem system = system_on_the_way(step.system(), t);
-    report =
-        make_inexact_newton(system, options)->solve(ContactStep(system, step.q(), step.face()), unknowns);
+    report = solve_on_a_map(ContactStep(system, step.q(), step.face()), options, unknowns);
   }
   else
-    report = make_inexact_newton(step.system(), options)->solve(step, unknowns);
+    report = solve_on_a_map(step, options, unknowns);
   walk.iterations += report.iterations;
   if (report.converged)
     walk.unknowns = std::move(unknowns);
@@ -121,10 +138,8 @@ std::optional<SolverReport> Continuation::follow(const ContactStep &step, Walk &
 SolverReport Continuation::solve(const ContactStep &step, VectorXd &unknowns) const
 {
   Walk walk{unknowns};
-  SolverReport report = newton_->solve(step, unknowns);
-  const bool may_help = report.verdict == Verdict::cycling || report.verdict == Verdict::slow ||
-                        report.verdict == Verdict::diverged;
-  if (report.converged || is_associated_ || !may_help)
+  SolverReport report = solve_on_a_map(step, options_, unknowns);
+  if (report.converged || is_associated_ || !may_be_solvable(report.verdict))
     return report;
   const unsigned int iterations = report.iterations;
   if (auto followed = follow(step, walk))

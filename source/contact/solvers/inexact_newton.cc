@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include "linearization.h"
+#include "line_search.h"
 #include "solvers.h"
 
 #include <algorithm>
@@ -16,12 +16,12 @@ namespace
 /// Unknowns, their displacement, the body behind them, and the law linearized there.
 struct BodyIterate
 {
-  BodyIterate(const ContactStep &step, VectorXd unknowns_, NodeVector displacement_, BodyPart body_,
-              const double rho_factor)
+  BodyIterate(Map *const map, const ContactStep &step, VectorXd unknowns_, NodeVector displacement_,
+              BodyPart body_, const double rho_factor)
       : unknowns(std::move(unknowns_)),
         displacement(std::move(displacement_)),
         body(std::move(body_)),
-        linearization(linearize_pressure_first(step, unknowns, displacement, rho_factor)),
+        linearization(map(step, unknowns, displacement, rho_factor)),
         rest_norm(step.system().compliance().norm(body.rest)),
         error(std::hypot(linearization.error, rest_norm))
   {
@@ -69,8 +69,9 @@ private:
 class InexactNewton : public ContactSolver
 {
 public:
-  InexactNewton(const ContactSystem &system, const ContactSolverOptions &options)
+  InexactNewton(const ContactSystem &system, const ContactSolverOptions &options, Map *const map)
       : options_(options),
+        map_(map),
         conditions_(condition_solver(system, "newton"))
   {
   }
@@ -81,16 +82,17 @@ private:
   BodyIterate near(const ContactStep &step, const VectorXd &unknowns) const
   {
     ContactChange near = step.near(unknowns);
-    return {step, unknowns, std::move(near.displacement), std::move(near.body), options_.rho_factor};
+    return {map_, step, unknowns, std::move(near.displacement), std::move(near.body), options_.rho_factor};
   }
   BodyIterate next(const ContactStep &step, const BodyIterate &last, double accuracy) const;
   bool is_solved(const ContactStep &step, BodyIterate &iterate, VectorXd &unknowns) const;
 
   ContactSolverOptions options_;
+  Map *map_;
   std::unique_ptr<ConditionSolver> conditions_;
 };
 
-/// Newton's change, or the share of it that reduces the error. Where none does, pieces of the natural map
+/// Newton's change, or the share of it that reduces the error. Where none does, pieces of the map
 /// meet: then it is the share with the least error if that is little worse than the last error, else all of
 /// it.
 BodyIterate InexactNewton::next(const ContactStep &step, const BodyIterate &last, const double accuracy) const
@@ -101,8 +103,9 @@ BodyIterate InexactNewton::next(const ContactStep &step, const BodyIterate &last
   moved << change.force, change.face;
   const auto trial = [&](const double length)
   {
-    return BodyIterate(step, last.unknowns + length * moved, last.displacement + length * change.displacement,
-                       last.body.moved(length, change.body), options_.rho_factor);
+    return BodyIterate(map_, step, last.unknowns + length * moved,
+                       last.displacement + length * change.displacement, last.body.moved(length, change.body),
+                       options_.rho_factor);
   };
   BodyIterate best = trial(1);
   for (double length = 1; length >= smallest_step; length /= 2)
@@ -171,6 +174,12 @@ SolverReport InexactNewton::solve(const ContactStep &step, VectorXd &unknowns) c
 std::unique_ptr<ContactSolver> make_inexact_newton(const ContactSystem &system,
                                                    const ContactSolverOptions &options)
 {
-  return make<InexactNewton>(system, options);
+  return std::make_unique<InexactNewton>(system, options, linearize_pressure_first);
+}
+
+std::unique_ptr<ContactSolver> make_natural_newton(const ContactSystem &system,
+                                                   const ContactSolverOptions &options)
+{
+  return std::make_unique<InexactNewton>(system, options, linearize);
 }
 } // namespace orthocone

@@ -98,9 +98,12 @@ std::unique_ptr<ContactSolver> make(const ContactSystem &system, const ContactSo
   return std::make_unique<Solver>(system, options);
 }
 
-/// The first one is Newton's method where the backend has no dense compliance. The second one is the method
-/// `newton` there: it follows the solution from the associated slip rule where the first one fails.
+/// The first two are Newton's method where the backend has no dense compliance, on the map that asks for the
+/// pressure first and on the natural map. The third one is the method `newton` there: it tries both, and
+/// follows the solution from the associated slip rule where they fail.
 std::unique_ptr<ContactSolver> make_inexact_newton(const ContactSystem &system,
+                                                   const ContactSolverOptions &options);
+std::unique_ptr<ContactSolver> make_natural_newton(const ContactSystem &system,
                                                    const ContactSolverOptions &options);
 std::unique_ptr<ContactSolver> make_continuation(const ContactSystem &system,
                                                  const ContactSolverOptions &options);
