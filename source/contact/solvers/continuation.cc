@@ -52,18 +52,31 @@ bool may_be_solvable(const Verdict verdict)
 }
 
 /// Newton's method on the map that stalls less often, and on the other one where it stalls.
-SolverReport solve_on_a_map(const ContactStep &step, const ContactSolverOptions &options, VectorXd &unknowns)
+class OnEitherMap : public ContactSolver
 {
-  const VectorXd start = unknowns;
-  SolverReport report = make_inexact_newton(step.system(), options)->solve(step, unknowns);
-  if (report.converged || !may_be_solvable(report.verdict))
+public:
+  OnEitherMap(const ContactSystem &system, const ContactSolverOptions &options)
+      : pressure_first_(make_inexact_newton(system, options)),
+        natural_(make_natural_newton(system, options))
+  {
+  }
+
+  SolverReport solve(const ContactStep &step, VectorXd &unknowns) const override
+  {
+    const VectorXd start = unknowns;
+    SolverReport report = pressure_first_->solve(step, unknowns);
+    if (report.converged || !may_be_solvable(report.verdict))
+      return report;
+    const unsigned int iterations = report.iterations;
+    unknowns = start;
+    report = natural_->solve(step, unknowns);
+    report.iterations += iterations;
     return report;
-  const unsigned int iterations = report.iterations;
-  unknowns = start;
-  report = make_natural_newton(step.system(), options)->solve(step, unknowns);
-  report.iterations += iterations;
-  return report;
-}
+  }
+
+private:
+  std::unique_ptr<ContactSolver> pressure_first_, natural_;
+};
 
 /// Newton's method. Where it does not converge for a slip rule far from the associated one, it solves with
 /// slip rules between both, each from the solution of the one before: without a dense W no sweeps can help.
@@ -72,6 +85,7 @@ class Continuation : public ContactSolver
 public:
   Continuation(const ContactSystem &system, const ContactSolverOptions &options)
       : options_(options),
+        newton_(system, options),
         is_associated_(is_associated(system))
   {
   }
@@ -90,6 +104,7 @@ private:
   SolverReport solve_at(const ContactStep &step, double t, Walk &walk) const;
 
   ContactSolverOptions options_;
+  OnEitherMap newton_;
   bool is_associated_;
 };
 
@@ -107,10 +122,10 @@ SolverReport Continuation::solve_at(const ContactStep &step, const double t, Wal
   {
     options.tolerance = accurate;
     const ContactSystem system = system_on_the_way(step.system(), t);
-    report = solve_on_a_map(ContactStep(system, step.q(), step.face()), options, unknowns);
+    report = OnEitherMap(system, options).solve(ContactStep(system, step.q(), step.face()), unknowns);
   }
   else
-    report = solve_on_a_map(step, options, unknowns);
+    report = OnEitherMap(step.system(), options).solve(step, unknowns);
   walk.iterations += report.iterations;
   if (report.converged)
     walk.unknowns = std::move(unknowns);
@@ -138,7 +153,7 @@ std::optional<SolverReport> Continuation::follow(const ContactStep &step, Walk &
 SolverReport Continuation::solve(const ContactStep &step, VectorXd &unknowns) const
 {
   Walk walk{unknowns};
-  SolverReport report = solve_on_a_map(step, options_, unknowns);
+  SolverReport report = newton_.solve(step, unknowns);
   if (report.converged || is_associated_ || !may_be_solvable(report.verdict))
     return report;
   const unsigned int iterations = report.iterations;
