@@ -19,8 +19,8 @@ namespace
 {
 using Nodes = std::vector<Index>;
 
-// Of the small problem, docs/performance.md: fewer neighbours leave more for the whole surface to mend.
-constexpr Index most_worst = 24, neighbours = 32, most_nodes = 100;
+// Of the small problem: fewer neighbours would leave more for the whole surface to mend.
+constexpr Index most_worst = 24, neighbours = 32, size_of_problem = 100;
 
 /// A block of W, from its lower half.
 Matrix3d block(const DenseView &w, const Index i, const Index j)
@@ -80,7 +80,8 @@ Nodes with_neighbours(Nodes nodes, const DenseView &w)
   }
   for (Index k = 0; k < n_near; ++k)
     for (const Nodes &candidates : near)
-      if (const Index node = candidates[k]; !is_chosen[node] && static_cast<Index>(nodes.size()) < most_nodes)
+      if (const Index node = candidates[k];
+          !is_chosen[node] && static_cast<Index>(nodes.size()) < size_of_problem)
       {
         is_chosen[node] = true;
         nodes.push_back(node);
@@ -120,7 +121,7 @@ HardestNodes::Result HardestNodes::solve(const ContactStep &step, const VectorXd
 {
   constexpr Index least_surface = 3; // of the small problem's nodes: else it is no small one
   const DenseView *const w = step.system().compliance().dense();
-  if (w == nullptr || step.n_nodes() < least_surface * most_nodes)
+  if (w == nullptr || step.n_nodes() < least_surface * size_of_problem)
     return {};
   Nodes nodes = worst_nodes(step.natural_map(unknowns, displacement), step.n_nodes());
   if (nodes.empty())
