@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include "hardest_nodes.h"
 
+#include <orthocone/surface/nearest_nodes.h>
+
 #include <algorithm>
 #include <cmath>
 #include <numeric>
@@ -55,30 +57,27 @@ Nodes worst_nodes(const VectorXd &map, const Index n_nodes)
   return {};
 }
 
-/// The `n` nodes whose normal displacement a normal force on `node` changes most, nearest first.
-Nodes nearest_nodes(const DenseView &w, const Index node, const Index n)
+/// The node and its nearest ones, nearest first.
+Nodes neighbourhood(const DenseView &w, const Index node)
 {
-  Nodes nodes(w.rows() / 3);
-  std::iota(nodes.begin(), nodes.end(), 0);
-  const auto moved = [&](const Index i) { return w(3 * std::max(i, node), 3 * std::min(i, node)); };
-  std::partial_sort(nodes.begin(), nodes.begin() + n, nodes.end(),
-                    [&](const Index a, const Index b) { return moved(a) > moved(b); });
-  nodes.resize(n);
+  Nodes nodes = nearest_nodes(w, node, neighbours);
+  const auto is_nearer = [&](const Index a, const Index b)
+  { return w(3 * a, 3 * node) > w(3 * b, 3 * node); };
+  std::sort(nodes.begin(), nodes.end(), is_nearer);
   return nodes;
 }
 
 /// `nodes`, and their nearest ones in turn, until there are enough.
 Nodes with_neighbours(Nodes nodes, const DenseView &w)
 {
-  const Index n_near = std::min<Index>(neighbours, w.rows() / 3);
   std::vector<bool> is_chosen(w.rows() / 3, false);
   std::vector<Nodes> near;
   for (const Index node : nodes)
   {
     is_chosen[node] = true;
-    near.push_back(nearest_nodes(w, node, n_near));
+    near.push_back(neighbourhood(w, node));
   }
-  for (Index k = 0; k < n_near; ++k)
+  for (Index k = 0; k < neighbours; ++k)
     for (const Nodes &candidates : near)
       if (const Index node = candidates[k];
           !is_chosen[node] && static_cast<Index>(nodes.size()) < size_of_problem)
