@@ -65,6 +65,14 @@ bool ProximalSteps::are_needed() const
   return *is_singular_;
 }
 
+bool ProximalSteps::are_needed_by_few_nodes() const
+{
+  constexpr Index few_nodes = 12;
+  const DenseView *const w = system_.compliance().dense();
+  const Index size = 3 * std::min(few_nodes, system_.n_nodes());
+  return w != nullptr && is_singular(w->topLeftCorner(size, size));
+}
+
 unsigned int ProximalSteps::improve(const ContactStep &step, VectorXd &unknowns,
                                     const unsigned int most_iterations) const
 {

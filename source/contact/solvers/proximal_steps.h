@@ -23,6 +23,9 @@ public:
 
   /// Whether W is dense and singular to rounding. More than 500 nodes are not looked at.
   bool are_needed() const;
+  /// The same for the first few nodes alone, which takes next to no time. Contacts of one rigid body show
+  /// there that W is singular.
+  bool are_needed_by_few_nodes() const;
 
   /// Improves `unknowns` and returns the number of iterations of all problems, which is about
   /// `most_iterations` at most.
