@@ -52,7 +52,10 @@ class Writer:
 
     def _is_done(self, name, command):
         done = self._folder / name / "done.json"
-        return done.exists() and json.loads(done.read_text(encoding="utf-8")) == {"command": command}
+        try:
+            return json.loads(done.read_text(encoding="utf-8")) == {"command": command}
+        except (FileNotFoundError, ValueError):  # ValueError: the machine stopped before it was written
+            return False
 
     def _set_done(self, name, command):
         (self._folder / name / "done.json").write_text(json.dumps({"command": command}), encoding="utf-8")
