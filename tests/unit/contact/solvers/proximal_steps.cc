@@ -72,8 +72,7 @@ SolverReport report_of(const MatrixXd &h, const VectorXd &motion, const double g
 }
 } // namespace
 
-// Up to 400 sweeps come first. Without proximal steps the same method needs more than 6000 iterations on each
-// of them. With steps of
+// Without proximal steps the same method needs more than 6000 iterations on each of them. With steps of
 // Newton's method that are solved to 1 % in single precision, the stack of 96 contacts is not solved at all.
 TEST(ProximalSteps, SolveStacksOfRigidPlates)
 {
@@ -84,7 +83,7 @@ TEST(ProximalSteps, SolveStacksOfRigidPlates)
     motion << 0.2, 0.05, -1, 0, 0, 0.1;
     const SolverReport report = report_of(stack(n_plates, n_contacts), motion.replicate(n_plates, 1), 0, mu);
     EXPECT_TRUE(report.converged) << n_plates << " plates: " << to_word(report.verdict);
-    EXPECT_LT(report.iterations, 400u + 500u) << n_plates << " plates";
+    EXPECT_LT(report.iterations, 500u) << n_plates << " plates";
     EXPECT_LT(report.law.penetration, 1e-5);
     EXPECT_LT(report.law.slip_rule, 1e-5);
   }
