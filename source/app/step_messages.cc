@@ -30,11 +30,11 @@ std::string unsolved_step_text(const LoadStep &step, const std::vector<LoadStep>
   const auto &worst = scene.surface().nodes[report.worst_node];
   const bool is_dense = scene.system().compliance().dense() != nullptr;
   std::ostringstream text;
-  text << name_of(step, steps) << " is not solved by " << options.method << ", not even in eighths: residual "
-       << report.residual << " > tolerance " << options.tolerance << ", penetration " << report.penetration
-       << " mm, worst node at (" << worst.position[0] << ", " << worst.position[1] << ") mm after "
-       << report.iterations << " iterations.\nThe files of the steps before stay. "
-       << diagnosis(options, report, is_dense);
+  text << name_of(step, steps) << " is not solved by " << options.method
+       << ", not even in eighths, or from no force: residual " << report.residual << " > tolerance "
+       << options.tolerance << ", penetration " << report.penetration << " mm, worst node at ("
+       << worst.position[0] << ", " << worst.position[1] << ") mm after " << report.iterations
+       << " iterations.\nThe files of the steps before stay. " << diagnosis(options, report, is_dense);
   return text.str();
 }
 

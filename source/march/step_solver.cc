@@ -38,15 +38,6 @@ std::shared_ptr<const SolvedProblem> solved(const ContactStep &problem, const Ve
 {
   return std::make_shared<const SolvedProblem>(SolvedProblem{problem, unknowns});
 }
-
-/// The least motion along the normal that leaves no node under pressure, mm.
-double opening_motion(const NodeVector &free_gap)
-{
-  double motion = -free_gap[0];
-  for (Index i = 0; i < free_gap.size(); i += 3)
-    motion = std::max(motion, -free_gap[i]);
-  return motion;
-}
 } // namespace
 
 StepSolver::StepSolver(const Scene &scene)
@@ -116,16 +107,31 @@ SolverReport StepSolver::solve_in_one(ContactState &state, const LoadStep &step)
   constexpr unsigned int most_halvings = 3;
   const ContactState before = state;
   state.leg_begin = leg_begin(state, step);
+  const ContactState begin = state;
   const Attempt whole = attempt(state, step.target(state.leg_begin));
-  const SolverReport report = whole.target.is_release()
-                                  ? release(state, whole)
-                                  : solve_to(state, whole, start_of(whole, before, step), most_halvings);
+  SolverReport report = whole.target.is_release()
+                            ? release(state, whole)
+                            : solve_to(state, whole, start_of(whole, before, step), most_halvings);
+  if (!report.converged && report.verdict != Verdict::unbalanced && !whole.target.is_release())
+  {
+    state = begin;
+    report = solve_from_no_force(state, whole, report);
+  }
   if (report.converged)
     state.step = step.number;
   else
     state = before;
   unsolved_ = report.converged ? std::nullopt : std::optional<ContactStep>(whole.problem);
   return report;
+}
+
+/// Where friction lets a step have several solutions, none may be near the state before.
+SolverReport StepSolver::solve_from_no_force(ContactState &state, const Attempt &attempt,
+                                             const SolverReport &failure) const
+{
+  SolverReport report = solve_to(state, attempt, VectorXd::Zero(attempt.problem.n_unknowns()), 0);
+  report.iterations += failure.iterations;
+  return report.converged ? report : failure;
 }
 
 /// The best start from the past, or the change of the step on a coarser mesh where that start is far off.
@@ -272,27 +278,6 @@ SolverReport StepSolver::solve_halves(ContactState &state, const FaceTarget &tar
   if (first.converged)
     add_earlier(report, first);
   report.iterations += failure.iterations;
-  return report;
-}
-
-/// Nothing presses, so that there are no contact forces. This leaves the motion undetermined; taken is the
-/// first one on the way at which the forces vanish (docs/theory.md, section 3).
-SolverReport StepSolver::release(ContactState &state, const Attempt &attempt) const
-{
-  constexpr unsigned int normal = 2;
-  FaceTarget open{{}, attempt.target.motion, {}};
-  for (const unsigned int component : attempt.components)
-    open.motion[component] = component == normal ? 0 : state.motion[component];
-  open.motion[normal] = opening_motion(free_displacement_with_wear(state, open));
-  const Attempt apart = this->attempt(state, open);
-  const VectorXd none = VectorXd::Zero(apart.problem.n_unknowns());
-  SolverReport report = make_report(apart.problem, none, 0, tolerance_);
-  report.is_released = true;
-  if (report.converged)
-  {
-    accept_unknowns(state, apart, none);
-    report.last_part = solved(apart.problem, none);
-  }
   return report;
 }
 } // namespace orthocone

@@ -133,6 +133,8 @@ private:
   NodeVector free_displacement_with_wear(const ContactState &state, const FaceTarget &target) const;
   SolverReport solve_to(ContactState &state, const Attempt &attempt, Eigen::VectorXd unknowns,
                         unsigned int n_halvings) const;
+  SolverReport solve_from_no_force(ContactState &state, const Attempt &attempt,
+                                   const SolverReport &failure) const;
   SolverReport solve_halves(ContactState &state, const FaceTarget &target, const SolverReport &failure,
                             unsigned int n_halvings) const;
   SolverReport release(ContactState &state, const Attempt &attempt) const;
