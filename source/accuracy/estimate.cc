@@ -174,12 +174,18 @@ Estimate usual_estimate(const Parameters &parameters, const ModelSize &size, con
   return of_factorization(parameters, size, symmetry, cost, rate);
 }
 
+double least_gigabytes(const ModelSize &size)
+{
+  const double n_contact = 3 * size.contact_nodes;
+  return (1.5 * size.stiffness_entries + dense_matrices * n_contact * n_contact) * bytes_per_number /
+         gigabyte;
+}
+
 Estimate least_estimate(const ModelSize &size)
 {
   const double n_contact = 3 * size.contact_nodes;
   Estimate result{};
-  result.gigabytes =
-      (1.5 * size.stiffness_entries + dense_matrices * n_contact * n_contact) * bytes_per_number / gigabyte;
+  result.gigabytes = least_gigabytes(size);
   result.set_up_seconds = 2 * cube(n_contact) / measured_flop_rate();
   result.step_seconds = 2 * n_contact * n_contact * bytes_per_number / 4 / memory_bandwidth;
   return result;

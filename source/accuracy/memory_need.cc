@@ -39,7 +39,7 @@ static std::optional<double> needed_gigabytes(const Parameters &parameters, cons
   if (parameters.mesh.backend == BodyBackend::multigrid)
     return multigrid_gigabytes(parameters, size, symmetry);
   const double steps = step_gigabytes(parameters.load, size.contact_nodes);
-  if (const double least = least_estimate(size).gigabytes; least > gigabytes)
+  if (const double least = least_gigabytes(size); least > gigabytes)
     return least;
   require_countable(size);
   const double lower_dofs = parameters.obstacle.kind == ObstacleKind::body

@@ -61,8 +61,17 @@ ThreadChoice choose_threads(const double unknowns, const UsableCores &cores, con
           std::to_string(cores.granted) + " cores, others busy on " + std::to_string(n_others)};
 }
 
+/// CHOLMOD's loops ask OpenMP for four threads, whatever OMP_NUM_THREADS says. With no active level they get
+/// the calling one.
+static void set_openmp_levels(const int number)
+{
+  if (auto *const set = reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, "omp_set_max_active_levels")))
+    set(number);
+}
+
 void set_blas_threads(const unsigned int number)
 {
+  set_openmp_levels(number > 1 ? 1 : 0);
   // Debian's alternatives decide at run time which BLAS is there.
   if (auto *const set = reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads")))
     set(static_cast<int>(number));

@@ -41,6 +41,9 @@ double multigrid_gigabytes(const Parameters &parameters, const ModelSize &size,
 /// dense compliance.
 Estimate least_estimate(const ModelSize &size);
 
+/// The memory of least_estimate() alone, GB. It measures nothing.
+double least_gigabytes(const ModelSize &size);
+
 /// The memory that a run keeps for its steps, GB.
 double step_gigabytes(const LoadOptions &load, double contact_nodes);
 

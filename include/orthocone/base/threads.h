@@ -40,7 +40,8 @@ unsigned int blas_threads();
 /// The number that a variable of the environment gives, such as OPENBLAS_NUM_THREADS, if there is one.
 std::optional<ThreadChoice> threads_of_environment();
 
-/// Makes OpenBLAS compute with so many threads from now on. Does nothing with another BLAS.
+/// Makes OpenBLAS compute with so many threads from now on; does nothing with another BLAS. With one, loops
+/// of OpenMP that this thread begins have one, too.
 void set_blas_threads(unsigned int number);
 
 /// While this object lives, OpenBLAS runs on one thread if the matrices of the work are small: their products

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
+#include <orthocone/base/threads.h>
 #include <orthocone/body/backends/stiffness_factor.h>
 
 #include <gtest/gtest.h>
@@ -8,6 +9,8 @@
 #include <cmath>
 #include <csignal>
 #include <cstdlib>
+#include <filesystem>
+#include <iterator>
 
 namespace orthocone::test
 {
@@ -39,6 +42,12 @@ void terminate_after(const int milliseconds)
   timer.it_value.tv_usec = 1000 * milliseconds;
   setitimer(ITIMER_REAL, &timer, nullptr);
 }
+
+auto threads_of_process()
+{
+  const std::filesystem::directory_iterator first("/proc/self/task"), end;
+  return std::distance(first, end);
+}
 } // namespace
 
 // Nested dissection of a cube against the band of the order as given.
@@ -49,6 +58,22 @@ TEST(Ordering, KeepsTheFactorSparse)
   const double banded = std::pow(n, 5.);
   EXPECT_LT(cost.entries, 0.5 * banded);
   EXPECT_GT(cost.entries, 4. * n_points);
+}
+
+// CHOLMOD asks OpenMP for four threads in every supernode. In a small run these cost more than they do.
+TEST(Factorization, StartsNoThreadsWhereThereIsOne)
+{
+  const auto pattern = stencil(20);
+  dealii::SparseMatrix<double> matrix(pattern);
+  for (unsigned int row = 0; row < matrix.m(); ++row)
+    for (auto entry = matrix.begin(row); entry != matrix.end(row); ++entry)
+      entry->value() = entry->column() == row ? 7 : -1;
+  const unsigned int blas_before = blas_threads();
+  set_blas_threads(1);
+  const auto threads_before = threads_of_process();
+  const StiffnessFactor factor(matrix, matrix.m());
+  EXPECT_LE(threads_of_process(), threads_before); // OpenBLAS ends its own where METIS forks
+  set_blas_threads(blas_before);
 }
 
 // METIS has a handler of its own for SIGTERM, the signal that batch systems and containers stop a run by.
