@@ -3,6 +3,7 @@
 #include <orthocone/accuracy/estimate.h>
 
 #include <orthocone/base/ranks.h>
+#include <orthocone/march/step_solver.h>
 #include <orthocone/multigrid/multigrid_body.h>
 #include <orthocone/scene/load_program.h>
 
@@ -63,8 +64,13 @@ double multigrid_gigabytes(const Parameters &parameters, const ModelSize &size, 
       1. + parameters.mesh.refinements + static_cast<double>(parameters.mesh.refined_cells.size());
   const double of_each = program + n_levels * cost_of_coarsest(on_coarsest(parameters), symmetry).gigabytes +
                          step_gigabytes(parameters.load, size.contact_nodes);
+  // A checkpoint has the bodies of a cycle in its text, which is copied, too.
+  constexpr double copies = 7;
+  const double bodies = std::min(static_cast<double>(StartMemory::most_body_bytes),
+                                 sizeof(double) * size.dofs * LoadProgram(parameters.load).n_solved_parts() /
+                                     std::max(1U, parameters.load.cycles));
   // This counts all processes as if they ran on this machine.
-  return n_ranks() * of_each + (bytes_per_unknown * size.dofs) / bytes_per_gigabyte;
+  return n_ranks() * of_each + (bytes_per_unknown * size.dofs + copies * bodies) / bytes_per_gigabyte;
 }
 
 /// The numbers are from docs/performance.md, "Multigrid".

@@ -40,6 +40,37 @@ std::vector<VectorXd> gathered(const std::vector<VectorXd> &bodies)
   }
   return all;
 }
+
+/// Those of all processes behind one another.
+std::map<unsigned int, VectorXd> gathered(const std::map<unsigned int, VectorXd> &body_of_phase)
+{
+  std::map<unsigned int, VectorXd> all;
+  for (const auto &[phase, body] : body_of_phase)
+  {
+    std::string bytes;
+    for (const std::string &of_rank : gather_on_first(bytes_of(body)))
+      bytes += of_rank;
+    all[phase] = vector_of(bytes);
+  }
+  return all;
+}
+
+/// The parts of this process, which has `n_bodies` of all `bodies`: these have the sizes of all parts.
+std::map<unsigned int, VectorXd> own_parts(const std::map<unsigned int, VectorXd> &body_of_phase,
+                                           const std::vector<VectorXd> &bodies, const std::size_t n_bodies)
+{
+  std::map<unsigned int, VectorXd> own;
+  if (n_bodies == 0)
+    return own;
+  Eigen::Index first = 0;
+  for (unsigned int rank = 0; rank < this_rank(); ++rank)
+    first += bodies[n_bodies * rank].size();
+  const Eigen::Index size = bodies[n_bodies * this_rank()].size();
+  for (const auto &[phase, body] : body_of_phase)
+    if (first + size <= body.size())
+      own[phase] = body.segment(first, size);
+  return own;
+}
 } // namespace
 
 StartMemory gathered(StartMemory memory)
@@ -47,6 +78,7 @@ StartMemory gathered(StartMemory memory)
   if (n_ranks() == 1)
     return memory;
   memory.bodies = gathered(memory.bodies);
+  memory.body_of_phase = gathered(memory.body_of_phase);
   for (MarchMemory &coarser : memory.coarser)
     coarser.starts = gathered(std::move(coarser.starts));
   return memory;
@@ -55,6 +87,7 @@ StartMemory gathered(StartMemory memory)
 StartMemory part_of_this_rank(StartMemory memory, const unsigned int n_ranks_then)
 {
   const std::size_t n = n_ranks_then == n_ranks() ? memory.bodies.size() / n_ranks() : 0;
+  memory.body_of_phase = own_parts(memory.body_of_phase, memory.bodies, n);
   const auto first = memory.bodies.begin() + static_cast<std::ptrdiff_t>(n * this_rank());
   memory.bodies = std::vector<VectorXd>(first, first + static_cast<std::ptrdiff_t>(n));
   for (MarchMemory &coarser : memory.coarser)

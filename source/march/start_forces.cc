@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/march/step_solver.h>
 
+#include <orthocone/base/ranks.h>
+
 #include <limits>
 
 namespace orthocone
@@ -93,5 +95,23 @@ void StartForces::remember(const ContactState &before, const ContactState &after
   if (of_phase.size() > 0)
     memory_.drift[step.phase] = end - of_phase;
   of_phase = end;
+}
+
+void StartForces::keep_body(const LoadStep &step, const bool is_dear)
+{
+  if (memory_.of_phase.count(step.phase) == 0 || memory_.bodies.empty())
+    return;
+  const Eigen::VectorXd &body = memory_.bodies.back();
+  const double bytes = sum_over_ranks(static_cast<double>(body.size() * sizeof(double)));
+  const auto most = static_cast<double>(StartMemory::most_body_bytes);
+  const bool has_room = bytes * static_cast<double>(memory_.body_of_phase.size() + 1) <= most;
+  if (memory_.body_of_phase.count(step.phase) > 0 || (is_dear && has_room))
+    memory_.body_of_phase[step.phase] = body;
+}
+
+const VectorXd *StartForces::body_of(const LoadStep &step) const
+{
+  const auto found = memory_.body_of_phase.find(step.phase);
+  return step.cycle > 0 && found != memory_.body_of_phase.end() ? &found->second : nullptr;
 }
 } // namespace orthocone

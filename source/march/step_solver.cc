@@ -79,6 +79,7 @@ StepSolver::Attempt StepSolver::attempt(const ContactState &state, const FaceTar
 SolverReport StepSolver::solve(ContactState &state, const LoadStep &step)
 {
   before_parts_.reset();
+  v_cycles_before_ = scene_.body().n_v_cycles();
   if (step.parts.empty())
     return solve_in_one(state, step);
   const ContactState before = state;
@@ -138,6 +139,7 @@ SolverReport StepSolver::solve_from_no_force(ContactState &state, const Attempt 
 VectorXd StepSolver::start_of(const Attempt &attempt, const ContactState &state, const LoadStep &step) const
 {
   constexpr double good = 1e-3; // what a coarser mesh finds is hardly better
+  learn_last_cycle(step);
   VectorXd start = starts_.best(attempt.problem, attempt.components, state, step, tolerance_);
   if (coarser_ == nullptr)
     return start;
@@ -177,49 +179,6 @@ double StepSolver::carried_share(const ContactState &before, const LoadStep &ste
     (solve_to(state, attempt, present_unknowns(state, attempt), 0).converged ? carried : lost) = share;
   }
   return carried;
-}
-
-void StepSolver::accept(const ContactState &before, const ContactState &after, const LoadStep &step)
-{
-  if (step.parts.empty())
-    accept_undivided(before, after, step);
-}
-
-void StepSolver::accept_undivided(const ContactState &before, const ContactState &after, const LoadStep &step)
-{
-  starts_.remember(before, after, step);
-  if (coarser_ != nullptr)
-    coarser_->accept(step);
-  keep_bodies(after);
-}
-
-void StepSolver::keep_bodies(const ContactState &state)
-{
-  std::vector<MarchMemory> coarser;
-  if (coarser_ != nullptr)
-    coarser.push_back(coarser_->memory());
-  starts_.keep(scene_.system().compliance().settle(state.force), std::move(coarser));
-}
-
-void StepSolver::settle(const ContactState &state)
-{
-  if (coarser_ != nullptr)
-    coarser_->settle();
-  keep_bodies(state);
-}
-
-void StepSolver::reject()
-{
-  if (before_parts_)
-    restore(*before_parts_);
-}
-
-void StepSolver::restore(const StartMemory &memory)
-{
-  starts_.restore(memory);
-  scene_.system().compliance().restore(memory.bodies);
-  if (coarser_ != nullptr && !memory.coarser.empty())
-    coarser_->restore(memory.coarser.front());
 }
 
 VectorXd StepSolver::present_unknowns(const ContactState &state, const Attempt &attempt) const

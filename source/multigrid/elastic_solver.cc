@@ -73,7 +73,7 @@ NearSolution ElasticSolver::near(const Vector &forces) const
 ElasticSolver::Vector ElasticSolver::solve(const Vector &forces, const double accuracy) const
 {
   constexpr unsigned int most_iterations = 200;
-  constexpr double margin = 0.3; // so that the displacement is accurate enough for the same forces next time
+  constexpr double margin = 0.9; // so that the displacement is accurate enough for the same forces next time
   const double bound = accuracy * forces.l2_norm();
   // The same forces get the same displacement, to the last bit.
   Vector difference = forces;

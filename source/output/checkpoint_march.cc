@@ -84,11 +84,25 @@ Json bodies_json(const std::vector<Eigen::VectorXd> &bodies)
   return json;
 }
 
+/// The size of a body is known only to the mesh.
+Eigen::VectorXd body_from(const Json &json)
+{
+  return array_from(json, static_cast<Index>(json.get_binary().size() / sizeof(double)));
+}
+
 std::vector<Eigen::VectorXd> bodies_from(const Json &json)
 {
   std::vector<Eigen::VectorXd> bodies;
   for (const Json &body : json)
-    bodies.push_back(array_from(body, static_cast<Index>(body.get_binary().size() / sizeof(double))));
+    bodies.push_back(body_from(body));
+  return bodies;
+}
+
+std::map<unsigned int, Eigen::VectorXd> phase_bodies_from(const Json &json)
+{
+  std::map<unsigned int, Eigen::VectorXd> bodies;
+  for (const Json &entry : json)
+    bodies[count_from(entry.at(0))] = body_from(entry.at(1));
   return bodies;
 }
 
@@ -114,11 +128,9 @@ std::vector<MarchMemory> coarser_from(const Json &json)
 
 Json starts_json(const StartMemory &starts)
 {
-  return {{"change", array_json(starts.change)},
-          {"of_phase", phases_json(starts.of_phase)},
-          {"drift", phases_json(starts.drift)},
-          {"bodies", bodies_json(starts.bodies)},
-          {"coarser", coarser_json(starts.coarser)}};
+  return {{"change", array_json(starts.change)},     {"of_phase", phases_json(starts.of_phase)},
+          {"drift", phases_json(starts.drift)},      {"bodies", bodies_json(starts.bodies)},
+          {"coarser", coarser_json(starts.coarser)}, {"body_of_phase", phases_json(starts.body_of_phase)}};
 }
 
 StartMemory starts_from(const Json &json, const ContactState &state)
@@ -126,7 +138,11 @@ StartMemory starts_from(const Json &json, const ContactState &state)
   const Index n = 3 * state.n_nodes() + n_rigid_components; // the motion of the held face behind the forces
   // Before the first step there is no change, unless a search for a mesh has marched through it.
   const bool has_change = state.step > 0 || !json.at("change").get_binary().empty();
-  return {array_from(json.at("change"), has_change ? n : 0), phases_from(json.at("of_phase"), n),
-          phases_from(json.at("drift"), n), bodies_from(json.at("bodies")), coarser_from(json.at("coarser"))};
+  return {array_from(json.at("change"), has_change ? n : 0),
+          phases_from(json.at("of_phase"), n),
+          phases_from(json.at("drift"), n),
+          bodies_from(json.at("bodies")),
+          coarser_from(json.at("coarser")),
+          phase_bodies_from(json.at("body_of_phase"))};
 }
 } // namespace orthocone::checkpoint_json

@@ -25,10 +25,15 @@ struct StartMemory
   std::map<unsigned int, NodeVector> drift;    ///< their change from the cycle before
   std::vector<Eigen::VectorXd> bodies{};       ///< Compliance::settle()
   std::vector<MarchMemory> coarser{};          ///< of CoarserMarch; one, or none
+  /// Bodies at phases of the last cycle where it took work to find them. With forces that come back they come
+  /// back, too.
+  std::map<unsigned int, Eigen::VectorXd> body_of_phase{};
 
   /// The largest size of both maps. If a cycle has so many steps that they would exceed it, its later phases
   /// start from the step before.
   static constexpr std::size_t most_bytes = 32000000;
+  /// The largest size of the bodies of phases, over all processes. Later phases of the cycle have none.
+  static constexpr std::size_t most_body_bytes = 32000000;
 };
 
 /// The data from which a march goes on.
@@ -60,6 +65,13 @@ public:
     memory_.bodies = std::move(bodies);
     memory_.coarser = std::move(coarser);
   }
+
+  /// To be called behind keep() with a step under forces: the last of the bodies is its own. `is_dear`: it
+  /// took work to find. All processes must call it.
+  void keep_body(const LoadStep &step, bool is_dear);
+
+  /// The body at the phase of a step in the last cycle, or null.
+  const Eigen::VectorXd *body_of(const LoadStep &step) const;
 
 private:
   struct Candidate
@@ -127,6 +139,7 @@ private:
 
   SolverReport solve_in_one(ContactState &state, const LoadStep &step);
   void keep_bodies(const ContactState &state);
+  void learn_last_cycle(const LoadStep &step) const;
   void accept_undivided(const ContactState &before, const ContactState &after, const LoadStep &step);
   Eigen::VectorXd start_of(const Attempt &attempt, const ContactState &state, const LoadStep &step) const;
   Attempt attempt(const ContactState &state, const FaceTarget &target) const;
@@ -148,6 +161,7 @@ private:
   std::unique_ptr<ContactSolver> solver_;
   StartForces starts_;
   std::unique_ptr<CoarserMarch> coarser_;     ///< where that pays
+  unsigned long v_cycles_before_ = 0;         ///< the step that was solved last
   std::optional<StartMemory> before_parts_{}; ///< of the step that was solved last, if it has parts
   std::optional<ContactStep> unsolved_{};
 };

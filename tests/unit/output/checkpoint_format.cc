@@ -52,9 +52,11 @@ TEST(Checkpoint, KeepsBodiesAndCoarserMarches)
 {
   Checkpoint before = checkpoint_after(7);
   before.starts.bodies = {NodeVector::LinSpaced(5, 0, 1. / 7), NodeVector::LinSpaced(5, 1, 1. / 9)};
+  before.starts.body_of_phase[4] = NodeVector::LinSpaced(5, 2, 1. / 11);
   before.starts.coarser = {{before.state, before.starts}};
   const Checkpoint after = decode(encode(before));
   EXPECT_EQ(after.starts.bodies, before.starts.bodies);
+  EXPECT_EQ(after.starts.body_of_phase, before.starts.body_of_phase);
   ASSERT_EQ(after.starts.coarser.size(), 1u);
   EXPECT_EQ(after.starts.coarser.front().state.force, before.state.force);
   EXPECT_EQ(after.starts.coarser.front().starts.bodies, before.starts.bodies);
