@@ -64,11 +64,11 @@ double multigrid_gigabytes(const Parameters &parameters, const ModelSize &size, 
       1. + parameters.mesh.refinements + static_cast<double>(parameters.mesh.refined_cells.size());
   const double of_each = program + n_levels * cost_of_coarsest(on_coarsest(parameters), symmetry).gigabytes +
                          step_gigabytes(parameters.load, size.contact_nodes);
-  // A checkpoint has the bodies of a cycle in its text, which is copied, too.
+  // A checkpoint has the bodies of a cycle that another one follows in its text, which is copied, too.
   constexpr double copies = 7;
-  const double bodies = std::min(static_cast<double>(StartMemory::most_body_bytes),
-                                 sizeof(double) * size.dofs * LoadProgram(parameters.load).n_solved_parts() /
-                                     std::max(1U, parameters.load.cycles));
+  const unsigned int n_cycles = parameters.load.cycles;
+  const double n_bodies = n_cycles > 1 ? LoadProgram(parameters.load).n_solved_parts() / n_cycles : 0;
+  const double bodies = std::min<double>(StartMemory::most_body_bytes, sizeof(double) * size.dofs * n_bodies);
   // This counts all processes as if they ran on this machine.
   return n_ranks() * of_each + (bytes_per_unknown * size.dofs + copies * bodies) / bytes_per_gigabyte;
 }

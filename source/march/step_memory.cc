@@ -39,7 +39,8 @@ void StepSolver::accept_undivided(const ContactState &before, const ContactState
   if (coarser_ != nullptr)
     coarser_->accept(step);
   keep_bodies(after);
-  if (step.cycle > 0 && !after.force.isZero(0))
+  const bool is_repeated = step.cycle > 0 && step.cycle < scene_.parameters().load.cycles;
+  if (is_repeated && !after.force.isZero(0))
     starts_.keep_body(step, scene_.body().n_v_cycles() > v_cycles_before_);
 }
 

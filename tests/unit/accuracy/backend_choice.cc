@@ -75,12 +75,27 @@ TEST(BackendChoice, KnowsThatALargeCoarsestMeshIsAggregated)
     parameters.mesh.degree = 1;
     parameters.mesh.core_cells = parameters.mesh.layers = n;
     parameters.mesh.rings = n / 2;
+    parameters.load.cycles = 1; // more of them keep bodies, which are bounded
     const ModelSize size = model_size(parameters, quarter);
     EXPECT_EQ(MultigridBody::aggregates_coarsest(size.dofs, size.contact_nodes), n > 38);
     return 1e9 * multigrid_gigabytes(parameters, size, quarter) / size.dofs;
   };
   EXPECT_LT(bytes_per_unknown(48), 0.7 * bytes_per_unknown(38));
   EXPECT_NEAR(bytes_per_unknown(96), bytes_per_unknown(48), 0.1 * bytes_per_unknown(48));
+}
+
+/// A checkpoint has the bodies of a cycle that another one follows.
+TEST(BackendChoice, KnowsThatCyclesKeepBodies)
+{
+  Parameters parameters = refined(3);
+  const ModelSize size = model_size(parameters, quarter);
+  const auto gigabytes = [&](const unsigned int cycles)
+  {
+    parameters.load.cycles = cycles;
+    return multigrid_gigabytes(parameters, size, quarter);
+  };
+  EXPECT_GT(gigabytes(2), gigabytes(1));
+  EXPECT_NEAR(gigabytes(200), gigabytes(2), 0.1 * gigabytes(2)); // of one cycle
 }
 
 TEST(BackendChoice, ComparesNothingWhereOnlyOneCanDoIt)
