@@ -87,7 +87,7 @@ private:
 class CoarserMarch;
 
 /// Solves load steps one after another. A step that fails is halved, from the state before it, so that the
-/// slip history of the attempt is forgotten.
+/// slip history of the attempt is forgotten. At last it is tried undivided, from no force.
 class StepSolver
 {
 public:
@@ -161,7 +161,7 @@ private:
   std::unique_ptr<ContactSolver> solver_;
   StartForces starts_;
   std::unique_ptr<CoarserMarch> coarser_;     ///< where that pays
-  unsigned long v_cycles_before_ = 0;         ///< the step that was solved last
+  unsigned long v_cycles_before_ = 0;         ///< before the step that was solved last
   std::optional<StartMemory> before_parts_{}; ///< of the step that was solved last, if it has parts
   std::optional<ContactStep> unsolved_{};
 };

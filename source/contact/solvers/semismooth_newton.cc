@@ -28,7 +28,7 @@ double relaxation_of_round(const unsigned int round)
 /// Semismooth Newton with a backtracking line search, on the natural map and on that of Alart and Curnier,
 /// whose pieces meet elsewhere. Where a few nodes keep its steps short, they are solved by themselves. Where
 /// both maps stall, it falls back on exact sweeps, so that it inherits their robustness. Where W is singular,
-/// proximal steps come before the sweeps.
+/// some sweeps and then proximal steps come before.
 class SemismoothNewton : public ContactSolver
 {
 public:
