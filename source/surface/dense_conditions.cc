@@ -230,7 +230,7 @@ DenseConditionSolver::DenseConditionSolver(const DenseView &compliance, const do
 
 ContactChange DenseConditionSolver::solve(const ContactConditions &conditions, const double accuracy) const
 {
-  constexpr Index most_iterations = 60;
+  constexpr Index most_iterations = 60, most_rows = 3000;
   if (auto change = solve_directly(conditions, compliance_, softness_))
     return *std::move(change);
   if (!inner_)
@@ -238,11 +238,15 @@ ContactChange DenseConditionSolver::solve(const ContactConditions &conditions, c
   const System system(conditions, compliance_, *inner_);
   const VectorXd right = system.right_side();
   const double size = right.norm();
-  VectorXf unknowns = VectorXf::Zero(system.n_unknowns());
+  KrylovSolution solution{VectorXf::Zero(system.n_unknowns())};
   if (size > 0 && system.resists())
-    unknowns = solve_gmres({system.n_unknowns(), [&](const VectorXf &x) { return system.apply(x); },
+    solution = solve_gmres({system.n_unknowns(), [&](const VectorXf &x) { return system.apply(x); },
                             [&](const VectorXf &x) { return system.precondition(x); }},
                            (right / size).cast<float>(), static_cast<float>(accuracy), most_iterations);
-  return system.change(unknowns, size);
+  // Newton's steps that are far from exact stall (docs/performance.md).
+  if (!solution.converged && compliance_.rows() <= most_rows)
+    if (auto change = eliminate(conditions, compliance_, softness_))
+      return *std::move(change);
+  return system.change(solution.unknowns, size);
 }
 } // namespace orthocone

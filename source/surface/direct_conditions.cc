@@ -156,4 +156,11 @@ std::optional<ContactChange> solve_directly(const ContactConditions &conditions,
     return held(conditions, first, compliance);
   return n > 0 && n <= most_unknowns ? eliminated(conditions, first, compliance, softness) : std::nullopt;
 }
+
+std::optional<ContactChange> eliminate(const ContactConditions &conditions, const DenseView &compliance,
+                                       const double softness)
+{
+  const std::vector<Index> first = first_unknowns(conditions);
+  return first.back() > 0 ? eliminated(conditions, first, compliance, softness) : std::nullopt;
+}
 } // namespace orthocone

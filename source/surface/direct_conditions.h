@@ -13,4 +13,8 @@ namespace orthocone
 /// unknowns that GMRES is faster (docs/performance.md).
 std::optional<ContactChange> solve_directly(const ContactConditions &conditions, const DenseView &compliance,
                                             double softness);
+
+/// The same, however many unknowns there are.
+std::optional<ContactChange> eliminate(const ContactConditions &conditions, const DenseView &compliance,
+                                       double softness);
 } // namespace orthocone

@@ -106,8 +106,8 @@ struct generic_product_impl<orthocone::EigenOperator, Vector, SparseShape, Dense
 
 namespace orthocone
 {
-Eigen::VectorXf solve_gmres(const LinearMap &map, const Eigen::VectorXf &right_side, const float tolerance,
-                            const Eigen::Index most)
+KrylovSolution solve_gmres(const LinearMap &map, const Eigen::VectorXf &right_side, const float tolerance,
+                           const Eigen::Index most)
 {
   if (map.size == 0)
     return {};
@@ -117,6 +117,8 @@ Eigen::VectorXf solve_gmres(const LinearMap &map, const Eigen::VectorXf &right_s
   gmres.setMaxIterations(most);
   gmres.setTolerance(tolerance);
   gmres.compute(matrix);
-  return gmres.solve(right_side);
+  KrylovSolution solution{gmres.solve(right_side)};
+  solution.converged = gmres.info() == Eigen::Success;
+  return solution;
 }
 } // namespace orthocone

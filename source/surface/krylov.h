@@ -19,9 +19,15 @@ struct LinearMap
   Function precondition;
 };
 
+struct KrylovSolution
+{
+  Eigen::VectorXf unknowns{};
+  bool converged = true;
+};
+
 /// Solution of map x = right_side by preconditioned GMRES (Eigen's), until the preconditioned residual is
 /// `tolerance` times the first one, or after `most` iterations, whatever has been reached. Not finite if the
 /// products are not.
-Eigen::VectorXf solve_gmres(const LinearMap &map, const Eigen::VectorXf &right_side, float tolerance,
-                            Eigen::Index most);
+KrylovSolution solve_gmres(const LinearMap &map, const Eigen::VectorXf &right_side, float tolerance,
+                           Eigen::Index most);
 } // namespace orthocone

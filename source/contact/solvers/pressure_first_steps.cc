@@ -91,18 +91,21 @@ void PressureFirstSteps::iterate(NewtonProgress &progress) const
   const ContactStep &step = progress.step;
   Iterate last = start(progress);
   Best best(last);
+  double inexactness = inexactness_of_newton;
   for (unsigned int i = 0, i_passed = 0; i < most_iterations && i <= best.number() + most_without_gain &&
                                          progress.iterations < options_.maximum_iterations;
        ++i)
   {
-    const VectorXd change = newton_change(conditions_, last.linearization, inexactness_of_newton);
+    const VectorXd change = newton_change(conditions_, last.linearization, inexactness);
     ++progress.iterations;
     if (!change.allFinite())
       break;
     const double error_before = last.linearization.error;
     last = line_search(linearize_pressure_first, step, last, change, smallest_step, options_.rho_factor);
     const double near = likely * options_.tolerance * step.force_scale(last.unknowns);
-    if (last.linearization.error > std::max(near, stalls * error_before) &&
+    const bool has_stalled = last.linearization.error > stalls * error_before;
+    inexactness = has_stalled ? inexactness_of_stalled_newton : inexactness_of_newton;
+    if (has_stalled && last.linearization.error > near &&
         pass_hardest_nodes(progress, last, i_passed == 0 || i >= i_passed + pause))
       i_passed = i;
     const bool is_near = last.linearization.error <= near;

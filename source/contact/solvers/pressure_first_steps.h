@@ -13,6 +13,9 @@ namespace orthocone
 /// Of the linear systems of Newton's steps: a tighter bound costs more products than it saves iterations.
 constexpr double inexactness_of_newton = 0.01;
 
+/// Where steps stall, which inexact ones do sooner; what single precision gives without trouble.
+constexpr double inexactness_of_stalled_newton = 1e-4;
+
 /// A step on the way to its solution.
 struct NewtonProgress
 {

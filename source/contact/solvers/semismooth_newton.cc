@@ -106,7 +106,6 @@ void SemismoothNewton::iterate_while_it_pays(NewtonProgress &progress) const
 void SemismoothNewton::iterate_in_full(NewtonProgress &progress) const
 {
   constexpr unsigned int most_iterations = 15;
-  constexpr double tight = 1e-4; // what single precision gives without trouble
   const ContactStep &step = progress.step;
   VectorXd trial = progress.unknowns;
   for (unsigned int i = 0; i < most_iterations && progress.iterations < options_.maximum_iterations &&
@@ -114,7 +113,8 @@ void SemismoothNewton::iterate_in_full(NewtonProgress &progress) const
        ++i)
   {
     const auto linearization = linearize(step, trial, step.displacement(trial), options_.rho_factor);
-    trial += newton_change(*conditions_, linearization, tight); // may leave the cone on the way
+    const VectorXd change = newton_change(*conditions_, linearization, inexactness_of_stalled_newton);
+    trial += change; // may leave the cone on the way
     ++progress.iterations;
     if (!trial.allFinite())
       break;

@@ -41,9 +41,11 @@ TEST(Gmres, SolvesUnsymmetricSystems)
   for (Index i = 0; i + 1 < n; ++i)
     matrix(i, i + 1) = 0.7F;
   const VectorXf solution = VectorXf::LinSpaced(n, -1, 2);
-  const VectorXf found =
-      solve_gmres({n, [&](const VectorXf &x) { return matrix * x; }, itself}, matrix * solution, 1e-5F, n);
-  EXPECT_LT((found - solution).norm(), 1e-4F * solution.norm());
+  const LinearMap map{n, [&](const VectorXf &x) { return matrix * x; }, itself};
+  const KrylovSolution found = solve_gmres(map, matrix * solution, 1e-5F, n);
+  EXPECT_TRUE(found.converged);
+  EXPECT_LT((found.unknowns - solution).norm(), 1e-4F * solution.norm());
+  EXPECT_FALSE(solve_gmres(map, matrix * solution, 1e-5F, 3).converged);
 }
 
 TEST(Gmres, NeedsOneIterationWithThePerfectPreconditioner)
@@ -57,14 +59,14 @@ TEST(Gmres, NeedsOneIterationWithThePerfectPreconditioner)
     return diagonal.cwiseProduct(x);
   };
   const auto precondition = [&](const VectorXf &x) -> VectorXf { return x.cwiseQuotient(diagonal); };
-  const VectorXf found = solve_gmres({n, apply, precondition}, VectorXf::Ones(n), 1e-3F, n);
+  const VectorXf found = solve_gmres({n, apply, precondition}, VectorXf::Ones(n), 1e-3F, n).unknowns;
   EXPECT_LT((diagonal.cwiseProduct(found) - VectorXf::Ones(n)).norm(), 1e-2F);
   EXPECT_LE(n_products, 3U);
 }
 
 TEST(Gmres, TakesASystemWithoutUnknowns)
 {
-  EXPECT_EQ(solve_gmres({0, itself, itself}, VectorXf(), 1e-3F, 10).size(), 0);
+  EXPECT_EQ(solve_gmres({0, itself, itself}, VectorXf(), 1e-3F, 10).unknowns.size(), 0);
 }
 
 TEST(InnerCompliance, StiffnessOfAFewNodesIsTheInverse)
