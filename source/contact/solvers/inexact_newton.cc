@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 #include "line_search.h"
+#include "loose_face.h"
 #include "solvers.h"
 
 #include <algorithm>
@@ -84,6 +85,7 @@ private:
     ContactChange near = step.near(unknowns);
     return {map_, step, unknowns, std::move(near.displacement), std::move(near.body), options_.rho_factor};
   }
+  BodyIterate touching(const ContactStep &step, BodyIterate iterate) const;
   BodyIterate next(const ContactStep &step, const BodyIterate &last, double accuracy) const;
   bool is_solved(const ContactStep &step, BodyIterate &iterate, VectorXd &unknowns) const;
 
@@ -91,6 +93,17 @@ private:
   Map *map_;
   std::unique_ptr<ConditionSolver> conditions_;
 };
+
+/// The iterate, with its face moved so that nodes touch if none does.
+BodyIterate InexactNewton::touching(const ContactStep &step, BodyIterate iterate) const
+{
+  if (!is_loose(iterate.linearization.conditions))
+    return iterate;
+  const VectorXd way = way_to_touch(step, iterate.unknowns, iterate.displacement, options_.rho_factor);
+  iterate.unknowns.tail(way.size()) += way;
+  return {map_, step, std::move(iterate.unknowns), iterate.displacement + step.face().columns() * way,
+          std::move(iterate.body), options_.rho_factor};
+}
 
 /// Newton's change, or the share of it that reduces the error. Where none does, pieces of the map
 /// meet: then it is the share with the least error if that is little worse than the last error, else all of
@@ -143,7 +156,7 @@ SolverReport InexactNewton::solve(const ContactStep &step, VectorXd &unknowns) c
   Forcing forcing;
   if (step.face().n() > 0 && unknowns.head(step.q().size()).isZero(0))
     unknowns = balancing_start(step);
-  BodyIterate iterate = near(step, unknowns);
+  BodyIterate iterate = touching(step, near(step, unknowns));
   double residual = step.near_residual(unknowns);
   trace.add(0, residual, step.force_scale(unknowns));
   unsigned int n = 0;
@@ -151,7 +164,7 @@ SolverReport InexactNewton::solve(const ContactStep &step, VectorXd &unknowns) c
   while (residual > options_.tolerance && n < most && std::isfinite(residual))
   {
     const double wanted = strictness * options_.tolerance * step.force_scale(iterate.unknowns);
-    iterate = next(step, iterate, forcing.next(iterate, wanted));
+    iterate = touching(step, next(step, iterate, forcing.next(iterate, wanted)));
     ++n;
     residual = step.residual(iterate.unknowns, iterate.displacement);
     trace.add(n, residual, step.force_scale(iterate.unknowns));
