@@ -94,15 +94,24 @@ private:
   std::unique_ptr<ConditionSolver> conditions_;
 };
 
-/// The iterate, with its face moved so that nodes touch if none does.
+/// The iterate, with a loose face moved until nodes hold it. Those that hold it first may let it tilt.
 BodyIterate InexactNewton::touching(const ContactStep &step, BodyIterate iterate) const
 {
-  if (!is_loose(iterate.linearization.conditions))
-    return iterate;
-  const VectorXd way = way_to_touch(step, iterate.unknowns, iterate.displacement, options_.rho_factor);
-  iterate.unknowns.tail(way.size()) += way;
-  return {map_, step, std::move(iterate.unknowns), iterate.displacement + step.face().columns() * way,
-          std::move(iterate.body), options_.rho_factor};
+  for (Eigen::Index i = 0; i < step.face().n(); ++i)
+  {
+    const VectorXd way = way_of_loose_face(step, iterate.unknowns, iterate.displacement,
+                                           iterate.linearization.conditions, options_.rho_factor);
+    if (way.size() == 0)
+      break;
+    iterate.unknowns.tail(way.size()) += way;
+    iterate = {map_,
+               step,
+               std::move(iterate.unknowns),
+               iterate.displacement + step.face().columns() * way,
+               std::move(iterate.body),
+               options_.rho_factor};
+  }
+  return iterate;
 }
 
 /// Newton's change, or the share of it that reduces the error. Where none does, pieces of the map

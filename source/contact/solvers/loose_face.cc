@@ -3,55 +3,100 @@
 #include "loose_face.h"
 
 #include <algorithm>
+#include <utility>
 #include <vector>
 
 namespace orthocone
 {
 using Eigen::Index;
+using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
 namespace
 {
+bool is_closed(const NodeCondition &condition)
+{
+  return condition.n_unknowns > 0;
+}
+
+/// Rows of the columns of the face that move the nodes along the normal: n x m.
+MatrixXd normal_rows(const MatrixXd &columns)
+{
+  return columns(Eigen::seq(0, Eigen::last, 3), Eigen::all);
+}
+
+/// The motions of the face that leave the gaps of all closed nodes as they are: orthonormal columns.
+MatrixXd loose_motions(const MatrixXd &normal, const std::vector<NodeCondition> &conditions)
+{
+  constexpr double rounding = 1e-10;
+  MatrixXd hold = MatrixXd::Zero(normal.cols(), normal.cols());
+  for (Index node = 0; node < normal.rows(); ++node)
+    if (is_closed(conditions[node]))
+      hold += normal.row(node).transpose() * normal.row(node);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> holds(hold);
+  return holds.eigenvectors().leftCols((holds.eigenvalues().array() < rounding).count());
+}
+
+/// What the face must carry besides the forces of the closed nodes, N. Open nodes are about to carry none.
+VectorXd load_without_open(const ContactStep &step, VectorXd unknowns,
+                           const std::vector<NodeCondition> &conditions)
+{
+  for (Index node = 0; node < step.n_nodes(); ++node)
+    if (!is_closed(conditions[node]))
+      unknowns.segment<3>(3 * node).setZero();
+  return -step.imbalance(unknowns);
+}
+
 /// A node that approaches the obstacle on the way of the face.
 struct Approach
 {
-  double touches; ///< share of the way at which it begins to carry
-  double grows;   ///< how fast it carries the load from there on, per share, N^2
+  double touches; ///< length of the way at which it begins to carry, mm/N
+  double grows;   ///< how fast it carries the load from there on, N^3/mm
 };
-} // namespace
 
-bool is_loose(const ContactConditions &conditions)
+/// Length of the way at which the nodes carry `load` (N^2) together, or 0 if there are none.
+double length_to_carry(const double load, std::vector<Approach> approaches)
 {
-  return conditions.face.cols() > 0 &&
-         std::all_of(conditions.nodes.begin(), conditions.nodes.end(),
-                     [](const NodeCondition &node) { return node.n_unknowns == 0; });
-}
-
-/// The way is along the balance: a load that is carried as evenly as it can be.
-VectorXd way_to_touch(const ContactStep &step, const VectorXd &unknowns, const NodeVector &displacement,
-                      const double rho_factor)
-{
-  const VectorXd even = step.face().columns() * step.face().balance(); // N, and the way of the nodes, negative
-  std::vector<Approach> approaches;
-  double load = 0;
-  for (Index i = 0; i < even.size(); i += 3)
-  {
-    load += even[i] * even[i];
-    const double rho = rho_factor * step.system().rho(i / 3);
-    if (even[i] > 0)
-      approaches.push_back({(displacement[i] - unknowns[i] / rho) / even[i], rho * even[i] * even[i]});
-  }
   std::sort(approaches.begin(), approaches.end(),
             [](const Approach &a, const Approach &b) { return a.touches < b.touches; });
-  double share = 0, grows = 0, missed = 0;
+  double length = 0, grows = 0, missed = 0;
   for (const Approach &node : approaches)
   {
-    if (grows > 0 && share <= node.touches)
+    if (grows > 0 && length <= node.touches)
       break;
     grows += node.grows;
     missed += node.grows * node.touches;
-    share = (load + missed) / grows;
+    length = (load + missed) / grows;
   }
-  return -share * step.face().balance();
+  return length;
+}
+} // namespace
+
+VectorXd way_of_loose_face(const ContactStep &step, const VectorXd &unknowns, const NodeVector &displacement,
+                           const ContactConditions &conditions, const double rho_factor)
+{
+  constexpr double negligible = 1e-4, rounding = 1e-8;
+  if (step.face().n() == 0)
+    return {};
+  const MatrixXd normal = normal_rows(step.face().columns());
+  const MatrixXd loose = loose_motions(normal, conditions.nodes);
+  if (loose.cols() == 0)
+    return {};
+  const MatrixXd moved = normal * loose;
+  const VectorXd load = loose.transpose() * load_without_open(step, unknowns, conditions.nodes);
+  const VectorXd way = moved.transpose() * (moved * load); // what only slides along the obstacle has no part
+  const VectorXd speed = moved * way;                      // of the nodes towards the obstacle
+  if (speed.norm() <= negligible * step.force_scale(unknowns))
+    return {};
+  std::vector<Approach> approaches;
+  for (Index node = 0; node < speed.size(); ++node)
+  {
+    const double rho = rho_factor * step.system().rho(node);
+    if (!is_closed(conditions.nodes[node]) && speed[node] > rounding * speed.norm())
+      approaches.push_back({(displacement[3 * node] - unknowns[3 * node] / rho) / speed[node],
+                            rho * speed[node] * speed[node]});
+  }
+  const double length = length_to_carry(speed.squaredNorm(), std::move(approaches));
+  return length > 0 ? VectorXd(-length * loose * way) : VectorXd();
 }
 } // namespace orthocone

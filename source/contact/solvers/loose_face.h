@@ -6,13 +6,12 @@
 
 namespace orthocone
 {
-/// Whether forces drive the face and all nodes are open: no force depends on how the face moves, so that
-/// Newton's system is singular. So it is where a step has worn off more than pressure flattens the body.
-bool is_loose(const ContactConditions &conditions);
-
-/// How far a loose face must follow its load (size m, mm) until the nodes carry the load's normal part, each
-/// of them as a spring of stiffness 1 / rho: Newton's method can start from there. `displacement` belongs to
-/// `unknowns`; rho is `rho_factor` times that of the system. Zero where the load presses no node.
-Eigen::VectorXd way_to_touch(const ContactStep &step, const Eigen::VectorXd &unknowns,
-                             const NodeVector &displacement, double rho_factor);
+/// The way (size m, mm) on which a face that the closed nodes of the law linearized at `unknowns` do not hold
+/// follows its load. It ends where the nodes that it meets carry the load's normal part, each of them as a
+/// spring of stiffness rho, which is `rho_factor` times that of the system. Newton's system is singular
+/// without it: that is so where wear has left no contact, or too few nodes for a face that may tilt.
+/// `displacement` belongs to `unknowns`. No numbers where the face is held, or its way meets no node.
+Eigen::VectorXd way_of_loose_face(const ContactStep &step, const Eigen::VectorXd &unknowns,
+                                  const NodeVector &displacement, const ContactConditions &conditions,
+                                  double rho_factor);
 } // namespace orthocone
