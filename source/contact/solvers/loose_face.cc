@@ -75,7 +75,7 @@ double length_to_carry(const double load, std::vector<Approach> approaches)
 VectorXd way_of_loose_face(const ContactStep &step, const VectorXd &unknowns, const NodeVector &displacement,
                            const ContactConditions &conditions, const double rho_factor)
 {
-  constexpr double negligible = 1e-4, rounding = 1e-8;
+  constexpr double worth_a_way = 1e-4, rounding = 1e-8;
   if (step.face().n() == 0)
     return {};
   const MatrixXd normal = normal_rows(step.face().columns());
@@ -86,7 +86,7 @@ VectorXd way_of_loose_face(const ContactStep &step, const VectorXd &unknowns, co
   const VectorXd load = loose.transpose() * load_without_open(step, unknowns, conditions.nodes);
   const VectorXd way = moved.transpose() * (moved * load); // what only slides along the obstacle has no part
   const VectorXd speed = moved * way;                      // of the nodes towards the obstacle
-  if (speed.norm() <= negligible * step.force_scale(unknowns))
+  if (speed.norm() <= worth_a_way * step.force_scale(unknowns))
     return {};
   std::vector<Approach> approaches;
   for (Index node = 0; node < speed.size(); ++node)
