@@ -10,6 +10,7 @@
 #include <deal.II/lac/solver_control.h>
 #include <deal.II/lac/solver_gmres.h>
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -37,18 +38,25 @@ WholeBodyConditions::relations_of(const std::vector<NodeCondition> &conditions) 
   return relations;
 }
 
+/// Square of the size of what the conditions of the nodes require, N^2.
+static double square_of(const std::vector<NodeCondition> &nodes)
+{
+  double sum = 0;
+  for (const NodeCondition &node : nodes)
+    sum += node.right_side.squaredNorm() + node.fixed.squaredNorm();
+  return sum;
+}
+
 /// Size of what the conditions require, N: an inexact Newton step must leave no more than a share of it.
 static double size_of(const ContactConditions &conditions)
 {
-  double sum = sum_over_ranks(conditions.rest.squaredNorm()) + conditions.face_right_side.squaredNorm();
-  for (const NodeCondition &node : conditions.nodes)
-    sum += node.right_side.squaredNorm() + node.fixed.squaredNorm();
-  return std::sqrt(sum);
+  return std::sqrt(sum_over_ranks(conditions.rest.squaredNorm()) + conditions.face_right_side.squaredNorm() +
+                   square_of(conditions.nodes));
 }
 
-/// The relations of the nodes under a motion of the face by 1.
-std::vector<NodeRelation> WholeBodyConditions::relations_of_column(const ContactConditions &conditions,
-                                                                   const Index column) const
+/// The conditions of the nodes under a motion of the face by 1.
+static std::vector<NodeCondition> conditions_of_column(const ContactConditions &conditions,
+                                                       const Index column)
 {
   std::vector<NodeCondition> nodes = conditions.nodes;
   for (std::size_t i = 0; i < nodes.size(); ++i)
@@ -57,7 +65,7 @@ std::vector<NodeRelation> WholeBodyConditions::relations_of_column(const Contact
     nodes[i].fixed.setZero();
     nodes[i].right_side = -nodes[i].rows.transpose() * moved;
   }
-  return relations_of(nodes);
+  return nodes;
 }
 
 ContactChange WholeBodyConditions::solve_nodes(const std::vector<NodeRelation> &relations,
@@ -94,7 +102,10 @@ ContactChange WholeBodyConditions::solve(const ContactConditions &conditions, co
   std::vector<ContactChange> columns;
   for (Index j = 0; j < m; ++j)
   {
-    columns.push_back(solve_nodes(relations_of_column(conditions, j), {}, bound));
+    const std::vector<NodeCondition> nodes = conditions_of_column(conditions, j);
+    // Where all nodes slide, little resists: no force at all would be within the bound.
+    const double of_column = accuracy * std::sqrt(square_of(nodes));
+    columns.push_back(solve_nodes(relations_of(nodes), {}, std::min(bound, of_column)));
     answers.col(j) = conditions.face.transpose() * columns.back().force;
   }
   change.face =

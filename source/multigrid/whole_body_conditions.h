@@ -23,8 +23,6 @@ private:
   ContactChange solve_nodes(const std::vector<NodeRelation> &relations, const Eigen::VectorXd &rest,
                             double bound) const;
   std::vector<NodeRelation> relations_of(const std::vector<NodeCondition> &conditions) const;
-  std::vector<NodeRelation> relations_of_column(const ContactConditions &conditions,
-                                                Eigen::Index column) const;
 
   const ContactFrame &frame_;
   const MatrixFreeStiffness<double> &stiffness_;

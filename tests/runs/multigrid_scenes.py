@@ -50,6 +50,8 @@ SCENES = {
         "paper/case_c.prm", [*ISOTROPIC, "Mesh/Refinements=1", "Load program/Preload=uz -0.1 : 1",
                              "Load program/Legs=rx 0.02 My 4e4 : 1 ; rx 0 My -4e4 : 1 * 2", "Load program/Cycles=50",
                              "Load program/Jump when periodic=1e-3"]),
+    "box drawn along x and pushed along y": (
+        "verification/worn_punch.prm", [*SOFT_BOX, "Load program/Legs=Fz -1000 Fy 100 : 1 ; ux 400 : 4"]),
     "box worn deeper than pressure flattens it": (
         "verification/worn_punch.prm", [*SOFT_BOX, "Load program/Legs=Fz -1000 : 1 ; ux 400 : 4"]),
     "box worn deeper on one side, free to tilt": (
