@@ -65,6 +65,26 @@ private:
   double last_ = 0; ///< error of the law
 };
 
+/// The error that a step must stay below. Near the solution it is the larger one of the last two errors.
+/// Where slip is far from associated, the error may have a minimum beside the solution. Only a step across
+/// the ridge between both leads out of it (Grippo, Lampariello and Lucidi, SIAM J. Numer. Anal. 23 (1986)
+/// 707). Far from the solution such steps cost more than they save. docs/performance.md, "Multigrid".
+class Ridge
+{
+public:
+  double height(const double error)
+  {
+    constexpr double near = 1e-3; // of the first error
+    if (first_ == 0)
+      first_ = error;
+    const double before = std::exchange(last_, error);
+    return error <= near * first_ ? std::max(before, error) : error;
+  }
+
+private:
+  double first_ = 0, last_ = 0;
+};
+
 /// Semismooth Newton for a body without a dense compliance: linearized laws are solved on the whole body, and
 /// only as accurately as it pays. There are no sweeps. docs/theory.md, section 3, "A body without a matrix".
 class InexactNewton : public ContactSolver
@@ -86,7 +106,7 @@ private:
     return {map_, step, unknowns, std::move(near.displacement), std::move(near.body), options_.rho_factor};
   }
   BodyIterate touching(const ContactStep &step, BodyIterate iterate) const;
-  BodyIterate next(const ContactStep &step, const BodyIterate &last, double accuracy) const;
+  BodyIterate next(const ContactStep &step, const BodyIterate &last, double accuracy, double bound) const;
   bool is_solved(const ContactStep &step, BodyIterate &iterate, VectorXd &unknowns) const;
 
   ContactSolverOptions options_;
@@ -114,15 +134,18 @@ BodyIterate InexactNewton::touching(const ContactStep &step, BodyIterate iterate
   return iterate;
 }
 
-/// Newton's change, or the share of it that reduces the error. Where none does, pieces of the map
+/// Newton's change, or the share of it whose error is below the bound. Where none is, pieces of the map
 /// meet: then it is the share with the least error if that is little worse than the last error, else all of
 /// it.
-BodyIterate InexactNewton::next(const ContactStep &step, const BodyIterate &last, const double accuracy) const
+BodyIterate InexactNewton::next(const ContactStep &step, const BodyIterate &last, const double accuracy,
+                                const double bound) const
 {
   constexpr double sufficient_decrease = 1e-4, smallest_step = 1. / 64, bearable_growth = 1.2;
-  const ContactChange change = conditions_->solve(last.linearization.conditions, accuracy);
+  ContactChange change = conditions_->solve(last.linearization.conditions, accuracy);
   VectorXd moved(change.force.size() + change.face.size());
   moved << change.force, change.face;
+  if (change.displacement.size() == 0)
+    change.displacement = step.change_of_displacement(moved);
   const auto trial = [&](const double length)
   {
     return BodyIterate(map_, step, last.unknowns + length * moved,
@@ -133,7 +156,7 @@ BodyIterate InexactNewton::next(const ContactStep &step, const BodyIterate &last
   for (double length = 1; length >= smallest_step; length /= 2)
   {
     BodyIterate tried = length == 1 ? best : trial(length);
-    if (tried.error <= (1 - sufficient_decrease * length) * last.error)
+    if (tried.error <= (1 - sufficient_decrease * length) * bound)
       return tried;
     if (tried.error < best.error)
       best = std::move(tried);
@@ -163,6 +186,7 @@ SolverReport InexactNewton::solve(const ContactStep &step, VectorXd &unknowns) c
   const unsigned int most = std::min(options_.maximum_iterations, most_inexact_iterations);
   Trace trace;
   Forcing forcing;
+  Ridge ridge;
   if (step.face().n() > 0 && unknowns.head(step.q().size()).isZero(0))
     unknowns = balancing_start(step);
   BodyIterate iterate = touching(step, near(step, unknowns));
@@ -173,7 +197,7 @@ SolverReport InexactNewton::solve(const ContactStep &step, VectorXd &unknowns) c
   while (residual > options_.tolerance && n < most && std::isfinite(residual))
   {
     const double wanted = strictness * options_.tolerance * step.force_scale(iterate.unknowns);
-    iterate = touching(step, next(step, iterate, forcing.next(iterate, wanted)));
+    iterate = touching(step, next(step, iterate, forcing.next(iterate, wanted), ridge.height(iterate.error)));
     ++n;
     residual = step.residual(iterate.unknowns, iterate.displacement);
     trace.add(n, residual, step.force_scale(iterate.unknowns));
