@@ -83,6 +83,25 @@ TEST(ExactCompliance, SolvesConditionsToRounding)
     }
 }
 
+/// Forces that little resists, as those of nearly incompressible bodies, are hidden from GMRES in single
+/// precision. Elimination takes its place.
+TEST(DenseCompliance, EliminatesWhatGmresDoesNotSolve)
+{
+  std::srand(1);
+  constexpr Index n_nodes = 90; // too many to be eliminated at once
+  const MatrixXd base =
+      Eigen::HouseholderQR<MatrixXd>(MatrixXd::Random(3 * n_nodes, 3 * n_nodes)).householderQ();
+  const VectorXd eigenvalues =
+      VectorXd::LinSpaced(3 * n_nodes, 0, -7).unaryExpr([](const double x) { return std::pow(10, x); });
+  const DenseCompliance compliance(base * eigenvalues.asDiagonal() * base.transpose());
+  for (const Index n_motions : {0, 2})
+  {
+    const ContactConditions conditions = some_conditions(n_nodes, n_motions);
+    const auto change = compliance.condition_solver(compliance.softness())->solve(conditions, 1e-4);
+    EXPECT_LT(error_of(conditions, *compliance.dense(), change), 1e-6) << n_motions;
+  }
+}
+
 TEST(ExactCompliance, GivenForcesNeedNoSolution)
 {
   ContactConditions conditions;
