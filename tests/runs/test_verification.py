@@ -198,8 +198,7 @@ class VerificationTest(program.RunTest):
             self.verified("pressed_by_force", f"Load program/Legs={legs}")
             iterations[name] = sum(int(row["iterations"]) for row in self.rows("run"))
         self.assertGreater(iterations["motion"], len(rows))
-        # The first step alone, from no force, takes 15 more of some 90. The aim is 1.5 (docs/performance.md).
-        self.assertLessEqual(iterations["force"], 1.25 * iterations["motion"])
+        self.assertLessEqual(iterations["force"], 1.1 * iterations["motion"])
 
     def test_box(self):
         for model in ("auto", "quarter"):  # others could drift sideways with a guided top

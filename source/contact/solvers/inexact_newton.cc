@@ -37,15 +37,6 @@ struct BodyIterate
   double error;     ///< of the law and of the body's equilibrium, N
 };
 
-/// Contact forces that carry what drives the face, as evenly as they can. Newton's method cannot start
-/// without forces: where nothing touches yet, no force depends on how the face moves.
-VectorXd balancing_start(const ContactStep &step)
-{
-  VectorXd unknowns = VectorXd::Zero(step.n_unknowns());
-  unknowns.head(step.q().size()) = step.face().columns() * step.face().balance();
-  return step.admissible(unknowns);
-}
-
 /// How accurately the next linear system is solved: as accurately as Newton's method converges on the law,
 /// which is all that is not linear, and no better than the tolerance asks for.
 class Forcing
@@ -187,7 +178,7 @@ SolverReport InexactNewton::solve(const ContactStep &step, VectorXd &unknowns) c
   Trace trace;
   Forcing forcing;
   Ridge ridge;
-  if (step.face().n() > 0 && unknowns.head(step.q().size()).isZero(0))
+  if (is_loose_without_forces(step, unknowns))
     unknowns = balancing_start(step);
   BodyIterate iterate = touching(step, near(step, unknowns));
   double residual = step.near_residual(unknowns);

@@ -72,6 +72,18 @@ double length_to_carry(const double load, std::vector<Approach> approaches)
 }
 } // namespace
 
+bool is_loose_without_forces(const ContactStep &step, const VectorXd &unknowns)
+{
+  return step.face().n() > 0 && unknowns.head(step.q().size()).isZero(0);
+}
+
+VectorXd balancing_start(const ContactStep &step)
+{
+  VectorXd unknowns = VectorXd::Zero(step.n_unknowns());
+  unknowns.head(step.q().size()) = step.face().columns() * step.face().balance();
+  return step.admissible(unknowns);
+}
+
 VectorXd way_of_loose_face(const ContactStep &step, const VectorXd &unknowns, const NodeVector &displacement,
                            const ContactConditions &conditions, const double rho_factor)
 {

@@ -6,6 +6,13 @@
 
 namespace orthocone
 {
+/// Whether forces drive a face that no node holds yet: then no force depends on how the face moves, and
+/// Newton's method cannot start.
+bool is_loose_without_forces(const ContactStep &step, const Eigen::VectorXd &unknowns);
+
+/// Contact forces that carry what drives the face, as evenly as they can.
+Eigen::VectorXd balancing_start(const ContactStep &step);
+
 /// The way (size m, mm) on which a face that the closed nodes of the law linearized at `unknowns` do not hold
 /// follows its load. It ends where the nodes that it meets carry the load's normal part, each of them as a
 /// spring of stiffness rho, which is `rho_factor` times that of the system. Newton's system is singular

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
+#include "loose_face.h"
 #include "pressure_first_steps.h"
 #include "proximal_steps.h"
 #include "solvers.h"
@@ -23,6 +24,16 @@ double relaxation_of_round(const unsigned int round)
   if (round < first_relaxed || round % 2 == 0)
     return 1;
   return round % 4 == 1 ? 0.3 : 0.05;
+}
+
+/// Forces that balance the load, and the motion of the face that brings the nodes back where they push them
+/// off.
+VectorXd pressed_start(const ContactStep &step)
+{
+  VectorXd unknowns = balancing_start(step);
+  const NodeVector moved = step.displacement(unknowns);
+  unknowns.tail(step.face().n()) -= step.face().columns().transpose() * moved;
+  return unknowns;
 }
 
 /// Semismooth Newton with a backtracking line search, on the natural map and on that of Alart and Curnier,
@@ -181,6 +192,11 @@ SolverReport SemismoothNewton::solve(const ContactStep &step, VectorXd &unknowns
   NewtonProgress progress{step, unknowns, start_residual};
   progress.note(progress.residual, unknowns);
   const bool is_rigid = help_.proximal_steps && help_.proximal_steps->are_needed_by_few_nodes();
+  if (is_loose_without_forces(step, unknowns) && progress.residual > options_.tolerance)
+  {
+    unknowns = pressed_start(step);
+    progress.residual = step.residual(unknowns);
+  }
   if (is_rigid)
     solve_singular(progress);
   unsigned int n_sweeps = 0;
