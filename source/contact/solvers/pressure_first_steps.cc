@@ -88,14 +88,18 @@ void PressureFirstSteps::iterate(NewtonProgress &progress) const
   constexpr double smallest_step = 1. / 16;
   constexpr double stalls = 0.5;    // of the error before: then few nodes may hold up the others
   constexpr unsigned int pause = 3; // iterations that may mend what the hardest nodes have made worse
+  // One stall is no sign: easy steps have it where nodes change their status, and get over it inexactly.
+  constexpr unsigned int stalls_before_exactness = 2;
   const ContactStep &step = progress.step;
   Iterate last = start(progress);
   Best best(last);
-  double inexactness = inexactness_of_newton;
+  unsigned int stalls_in_a_row = 0;
   for (unsigned int i = 0, i_passed = 0; i < most_iterations && i <= best.number() + most_without_gain &&
                                          progress.iterations < options_.maximum_iterations;
        ++i)
   {
+    const double inexactness =
+        stalls_in_a_row < stalls_before_exactness ? inexactness_of_newton : inexactness_of_stalled_newton;
     const VectorXd change = newton_change(conditions_, last.linearization, inexactness);
     ++progress.iterations;
     if (!change.allFinite())
@@ -104,7 +108,7 @@ void PressureFirstSteps::iterate(NewtonProgress &progress) const
     last = line_search(linearize_pressure_first, step, last, change, smallest_step, options_.rho_factor);
     const double near = likely * options_.tolerance * step.force_scale(last.unknowns);
     const bool has_stalled = last.linearization.error > stalls * error_before;
-    inexactness = has_stalled ? inexactness_of_stalled_newton : inexactness_of_newton;
+    stalls_in_a_row = has_stalled ? stalls_in_a_row + 1 : 0;
     if (has_stalled && last.linearization.error > near &&
         pass_hardest_nodes(progress, last, i_passed == 0 || i >= i_passed + pause))
       i_passed = i;
