@@ -3,8 +3,8 @@
 """Cells halved where the first cycle asks for it, beside graded rings: errors of four quantities against time.
 
 One cycle of cases A, B and C. Adaptive meshes begin with even cells, or with the rings of a resolution. Slip, force and energy
-are compared with a graded mesh that is finer than all, the stick area with adaptive cells that have the smallest ones along
-its border; both are runs of the study."""
+are compared with the limit of even cells of degree 3 over their rounds, the stick area with the last of these, which have the
+smallest cells along its border. --large adds meshes of up to a million unknowns (11 GB, two hours)."""
 import matplotlib.pyplot as plt
 import style
 from one_cycle import FINEST
@@ -19,11 +19,14 @@ COARSE = {"Mesh/Degree": 3, "Mesh/Core cells": 4, "Mesh/Rings": 3, "Mesh/Core ra
 GRADED, EVEN_2, EVEN_3, BOTH = "graded", "even, adaptive, degree 2", "even, adaptive, degree 3", "graded, adaptive"
 SERIES = {
     GRADED: {name: {"Mesh/Resolution": name} for name in ("coarse", "medium", "fine")} |
-            {"reference": dict(entry.split("=") for entry in FINEST)},
+            {"14 core cells": dict(entry.split("=") for entry in FINEST)},
     EVEN_2: {f"{n} rounds": {**EVEN, "Mesh/Adaptive": n} for n in (1, 2, 3, 4, 5)},
-    EVEN_3: {f"{n} rounds": {**EVEN, "Mesh/Degree": 3, "Mesh/Adaptive": n} for n in (1, 2, 3)} |
-            {"reference": {**EVEN, "Mesh/Degree": 3, "Mesh/Adaptive": 4}},
+    EVEN_3: {f"{n} rounds": {**EVEN, "Mesh/Degree": 3, "Mesh/Adaptive": n} for n in (1, 2, 3, 4)},
     BOTH: {f"coarse, {n} rounds": {**COARSE, "Mesh/Adaptive": n} for n in (1, 2, 3)},
+}
+LARGE = {
+    GRADED: {"18 core cells": SERIES[GRADED]["14 core cells"] | {"Mesh/Core cells": 18, "Mesh/Rings": 10, "Mesh/Layers": 18}},
+    EVEN_3: {f"{n} rounds": {**EVEN, "Mesh/Degree": 3, "Mesh/Adaptive": n} for n in (5, 6, 7)},
 }
 QUANTITIES = {"largest_slip": "largest slip", "force": "total force", "dissipation": "dissipated energy",
               "stick_area": "stick area"}
@@ -47,22 +50,28 @@ def measured(context):
     points = []
     for case in ("b",) if context.is_quick else ("a", "b", "c"):
         for series, meshes in SERIES.items():
-            for mesh, settings in meshes.items():
+            for mesh, settings in (meshes | (LARGE.get(series, {}) if context.is_large else {})).items():
                 if not context.is_quick or mesh in QUICK.get(series, ()):
                     points.append(program_point({"case": case, "series": series, "mesh": mesh}, f"paper/case_{case}.prm",
                                                 {**PROGRAM, "Mesh/Model": "quarter", **settings}))
     return context.measure(points, measures, threads=1)
 
 
+def limit(values):
+    """Of a sequence whose last steps shrink as those of a geometric series (Aitken, 1926); else its last value."""
+    if len(values) < 3:
+        return values[-1]
+    before, last = values[-2] - values[-3], values[-1] - values[-2]
+    return values[-1] + last * last / (before - last) if abs(last) < abs(before) else values[-1]
+
+
 def references(rows):
-    """{case: {quantity: value}}; where the references were not run, of the last meshes that were."""
+    """{case: {quantity: value}}: of even cells of degree 3, from round to round."""
     of = {}
-    for row in rows:
-        values = of.setdefault(row["case"], {})
-        if row["series"] == GRADED:
-            values.update({name: float(row[name]) for name in QUANTITIES if name != "stick_area"})
-        if row["series"] == EVEN_3:
-            values["stick_area"] = float(row["stick_area"])
+    for case in dict.fromkeys(row["case"] for row in rows):
+        own = [row for row in rows if (row["case"], row["series"]) == (case, EVEN_3)]
+        of[case] = {name: limit([float(row[name]) for row in own]) for name in QUANTITIES}
+        of[case]["stick_area"] = float(own[-1]["stick_area"])
     return of
 
 
@@ -77,8 +86,9 @@ def figures(rows):
     for line, (case, values) in zip(grid, reference.items()):
         for axes, name in zip(line, shown):
             for colour, series in zip(style.COLOURS, SERIES):
-                own = [row for row in rows if (row["case"], row["series"]) == (case, series) and
-                       row["mesh"] != "reference"]
+                own = [row for row in rows if (row["case"], row["series"]) == (case, series)]
+                if (name, series) == ("stick_area", EVEN_3):
+                    own = own[:-1]  # the reference
                 axes.plot([float(row["cpu_seconds"]) for row in own], [abs(errors_of(row, values)[name]) for row in own],
                           "o-", color=colour, label=series)
             axes.set(xscale="log", yscale="log", title=f"case {case.upper()}: {QUANTITIES[name]}")

@@ -45,7 +45,7 @@ def parsed_options():
     parser.add_argument("--docs", action="store_true", help="also refresh the pages, pictures and tables in docs/")
     parser.add_argument("--anew", action="store_true", help="compute also the points that are there already")
     parser.add_argument("--quick", action="store_true", help="few points: a test of this tool, not a study")
-    parser.add_argument("--large", action="store_true", help="also the points of `elastic` that take gigabytes")
+    parser.add_argument("--large", action="store_true", help="also the points of `elastic` and `adaptive` that take gigabytes")
     parser.add_argument("--jobs", type=int, default=2, help="runs at a time where no time is measured (2)")
     parser.add_argument("--output", type=pathlib.Path, help="folder of the results (output/study)")
     parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/orthocone")
