@@ -78,7 +78,7 @@ def draw_map(axes, rows, columns, lines):
 
 def short(value):
     try:
-        return f"{float(value):.3g}"
+        return f"{float(value):.4g}" if 0.499 < float(value) < 0.5 else f"{float(value):.3g}"  # a Poisson's ratio
     except ValueError:
         return value
 
