@@ -165,5 +165,5 @@ def figures(rows):
     for degree in DEGREES:
         for quadrature in QUADRATURES:
             grid[0, 2].plot([], [], label=f"Q{degree}, {quadrature}", **style_of(degree, quadrature))
-    grid[0, 2].legend(loc="upper left")
+    grid[0, 2].legend(loc="lower right")  # auxetic bodies lie at the left
     return {"locking": figure}
