@@ -88,8 +88,6 @@ void PressureFirstSteps::iterate(NewtonProgress &progress) const
   constexpr double smallest_step = 1. / 16;
   constexpr double stalls = 0.5;    // of the error before: then few nodes may hold up the others
   constexpr unsigned int pause = 3; // iterations that may mend what the hardest nodes have made worse
-  // One stall is no sign: easy steps have it where nodes change their status, and get over it inexactly.
-  constexpr unsigned int stalls_before_exactness = 2;
   const ContactStep &step = progress.step;
   Iterate last = start(progress);
   Best best(last);

@@ -16,6 +16,9 @@ constexpr double inexactness_of_newton = 0.01;
 /// Where steps stall, which inexact ones do sooner; what single precision gives without trouble.
 constexpr double inexactness_of_stalled_newton = 1e-4;
 
+/// One is no sign: easy steps stall where nodes change their status, and get over it inexactly.
+constexpr unsigned int stalls_before_exactness = 2; // in a row
+
 /// A step on the way to its solution.
 struct NewtonProgress
 {
