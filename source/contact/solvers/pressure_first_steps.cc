@@ -84,9 +84,8 @@ void PressureFirstSteps::iterate(NewtonProgress &progress) const
   constexpr unsigned int most_iterations = 30, most_without_gain = 5;
   // The residual projects every node. The map's own error says without that where it may be small enough.
   constexpr unsigned int interval = 4;
-  constexpr double likely = 10; // tolerances
-  constexpr double smallest_step = 1. / 16;
-  constexpr double stalls = 0.5;    // of the error before: then few nodes may hold up the others
+  constexpr double likely = 10;                           // tolerances
+  constexpr double smallest_step = 1. / 16, stalls = 0.5; // of the error before: few nodes hold up the others
   constexpr unsigned int pause = 3; // iterations that may mend what the hardest nodes have made worse
   const ContactStep &step = progress.step;
   Iterate last = start(progress);
