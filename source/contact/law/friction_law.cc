@@ -21,31 +21,33 @@ Vector2d tangential_point(const OrthotropicFriction &law, const Vector3d &tau, c
   return {tau[1] / (1 + lambda / (law.mu_x * law.mu_x)), tau[2] / (1 + lambda / (law.mu_y * law.mu_y))};
 }
 
+/// d/dlambda of ||r_t(lambda)||_m.
+double norm_slope(const OrthotropicFriction &law, const Vector2d &r, const double norm, const double lambda)
+{
+  const double x = law.mu_x * law.mu_x;
+  const double y = law.mu_y * law.mu_y;
+  return -(r[0] * r[0] / (x * (x + lambda)) + r[1] * r[1] / (y * (y + lambda))) / norm;
+}
+
 /// Multiplier of the nearest point for tau outside the cone and its polar: the only root of the decreasing
 /// function psi(lambda) = ||r_t(lambda)||_m (1 - lambda) - tau_n on (0, infinity).
 ///
 /// Newton's method runs on psi / ||r_t||_m, which is linear in lambda for a circular cone; a bracket catches
-/// the rest. With g_i = 1/(mu_i^2 + lambda) and q_i = (mu_i tau_i g_i)^2, the square of the norm is the sum
-/// of q_i, and its derivative -2 times that of q_i g_i: divisions are what this costs. The root of psi is 1
-/// for tau_n = 0; the sign of tau_n says on which side of 1 it lies. The paper's quartic, which multiplying
-/// out gives, is not used: its terms cancel for small coefficients.
+/// the rest. The root of psi is 1 for tau_n = 0; the sign of tau_n says on which side of 1 it lies.
+/// The paper's quartic, which multiplying out gives, is not used: its terms cancel for small coefficients.
 double multiplier(const OrthotropicFriction &law, const Vector3d &tau)
 {
   double lower = tau[0] > 0 ? 0 : 1;
   double upper = tau[0] > 0 ? 1 : std::numeric_limits<double>::infinity();
   double lambda = tau[0] > 0 ? 0 : 1;
   constexpr double settled = 4 * std::numeric_limits<double>::epsilon();
-  const Vector2d mu_squared(law.mu_x * law.mu_x, law.mu_y * law.mu_y);
-  const Vector2d scaled(law.mu_x * tau[1], law.mu_y * tau[2]);
   for (unsigned int step = 0; step < most_newton_steps && tau[0] != 0; ++step)
   {
-    const double g_x = 1 / (mu_squared[0] + lambda), g_y = 1 / (mu_squared[1] + lambda);
-    const double x = scaled[0] * g_x, y = scaled[1] * g_y;
-    const double norm_squared = x * x + y * y;
-    const double quotient = tau[0] / std::sqrt(norm_squared);
-    const double value = 1 - lambda - quotient;
+    const Vector2d r = tangential_point(law, tau, lambda);
+    const double norm = friction_norm(law, r[0], r[1]);
+    const double value = 1 - lambda - tau[0] / norm;
     (value > 0 ? lower : upper) = lambda;
-    const double slope = -1 - quotient * (x * x * g_x + y * y * g_y) / norm_squared;
+    const double slope = -1 + tau[0] * norm_slope(law, r, norm, lambda) / (norm * norm);
     const double change = value / slope;
     // This comes before the bracket, one end of which is the root by now.
     if (slope < 0 && std::abs(change) <= settled * lambda)
