@@ -4,6 +4,8 @@
 // A march as a checkpoint stores it: its state, and the starts of later steps.
 #include "checkpoint_json.h"
 
+#include <utility>
+
 namespace orthocone::checkpoint_json
 {
 using Eigen::Index;
@@ -106,34 +108,17 @@ std::map<unsigned int, Eigen::VectorXd> phase_bodies_from(const Json &json)
   return bodies;
 }
 
-Json coarser_json(const std::vector<MarchMemory> &marches)
+/// Starts without those of coarser marches.
+Json own_starts_json(const StartMemory &starts)
 {
-  Json json = Json::array();
-  for (const MarchMemory &march : marches)
-    json.push_back({state_json(march.state), starts_json(march.starts)});
-  return json;
+  return {{"change", array_json(starts.change)},
+          {"of_phase", phases_json(starts.of_phase)},
+          {"drift", phases_json(starts.drift)},
+          {"bodies", bodies_json(starts.bodies)},
+          {"body_of_phase", phases_json(starts.body_of_phase)}};
 }
 
-std::vector<MarchMemory> coarser_from(const Json &json)
-{
-  std::vector<MarchMemory> marches;
-  for (const Json &march : json)
-  {
-    const ContactState state = state_from(march.at(0));
-    marches.push_back({state, starts_from(march.at(1), state)});
-  }
-  return marches;
-}
-} // namespace
-
-Json starts_json(const StartMemory &starts)
-{
-  return {{"change", array_json(starts.change)},     {"of_phase", phases_json(starts.of_phase)},
-          {"drift", phases_json(starts.drift)},      {"bodies", bodies_json(starts.bodies)},
-          {"coarser", coarser_json(starts.coarser)}, {"body_of_phase", phases_json(starts.body_of_phase)}};
-}
-
-StartMemory starts_from(const Json &json, const ContactState &state)
+StartMemory own_starts_from(const Json &json, const ContactState &state)
 {
   const Index n = 3 * state.n_nodes() + n_rigid_components; // the motion of the held face behind the forces
   // Before the first step there is no change, unless a search for a mesh has marched through it.
@@ -142,7 +127,48 @@ StartMemory starts_from(const Json &json, const ContactState &state)
           phases_from(json.at("of_phase"), n),
           phases_from(json.at("drift"), n),
           bodies_from(json.at("bodies")),
-          coarser_from(json.at("coarser")),
+          {},
           phase_bodies_from(json.at("body_of_phase"))};
+}
+
+/// The coarser march, its coarser march and so on side by side, so that levels do not nest JSON.
+Json coarser_json(const StartMemory &starts)
+{
+  Json json = Json::array();
+  for (const std::vector<MarchMemory> *coarser = &starts.coarser; !coarser->empty();
+       coarser = &coarser->front().starts.coarser)
+    json.push_back({state_json(coarser->front().state), own_starts_json(coarser->front().starts)});
+  return json;
+}
+
+std::vector<MarchMemory> coarser_from(const Json &json)
+{
+  constexpr std::size_t most = 64; // levels
+  if (json.size() > most)
+    throw CheckpointError("is damaged (a number is out of range)");
+  std::vector<MarchMemory> coarser;
+  for (auto march = json.rbegin(); march != json.rend(); ++march)
+  {
+    const ContactState state = state_from(march->at(0));
+    StartMemory starts = own_starts_from(march->at(1), state);
+    starts.coarser = std::exchange(coarser, {});
+    coarser.push_back({state, std::move(starts)});
+  }
+  return coarser;
+}
+} // namespace
+
+Json starts_json(const StartMemory &starts)
+{
+  Json json = own_starts_json(starts);
+  json["coarser"] = coarser_json(starts);
+  return json;
+}
+
+StartMemory starts_from(const Json &json, const ContactState &state)
+{
+  StartMemory starts = own_starts_from(json, state);
+  starts.coarser = coarser_from(json.at("coarser"));
+  return starts;
 }
 } // namespace orthocone::checkpoint_json

@@ -63,6 +63,30 @@ TEST(Checkpoint, KeepsBodiesAndCoarserMarches)
   EXPECT_TRUE(after.starts.coarser.front().starts.coarser.empty());
 }
 
+// A mesh with seven refinements and seven rounds of halved cells has fourteen coarser ones.
+TEST(Checkpoint, KeepsManyLevels)
+{
+  constexpr unsigned int n_levels = 14;
+  Checkpoint before = checkpoint_after(7);
+  for (unsigned int level = 1; level <= n_levels; ++level)
+  {
+    StartMemory starts = std::move(before.starts);
+    starts.bodies = {NodeVector::Constant(level, 1. / level)};
+    before.starts = checkpoint_after(7).starts;
+    before.starts.coarser = {{before.state, std::move(starts)}};
+  }
+  const Checkpoint after = decode(encode(before));
+  const std::vector<MarchMemory> *coarser = &after.starts.coarser;
+  for (unsigned int level = n_levels; level > 0; --level)
+  {
+    ASSERT_EQ(coarser->size(), 1u);
+    const StartMemory &starts = coarser->front().starts;
+    EXPECT_EQ(starts.bodies, std::vector<Eigen::VectorXd>{NodeVector::Constant(level, 1. / level)});
+    coarser = &starts.coarser;
+  }
+  EXPECT_TRUE(coarser->empty());
+}
+
 TEST(Checkpoint, KeepsEverythingToTheLastBit)
 {
   Checkpoint before = checkpoint_after(7);
