@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
+#include "exact_node.h"
 #include "line_search.h"
 #include "loose_face.h"
 #include "solvers.h"
+#include "step_choices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -37,45 +39,6 @@ struct BodyIterate
   double error;     ///< of the law and of the body's equilibrium, N
 };
 
-/// How accurately the next linear system is solved: as accurately as Newton's method converges on the law,
-/// which is all that is not linear, and no better than the tolerance asks for.
-class Forcing
-{
-public:
-  double next(const BodyIterate &iterate, const double wanted)
-  {
-    constexpr double coarse = 0.3, fine = 1e-2, oversolving = 0.05;
-    const double of_law = iterate.linearization.error;
-    const double reduction = last_ > 0 ? of_law / last_ : 1;
-    last_ = of_law;
-    return std::max(std::clamp(0.9 * reduction * reduction, fine, coarse),
-                    oversolving * wanted / iterate.error);
-  }
-
-private:
-  double last_ = 0; ///< error of the law
-};
-
-/// The error that a step must stay below. Near the solution it is the larger one of the last two errors.
-/// Where slip is far from associated, the error may have a minimum beside the solution. Only a step across
-/// the ridge between both leads out of it (Grippo, Lampariello and Lucidi, SIAM J. Numer. Anal. 23 (1986)
-/// 707). Far from the solution such steps cost more than they save. docs/performance.md, "Multigrid".
-class Ridge
-{
-public:
-  double height(const double error)
-  {
-    constexpr double near = 1e-3; // of the first error
-    if (first_ == 0)
-      first_ = error;
-    const double before = std::exchange(last_, error);
-    return error <= near * first_ ? std::max(before, error) : error;
-  }
-
-private:
-  double first_ = 0, last_ = 0;
-};
-
 /// Semismooth Newton for a body without a dense compliance: linearized laws are solved on the whole body, and
 /// only as accurately as it pays. There are no sweeps. docs/theory.md, section 3, "A body without a matrix".
 class InexactNewton : public ContactSolver
@@ -97,7 +60,11 @@ private:
     return {map_, step, unknowns, std::move(near.displacement), std::move(near.body), options_.rho_factor};
   }
   BodyIterate touching(const ContactStep &step, BodyIterate iterate) const;
-  BodyIterate next(const ContactStep &step, const BodyIterate &last, double accuracy, double bound) const;
+  BodyIterate behind(const ContactStep &step, const BodyIterate &last, const ContactChange &change,
+                     double length) const;
+  BodyIterate share_of(const ContactChange &change, const ContactStep &step, const BodyIterate &last,
+                       double bound) const;
+  BodyIterate next(const ContactStep &step, const BodyIterate &last, const StepChoice &choice) const;
   bool is_solved(const ContactStep &step, BodyIterate &iterate, VectorXd &unknowns) const;
 
   ContactSolverOptions options_;
@@ -125,34 +92,60 @@ BodyIterate InexactNewton::touching(const ContactStep &step, BodyIterate iterate
   return iterate;
 }
 
+/// The iterate behind a change, or behind a share of it.
+BodyIterate InexactNewton::behind(const ContactStep &step, const BodyIterate &last,
+                                  const ContactChange &change, const double length) const
+{
+  VectorXd moved(last.unknowns.size());
+  moved << change.force, change.face;
+  return {map_,
+          step,
+          last.unknowns + length * moved,
+          last.displacement + length * change.displacement,
+          last.body.moved(length, change.body),
+          options_.rho_factor};
+}
+
 /// Newton's change, or the share of it whose error is below the bound. Where none is, pieces of the map
 /// meet: then it is the share with the least error if that is little worse than the last error, else all of
 /// it.
-BodyIterate InexactNewton::next(const ContactStep &step, const BodyIterate &last, const double accuracy,
-                                const double bound) const
+BodyIterate InexactNewton::share_of(const ContactChange &change, const ContactStep &step,
+                                    const BodyIterate &last, const double bound) const
 {
   constexpr double sufficient_decrease = 1e-4, smallest_step = 1. / 64, bearable_growth = 1.2;
-  ContactChange change = conditions_->solve(last.linearization.conditions, accuracy);
-  VectorXd moved(change.force.size() + change.face.size());
-  moved << change.force, change.face;
-  if (change.displacement.size() == 0)
-    change.displacement = step.change_of_displacement(moved);
-  const auto trial = [&](const double length)
-  {
-    return BodyIterate(map_, step, last.unknowns + length * moved,
-                       last.displacement + length * change.displacement, last.body.moved(length, change.body),
-                       options_.rho_factor);
-  };
-  BodyIterate best = trial(1);
+  BodyIterate best = behind(step, last, change, 1);
   for (double length = 1; length >= smallest_step; length /= 2)
   {
-    BodyIterate tried = length == 1 ? best : trial(length);
+    BodyIterate tried = length == 1 ? best : behind(step, last, change, length);
     if (tried.error <= (1 - sufficient_decrease * length) * bound)
       return tried;
     if (tried.error < best.error)
       best = std::move(tried);
   }
-  return best.error <= bearable_growth * last.error ? best : trial(1);
+  return best.error <= bearable_growth * last.error ? best : behind(step, last, change, 1);
+}
+
+/// The iterate behind Newton's change. Where that stalls because one node changes its status to and fro, this
+/// node is solved exactly. For others that is worse at first as a rule. Newton's next steps mend it.
+BodyIterate InexactNewton::next(const ContactStep &step, const BodyIterate &last,
+                                const StepChoice &choice) const
+{
+  constexpr double bearable_growth = 10;
+  const ContactConditions &conditions = last.linearization.conditions;
+  const ContactChange change = with_displacement(step, conditions_->solve(conditions, choice.accuracy));
+  BodyIterate next = share_of(change, step, last, choice.bound);
+  if (!choice.may_solve_node || !has_stalled(next.error, last.error))
+    return next;
+  const BodyIterate full = behind(step, last, change, 1);
+  const auto node = hardest_node(step, full.unknowns, full.displacement);
+  if (!node)
+    return next;
+  const auto exact =
+      with_exact_node(step, last.unknowns, last.displacement, conditions, *conditions_, change, *node);
+  if (!exact)
+    return next;
+  BodyIterate solved = behind(step, last, *exact, 1);
+  return solved.error <= bearable_growth * next.error ? solved : next;
 }
 
 /// Whether the forces of an iterate, moved into their cones, solve the step with the displacement that they
@@ -176,8 +169,7 @@ SolverReport InexactNewton::solve(const ContactStep &step, VectorXd &unknowns) c
   constexpr double stricter = 0.1, strictest = 1e-3;
   const unsigned int most = std::min(options_.maximum_iterations, most_inexact_iterations);
   Trace trace;
-  Forcing forcing;
-  Ridge ridge;
+  StepChoices choices;
   if (is_loose_without_forces(step, unknowns))
     unknowns = balancing_start(step);
   BodyIterate iterate = touching(step, near(step, unknowns));
@@ -188,7 +180,8 @@ SolverReport InexactNewton::solve(const ContactStep &step, VectorXd &unknowns) c
   while (residual > options_.tolerance && n < most && std::isfinite(residual))
   {
     const double wanted = strictness * options_.tolerance * step.force_scale(iterate.unknowns);
-    iterate = touching(step, next(step, iterate, forcing.next(iterate, wanted), ridge.height(iterate.error)));
+    iterate =
+        touching(step, next(step, iterate, choices.next(iterate.linearization.error, iterate.error, wanted)));
     ++n;
     residual = step.residual(iterate.unknowns, iterate.displacement);
     trace.add(n, residual, step.force_scale(iterate.unknowns));

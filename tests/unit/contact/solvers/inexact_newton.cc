@@ -41,4 +41,21 @@ TEST(InexactNewton, CrossesRidgesBesideTheSolution)
   }
   EXPECT_LE(iterations, 12.7 * n_steps);
 }
+
+/// A node whose slip would go with friction sticks, and breaks loose when it does. Newton's steps go to and
+/// fro with it, to the 60th of the first two cases and the 38th of the third one.
+TEST(InexactNewton, SolvesNodesThatStickAndSlipInTurnsExactly)
+{
+  struct Case
+  {
+    double p_x;
+    unsigned int n;
+  };
+  for (const auto &[p_x, n] : {Case{1. / 32, 7}, Case{1. / 128, 7}, Case{1. / 128, 5}})
+  {
+    const SolverReport report = unloaded(GridProblem({0.3, 0.15, p_x, 1}, n, 4), 0.1);
+    EXPECT_TRUE(report.converged) << p_x << " " << n;
+    EXPECT_LE(report.iterations, 25u) << p_x << " " << n;
+  }
+}
 } // namespace orthocone::test

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "contact/solvers/exact_node.h"
+#include "contact/contact_problems.h"
+#include "contact/solvers/linearization.h"
+#include "contact/solvers/solvers.h"
+
+#include <gtest/gtest.h>
+
+namespace orthocone::test
+{
+using Eigen::Index;
+using Eigen::Vector3d;
+
+namespace
+{
+/// Newton's step of a grid whose nodes stick, slip and open, from forces that are no solution.
+struct NewtonStep
+{
+  NewtonStep()
+      : grid({0.3, 0.15, 0.05, 0.2}, 5, 1),
+        force(grid.zero())
+  {
+    solve_step(grid.problem, solver_options("newton", 1e-12), force);
+    for (Index node = 0; node < grid.problem.n_nodes(); ++node)
+      force.segment<3>(3 * node) *= 1 + 0.2 * static_cast<double>(node % 3);
+    displacement = grid.problem.displacement(force);
+    conditions = linearize_pressure_first(grid.problem, force, displacement).conditions;
+    solver = condition_solver(grid.system, "newton");
+    change = with_displacement(grid.problem, solver->solve(conditions, 1e-12));
+  }
+
+  /// Part of the natural map behind a change, N.
+  Vector3d error(const ContactChange &of, const Index node) const
+  {
+    return grid.problem.natural_map(force + of.force, displacement + of.displacement).segment<3>(3 * node);
+  }
+
+  /// What the conditions of a node lack, N.
+  double lacking(const ContactChange &of, const Index node) const
+  {
+    const NodeCondition &condition = conditions.nodes[node];
+    const Vector3d moved = of.force.segment<3>(3 * node) - condition.fixed;
+    const Index n = condition.n_unknowns;
+    if (n == 0)
+      return moved.norm();
+    const Eigen::VectorXd unknowns = condition.basis.leftCols(n).colPivHouseholderQr().solve(moved);
+    const Eigen::VectorXd lacking =
+        condition.rows.leftCols(n).transpose() * of.displacement.segment<3>(3 * node) +
+        condition.diagonal.head(n).cwiseProduct(unknowns) - condition.right_side.head(n);
+    return lacking.norm();
+  }
+
+  GridProblem grid;
+  NodeVector force, displacement;
+  ContactConditions conditions;
+  std::unique_ptr<ConditionSolver> solver;
+  ContactChange change;
+};
+} // namespace
+
+TEST(ExactNode, ObeysItsLawAndLeavesTheOthersTheirConditions)
+{
+  constexpr double rounding = 1e-9, accuracy = 1e-2; // of the solutions for a force at the node
+  const NewtonStep step;
+  double missed = 0;
+  for (Index node = 0; node < step.grid.problem.n_nodes(); ++node)
+  {
+    const auto exact = with_exact_node(step.grid.problem, step.force, step.displacement, step.conditions,
+                                       *step.solver, step.change, node);
+    ASSERT_TRUE(exact) << node;
+    EXPECT_LE(step.error(*exact, node).norm(), rounding * step.force.norm()) << node;
+    const double moved = (exact->force - step.change.force).norm();
+    for (Index other = 0; other < step.grid.problem.n_nodes(); ++other)
+      if (other != node)
+        EXPECT_LE(step.lacking(*exact, other), accuracy * moved + rounding * step.force.norm())
+            << node << " " << other;
+    missed = std::max(missed, step.error(step.change, node).norm());
+  }
+  EXPECT_GT(missed, 1e-3 * step.force.norm()); // by Newton's step alone
+}
+
+TEST(ExactNode, IsTheOneThatHoldsNearlyAllOfTheError)
+{
+  const GridProblem grid({0.3, 0.15, 0.05, 0.2}, 5, 1);
+  NodeVector force = grid.zero();
+  solve_step(grid.problem, solver_options("newton", 1e-12), force);
+  constexpr Index hard = 12, second = 11; // both press
+  NodeVector displacement = grid.problem.displacement(force);
+  displacement[3 * hard] -= 1;
+  EXPECT_EQ(hardest_node(grid.problem, force, displacement), hard);
+  displacement[3 * second] -= 1;
+  EXPECT_FALSE(hardest_node(grid.problem, force, displacement));
+}
+} // namespace orthocone::test
