@@ -7,7 +7,8 @@
 namespace orthocone
 {
 /// The contact problem of one node with the forces of all others fixed: its relative displacement is d = q +
-/// W r (mm). W must be symmetric and positive definite; its inverse is kept because every sweep needs it.
+/// W r (mm). W of a body is symmetric and positive definite. If others slip with the node, it is not, and
+/// must be invertible. Its inverse is kept because every sweep needs it.
 struct OneNodeProblem
 {
   OrthotropicFriction law;

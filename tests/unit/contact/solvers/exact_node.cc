@@ -73,8 +73,10 @@ TEST(ExactNode, ObeysItsLawAndLeavesTheOthersTheirConditions)
     const double moved = (exact->force - step.change.force).norm();
     for (Index other = 0; other < step.grid.problem.n_nodes(); ++other)
       if (other != node)
+      {
         EXPECT_LE(step.lacking(*exact, other), accuracy * moved + rounding * step.force.norm())
             << node << " " << other;
+      }
     missed = std::max(missed, step.error(step.change, node).norm());
   }
   EXPECT_GT(missed, 1e-3 * step.force.norm()); // by Newton's step alone
