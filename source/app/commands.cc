@@ -18,7 +18,7 @@ namespace orthocone
 int fail(const ExitCode code, const std::string &message)
 {
   leave_word_to_first_rank();
-  std::cerr << "orthocone: " << message << std::endl;
+  std::cerr << "orthocone: " + message + "\n"; // in one piece, or words of mpirun may get in between
   return static_cast<int>(code);
 }
 

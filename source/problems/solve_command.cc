@@ -215,7 +215,7 @@ int solve_command(const std::vector<std::string> &arguments, std::ostream &out, 
 {
   const auto failed = [&](const std::string &message, const ExitCode code)
   {
-    errors << "orthocone-solve: " << message << '\n';
+    errors << "orthocone-solve: " + message + "\n";
     return static_cast<int>(code);
   };
   try
