@@ -8,6 +8,8 @@ import os
 import pathlib
 import re
 import resource
+import socket
+import subprocess
 import sys
 
 sys.dont_write_bytecode = True  # the source tree stays clean
@@ -79,6 +81,14 @@ class ParameterTest(ErrorTest):
         for arguments, code, expression in table.COMMAND_LINES:
             with self.subTest(arguments=arguments):
                 self.assert_rejected(arguments, code, expression)
+
+    def test_message_is_one_piece(self):
+        """Else words of mpirun may get in between. A socket for datagrams gives what is written piece by piece."""
+        here, there = socket.socketpair(socket.AF_UNIX, socket.SOCK_DGRAM)
+        with here, there:
+            subprocess.run([self.program, "missing.prm"], cwd=self.folder, stderr=there, check=False,
+                           timeout=60)
+            self.assertRegex(here.recv(10000), rb"(?s)^orthocone: missing\.prm: .*\n$")
 
     def test_suggestion(self):
         for name, suggested in table.NAMES_ON_COMMAND_LINE:
