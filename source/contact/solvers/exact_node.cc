@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include "exact_node.h"
 
+#include "linearization.h"
+
 #include <orthocone/contact/law/one_node.h>
 
 #include <array>
@@ -43,9 +45,7 @@ ContactChange with_displacement(const ContactStep &step, ContactChange change)
 {
   if (change.displacement.size() > 0)
     return change;
-  VectorXd unknowns(change.force.size() + change.face.size());
-  unknowns << change.force, change.face;
-  change.displacement = step.change_of_displacement(unknowns);
+  change.displacement = step.change_of_displacement(unknowns_of(change));
   return change;
 }
 
@@ -82,11 +82,13 @@ std::optional<ContactChange> with_exact_node(const ContactStep &step, const Vect
     compliance.col(i) = of_force[i].displacement.segment<3>(place);
   }
   const Matrix3d stiffness = compliance.inverse();
+  if (!stiffness.allFinite())
+    return std::nullopt;
   const Vector3d moved = unknowns.segment<3>(place) + change.force.segment<3>(place);
   const Vector3d free =
       displacement.segment<3>(place) + change.displacement.segment<3>(place) - compliance * moved;
   const Vector3d force = solve_one_node({step.law(node), compliance, stiffness}, free, moved);
-  if (!stiffness.allFinite() || !force.allFinite())
+  if (!force.allFinite())
     return std::nullopt;
   for (int i = 0; i < 3; ++i)
     add(change, force[i] - moved[i], of_force[i]);

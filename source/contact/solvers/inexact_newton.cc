@@ -96,11 +96,9 @@ BodyIterate InexactNewton::touching(const ContactStep &step, BodyIterate iterate
 BodyIterate InexactNewton::behind(const ContactStep &step, const BodyIterate &last,
                                   const ContactChange &change, const double length) const
 {
-  VectorXd moved(last.unknowns.size());
-  moved << change.force, change.face;
   return {map_,
           step,
-          last.unknowns + length * moved,
+          last.unknowns + length * unknowns_of(change),
           last.displacement + length * change.displacement,
           last.body.moved(length, change.body),
           options_.rho_factor};

@@ -151,12 +151,16 @@ Linearization linearize_pressure_first(const ContactStep &step, const VectorXd &
   return linearize_with(pressure_first_part, step, unknowns, displacement, rho_factor);
 }
 
-VectorXd newton_change(const ConditionSolver &solver, const Linearization &linearization,
-                       const double accuracy)
+VectorXd unknowns_of(const ContactChange &change)
 {
-  const ContactChange change = solver.solve(linearization.conditions, accuracy);
   VectorXd unknowns(change.force.size() + change.face.size());
   unknowns << change.force, change.face;
   return unknowns;
+}
+
+VectorXd newton_change(const ConditionSolver &solver, const Linearization &linearization,
+                       const double accuracy)
+{
+  return unknowns_of(solver.solve(linearization.conditions, accuracy));
 }
 } // namespace orthocone

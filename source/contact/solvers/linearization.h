@@ -25,6 +25,9 @@ Linearization linearize(const ContactStep &step, const Eigen::VectorXd &unknowns
 Linearization linearize_pressure_first(const ContactStep &step, const Eigen::VectorXd &unknowns,
                                        const NodeVector &displacement, double rho_factor = 1);
 
+/// Forces and motion of the face of a change, in the order of the unknowns of a step.
+Eigen::VectorXd unknowns_of(const ContactChange &change);
+
 /// Newton's change of the unknowns, up to a relative error `accuracy` or the best that can be reached. Not
 /// finite if the linearization is singular.
 Eigen::VectorXd newton_change(const ConditionSolver &solver, const Linearization &linearization,

@@ -24,6 +24,9 @@ private:
   double last_ = 0; ///< error of the law
 };
 
+/// Of the first error: errors below this share of it are near the solution.
+constexpr double near_solution = 1e-3;
+
 /// The error that a step must stay below. Near the solution it is the larger one of the last two errors.
 /// Where slip is far from associated, the error may have a minimum beside the solution. Only a step across
 /// the ridge between both leads out of it (Grippo, Lampariello and Lucidi, SIAM J. Numer. Anal. 23 (1986)
@@ -33,11 +36,10 @@ class Ridge
 public:
   double height(const double error)
   {
-    constexpr double near = 1e-3; // of the first error
     if (first_ == 0)
       first_ = error;
     const double before = std::exchange(last_, error);
-    return error <= near * first_ ? std::max(before, error) : error;
+    return error <= near_solution * first_ ? std::max(before, error) : error;
   }
 
 private:
@@ -60,12 +62,11 @@ public:
   /// Whether so many steps have stalled up to the one that has led to `error`.
   bool are_many(const double error)
   {
-    constexpr double near = 1e-3; // of the first error
     constexpr unsigned int many = 2;
     if (first_ == 0)
       first_ = error;
     const double before = std::exchange(last_, error);
-    if (error <= near * first_ && has_stalled(error, before))
+    if (error <= near_solution * first_ && has_stalled(error, before))
       ++n_;
     return n_ >= many;
   }
