@@ -140,13 +140,13 @@ class StepProblemsTest(program.RunTest):
         self.assertEqual(self.files("run"), [])
 
     def test_step_from_no_force(self):
-        """Neither from the state before nor in parts is its last step solved within 20 iterations; from no force it is."""
+        """Neither from the state before nor in parts is its last step solved within 40 iterations; from no force it is."""
         scene = ["Friction/Coefficients=0.147917, 0.0877833", "Friction/Slip potential=1, 2.94685", "Friction/Orthotropy angle=45",
                  "Load program/Legs=0 0 -0.0730171 : 5 ; 0.0146034 0 -0.0730171 : 3 ; 0.0146034 0.0146034 -0.0730171 : 3",
                  "Load program/Cycles=1", "Geometry/Height=7.30171", "Material/Poisson ratio=0.49", "Mesh/Core cells=2",
                  "Mesh/Rings=1", "Mesh/Layers=2", "Mesh/Degree=3", "Mesh/Rim grading=0.480742", "Mesh/Layer grading=0.738882"]
         result = self.run_program("run", file=ROOT / "prm/paper/scene.prm",
-                                  settings=[*scene, "Contact solver/Maximum iterations=20", "Output/Problems=1"])
+                                  settings=[*scene, "Contact solver/Maximum iterations=40", "Output/Problems=1"])
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         self.assertEqual(len(self.files("run")), 11)
         for file in self.files("run"):

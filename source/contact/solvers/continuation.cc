@@ -55,9 +55,10 @@ bool may_be_solvable(const Verdict verdict)
 class OnEitherMap : public ContactSolver
 {
 public:
-  OnEitherMap(const ContactSystem &system, const ContactSolverOptions &options)
-      : pressure_first_(make_inexact_newton(system, options)),
-        natural_(make_natural_newton(system, options))
+  OnEitherMap(const ContactSystem &system, const ContactSolverOptions &options,
+              const Allowances &allowances = {})
+      : pressure_first_(make_inexact_newton(system, options, allowances)),
+        natural_(make_natural_newton(system, options, allowances))
   {
   }
 
@@ -114,6 +115,8 @@ SolverReport Continuation::solve_at(const ContactStep &step, const double t, Wal
   // take few iterations.
   constexpr double accurate = 1e-9;
   constexpr unsigned int most_iterations = 20; // docs/performance.md, "Multigrid"
+  Allowances allowances;
+  allowances.leaps = 0; // they would leave the way
   ContactSolverOptions options = options_;
   options.maximum_iterations = std::min(options.maximum_iterations, most_iterations);
   VectorXd unknowns = walk.unknowns;
@@ -122,10 +125,11 @@ SolverReport Continuation::solve_at(const ContactStep &step, const double t, Wal
   {
     options.tolerance = accurate;
     const ContactSystem system = system_on_the_way(step.system(), t);
-    report = OnEitherMap(system, options).solve(ContactStep(system, step.q(), step.face()), unknowns);
+    report =
+        OnEitherMap(system, options, allowances).solve(ContactStep(system, step.q(), step.face()), unknowns);
   }
   else
-    report = OnEitherMap(step.system(), options).solve(step, unknowns);
+    report = OnEitherMap(step.system(), options, allowances).solve(step, unknowns);
   walk.iterations += report.iterations;
   if (report.converged)
     walk.unknowns = std::move(unknowns);

@@ -39,13 +39,22 @@ struct BodyIterate
   double error;     ///< of the law and of the body's equilibrium, N
 };
 
+/// Whether the error behind a step of this length is so far below the bound that the step pays.
+bool is_low(const double error, const double length, const double bound)
+{
+  constexpr double sufficient_decrease = 1e-4;
+  return error <= (1 - sufficient_decrease * length) * bound;
+}
+
 /// Semismooth Newton for a body without a dense compliance: linearized laws are solved on the whole body, and
 /// only as accurately as it pays. There are no sweeps. docs/theory.md, section 3, "A body without a matrix".
 class InexactNewton : public ContactSolver
 {
 public:
-  InexactNewton(const ContactSystem &system, const ContactSolverOptions &options, Map *const map)
+  InexactNewton(const ContactSystem &system, const ContactSolverOptions &options,
+                const Allowances &allowances, Map *const map)
       : options_(options),
+        allowances_(allowances),
         map_(map),
         conditions_(condition_solver(system, "newton"))
   {
@@ -63,11 +72,13 @@ private:
   BodyIterate behind(const ContactStep &step, const BodyIterate &last, const ContactChange &change,
                      double length) const;
   BodyIterate share_of(const ContactChange &change, const ContactStep &step, const BodyIterate &last,
-                       double bound) const;
-  BodyIterate next(const ContactStep &step, const BodyIterate &last, const StepChoice &choice) const;
+                       const StepChoice &choice, Allowances &allowances) const;
+  BodyIterate next(const ContactStep &step, const BodyIterate &last, const StepChoice &choice,
+                   Allowances &allowances) const;
   bool is_solved(const ContactStep &step, BodyIterate &iterate, VectorXd &unknowns) const;
 
   ContactSolverOptions options_;
+  Allowances allowances_;
   Map *map_;
   std::unique_ptr<ConditionSolver> conditions_;
 };
@@ -104,40 +115,53 @@ BodyIterate InexactNewton::behind(const ContactStep &step, const BodyIterate &la
           options_.rho_factor};
 }
 
-/// Newton's change, or the share of it whose error is below the bound. Where none is, pieces of the map
-/// meet: then it is the share with the least error if that is little worse than the last error, else all of
-/// it.
+/// Newton's change, or the share of it whose error is below the bound. Where neither all nor half of it is,
+/// pieces of the map meet, or the error has a minimum beside the solution, in which shorter steps would end.
+/// Then it is all of it a few times near the solution. Else it is the share with the least error if that is
+/// little worse than the last error, and all of it otherwise.
 BodyIterate InexactNewton::share_of(const ContactChange &change, const ContactStep &step,
-                                    const BodyIterate &last, const double bound) const
+                                    const BodyIterate &last, const StepChoice &choice,
+                                    Allowances &allowances) const
 {
-  constexpr double sufficient_decrease = 1e-4, smallest_step = 1. / 64, bearable_growth = 1.2;
-  BodyIterate best = behind(step, last, change, 1);
-  for (double length = 1; length >= smallest_step; length /= 2)
+  constexpr double smallest_step = 1. / 64, bearable_growth = 1.2, bearable_leap = 10;
+  BodyIterate full = behind(step, last, change, 1);
+  if (is_low(full.error, 1, choice.bound))
+    return full;
+  BodyIterate best = behind(step, last, change, 0.5);
+  if (is_low(best.error, 0.5, choice.bound))
+    return best;
+  if (choice.may_leap && allowances.leaps > 0 && full.error <= bearable_leap * choice.bound)
   {
-    BodyIterate tried = length == 1 ? best : behind(step, last, change, length);
-    if (tried.error <= (1 - sufficient_decrease * length) * bound)
+    --allowances.leaps;
+    return full;
+  }
+  for (double length = 0.25; length >= smallest_step; length /= 2)
+  {
+    BodyIterate tried = behind(step, last, change, length);
+    if (is_low(tried.error, length, choice.bound))
       return tried;
     if (tried.error < best.error)
       best = std::move(tried);
   }
-  return best.error <= bearable_growth * last.error ? best : behind(step, last, change, 1);
+  return best.error <= std::min(full.error, bearable_growth * last.error) ? best : full;
 }
 
 /// The iterate behind Newton's change. Where that stalls because one node changes its status to and fro, this
 /// node is solved exactly. For others that is worse at first as a rule. Newton's next steps mend it.
-BodyIterate InexactNewton::next(const ContactStep &step, const BodyIterate &last,
-                                const StepChoice &choice) const
+BodyIterate InexactNewton::next(const ContactStep &step, const BodyIterate &last, const StepChoice &choice,
+                                Allowances &allowances) const
 {
-  constexpr double bearable_growth = 10;
+  constexpr double bearable_growth = 100;
   const ContactConditions &conditions = last.linearization.conditions;
   const ContactChange change = with_displacement(step, conditions_->solve(conditions, choice.accuracy));
-  BodyIterate next = share_of(change, step, last, choice.bound);
-  if (!choice.may_solve_node || !has_stalled(next.error, last.error))
+  BodyIterate next = share_of(change, step, last, choice, allowances);
+  if (!choice.may_solve_node || allowances.exact_nodes == 0 || !has_stalled(next.error, last.error))
     return next;
   const BodyIterate full = behind(step, last, change, 1);
   const auto node = hardest_node(step, full.unknowns, full.displacement);
   if (!node)
     return next;
+  --allowances.exact_nodes;
   const auto exact =
       with_exact_node(step, last.unknowns, last.displacement, conditions, *conditions_, change, *node);
   if (!exact)
@@ -168,6 +192,7 @@ SolverReport InexactNewton::solve(const ContactStep &step, VectorXd &unknowns) c
   const unsigned int most = std::min(options_.maximum_iterations, most_inexact_iterations);
   Trace trace;
   StepChoices choices;
+  Allowances allowances = allowances_;
   if (is_loose_without_forces(step, unknowns))
     unknowns = balancing_start(step);
   BodyIterate iterate = touching(step, near(step, unknowns));
@@ -179,7 +204,8 @@ SolverReport InexactNewton::solve(const ContactStep &step, VectorXd &unknowns) c
   {
     const double wanted = strictness * options_.tolerance * step.force_scale(iterate.unknowns);
     iterate =
-        touching(step, next(step, iterate, choices.next(iterate.linearization.error, iterate.error, wanted)));
+        touching(step, next(step, iterate, choices.next(iterate.linearization.error, iterate.error, wanted),
+                            allowances));
     ++n;
     residual = step.residual(iterate.unknowns, iterate.displacement);
     trace.add(n, residual, step.force_scale(iterate.unknowns));
@@ -200,14 +226,16 @@ SolverReport InexactNewton::solve(const ContactStep &step, VectorXd &unknowns) c
 } // namespace
 
 std::unique_ptr<ContactSolver> make_inexact_newton(const ContactSystem &system,
-                                                   const ContactSolverOptions &options)
+                                                   const ContactSolverOptions &options,
+                                                   const Allowances &allowances)
 {
-  return std::make_unique<InexactNewton>(system, options, linearize_pressure_first);
+  return std::make_unique<InexactNewton>(system, options, allowances, linearize_pressure_first);
 }
 
 std::unique_ptr<ContactSolver> make_natural_newton(const ContactSystem &system,
-                                                   const ContactSolverOptions &options)
+                                                   const ContactSolverOptions &options,
+                                                   const Allowances &allowances)
 {
-  return std::make_unique<InexactNewton>(system, options, linearize);
+  return std::make_unique<InexactNewton>(system, options, allowances, linearize);
 }
 } // namespace orthocone

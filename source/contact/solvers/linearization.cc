@@ -91,15 +91,29 @@ NodePart slipping_part(const OrthotropicFriction &law, const double rho, const d
   return part;
 }
 
+/// A node that sticks. Its displacement counts as much as that of a node about to stick does: else the map
+/// would jump where a node changes its status, and no line search could cross the jump.
+NodePart sticking_part(const double rho, const Vector2d &tangential_weights, const Vector3d &displacement)
+{
+  const Vector3d weights(rho, tangential_weights[0], tangential_weights[1]);
+  NodePart part;
+  part.value = weights.cwiseProduct(displacement);
+  part.condition.n_unknowns = 3;
+  part.condition.basis.setIdentity();
+  part.condition.rows = weights.asDiagonal();
+  part.condition.right_side = -part.value;
+  return part;
+}
+
 NodePart pressure_first_part(const OrthotropicFriction &law, const double rho, const Vector3d &force,
                              const Vector3d &displacement)
 {
   if (is_frictionless(law))
     return natural_part(law, rho, force, displacement);
-  NodePart part;
   const double pressure = force[0] - rho * displacement[0];
   if (pressure <= 0)
   {
+    NodePart part;
     part.condition.fixed = -force;
     part.value = force;
     return part;
@@ -110,12 +124,7 @@ NodePart pressure_first_part(const OrthotropicFriction &law, const double rho, c
   const Vector2d y = force.tail<2>().cwiseQuotient(mu) - rho_t * weights.cwiseProduct(displacement.tail<2>());
   if (y.norm() > pressure)
     return slipping_part(law, rho, rho_t, pressure, force, displacement, y);
-  part.condition.n_unknowns = 3;
-  part.condition.basis.setIdentity();
-  part.condition.rows = rho * Matrix3d::Identity();
-  part.condition.right_side = -rho * displacement;
-  part.value = rho * displacement;
-  return part;
+  return sticking_part(rho, rho_t * mu.cwiseProduct(weights), displacement);
 }
 
 template<typename Part>

@@ -98,13 +98,22 @@ std::unique_ptr<ContactSolver> make(const ContactSystem &system, const ContactSo
   return std::make_unique<Solver>(system, options);
 }
 
+/// How often the steps of one solution may do what leads out of a trap, or only costs.
+struct Allowances
+{
+  unsigned int leaps = 3;       ///< full steps to a larger error; they may lead to another solution
+  unsigned int exact_nodes = 3; ///< nodes that are solved exactly
+};
+
 /// The first two are Newton's method where the backend has no dense compliance, on the map that asks for the
 /// pressure first and on the natural map. The third one is the method `newton` there: it tries both, and
 /// follows the solution from the associated slip rule where they fail.
 std::unique_ptr<ContactSolver> make_inexact_newton(const ContactSystem &system,
-                                                   const ContactSolverOptions &options);
+                                                   const ContactSolverOptions &options,
+                                                   const Allowances &allowances = {});
 std::unique_ptr<ContactSolver> make_natural_newton(const ContactSystem &system,
-                                                   const ContactSolverOptions &options);
+                                                   const ContactSolverOptions &options,
+                                                   const Allowances &allowances = {});
 std::unique_ptr<ContactSolver> make_continuation(const ContactSystem &system,
                                                  const ContactSolverOptions &options);
 

@@ -24,8 +24,24 @@ private:
   double last_ = 0; ///< error of the law
 };
 
-/// Of the first error: errors below this share of it are near the solution.
-constexpr double near_solution = 1e-3;
+/// Whether iterates have come near the solution. Steps across a ridge lead away from it again for a while.
+class Nearness
+{
+public:
+  /// Whether one had an error of no more than a share of the first one, up to that with `error`.
+  bool has_come(const double error)
+  {
+    constexpr double share = 1e-3;
+    if (first_ == 0)
+      first_ = error;
+    has_come_ = has_come_ || error <= share * first_;
+    return has_come_;
+  }
+
+private:
+  double first_ = 0;
+  bool has_come_ = false;
+};
 
 /// The error that a step must stay below. Near the solution it is the larger one of the last two errors.
 /// Where slip is far from associated, the error may have a minimum beside the solution. Only a step across
@@ -34,16 +50,14 @@ constexpr double near_solution = 1e-3;
 class Ridge
 {
 public:
-  double height(const double error)
+  double height(const double error, const bool is_near)
   {
-    if (first_ == 0)
-      first_ = error;
     const double before = std::exchange(last_, error);
-    return error <= near_solution * first_ ? std::max(before, error) : error;
+    return is_near ? std::max(before, error) : error;
   }
 
 private:
-  double first_ = 0, last_ = 0;
+  double last_ = 0;
 };
 
 /// Whether a step hardly pays.
@@ -53,27 +67,22 @@ inline bool has_stalled(const double error, const double last_error)
   return error > share * last_error;
 }
 
-/// Tells steps that are hard from easy ones, which stall now and then where nodes change their status. Far
-/// from the solution many nodes do, and to solve one of them exactly helps little (docs/performance.md,
-/// "Multigrid").
+/// Tells steps that are hard from easy ones, which stall once where nodes change their status. Far from the
+/// solution many nodes do, and to solve one of them exactly helps little (docs/performance.md, "Multigrid").
 class Stalls
 {
 public:
-  /// Whether so many steps have stalled up to the one that has led to `error`.
-  bool are_many(const double error)
+  /// Whether a step has stalled near the solution, up to the one that has led to `error`.
+  bool have_begun(const double error, const bool is_near)
   {
-    constexpr unsigned int many = 2;
-    if (first_ == 0)
-      first_ = error;
     const double before = std::exchange(last_, error);
-    if (error <= near_solution * first_ && has_stalled(error, before))
-      ++n_;
-    return n_ >= many;
+    have_begun_ = have_begun_ || (is_near && has_stalled(error, before));
+    return have_begun_;
   }
 
 private:
-  double first_ = 0, last_ = 0;
-  unsigned int n_ = 0;
+  double last_ = 0;
+  bool have_begun_ = false;
 };
 
 /// What the next step may do.
@@ -81,7 +90,8 @@ struct StepChoice
 {
   double accuracy;     ///< of its linear system
   double bound;        ///< that its error must stay below, N
-  bool may_solve_node; ///< exactly
+  bool may_leap;       ///< as far as there are Allowances
+  bool may_solve_node; ///< exactly, in the same way
 };
 
 /// Of the steps of one solution, in their order.
@@ -91,10 +101,13 @@ public:
   /// Behind an iterate with these errors of the law alone, and of law and equilibrium together (N).
   StepChoice next(const double of_law, const double error, const double wanted)
   {
-    return {forcing_.next(of_law, error, wanted), ridge_.height(error), stalls_.are_many(error)};
+    const bool is_near = nearness_.has_come(error);
+    return {forcing_.next(of_law, error, wanted), ridge_.height(error, is_near), is_near,
+            stalls_.have_begun(error, is_near)};
   }
 
 private:
+  Nearness nearness_;
   Forcing forcing_;
   Ridge ridge_;
   Stalls stalls_;

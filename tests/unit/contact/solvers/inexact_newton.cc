@@ -24,7 +24,7 @@ SolverReport unloaded(const GridProblem &grid, const double share)
 } // namespace
 
 /// Where slip is far from associated, the map has minima beside the solutions. A method that reduces it with
-/// every step needs 13.7 iterations here in the mean.
+/// every step needs 13.6 iterations here in the mean, and does not solve one of the steps.
 TEST(InexactNewton, CrossesRidgesBesideTheSolution)
 {
   unsigned int iterations = 0, n_steps = 0;
@@ -39,7 +39,7 @@ TEST(InexactNewton, CrossesRidgesBesideTheSolution)
       ++n_steps;
     }
   }
-  EXPECT_LE(iterations, 12.7 * n_steps);
+  EXPECT_LE(iterations, 11 * n_steps);
 }
 
 /// A node whose slip would go with friction sticks, and breaks loose when it does. Newton's steps go to and
