@@ -8,7 +8,8 @@ namespace orthocone::test
 {
 using Eigen::VectorXd;
 
-/// A pressed base: some ten V-cycles for eight digits, whatever degree, shape, model and number of cells.
+/// A pressed base: at most eight V-cycles for eight digits, whatever degree, shape, model and number of
+/// cells.
 TEST(VCycle, MakesConjugateGradientsFast)
 {
   constexpr unsigned int most_iterations = 12;
