@@ -77,9 +77,9 @@ double multigrid_gigabytes(const Parameters &parameters, const ModelSize &size, 
 Estimate multigrid_estimate(const Parameters &parameters, const ModelSize &size,
                             const ModelSymmetry &symmetry)
 {
-  constexpr double set_up = 1.5e-5, v_cycle = 3e-7;          // s per unknown
-  constexpr double in_first_cycle = 30, in_later_cycles = 9; // V-cycles of a step
-  constexpr double in_iteration = 5;                         // V-cycles of an iteration of Newton's method
+  constexpr double set_up = 1.5e-5, v_cycle = 4.5e-7;        // s per unknown
+  constexpr double in_first_cycle = 20, in_later_cycles = 6; // V-cycles of a step
+  constexpr double in_iteration = 3;                         // V-cycles of an iteration of Newton's method
   constexpr double even = 2.5; // stretch of cells that does not slow multigrid down
   const Parameters coarsest = on_coarsest(parameters);
   const double cycles_per_step =

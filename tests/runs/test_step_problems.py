@@ -148,6 +148,7 @@ class StepProblemsTest(program.RunTest):
         result = self.run_program("run", file=ROOT / "prm/paper/scene.prm",
                                   settings=[*scene, "Contact solver/Maximum iterations=40", "Output/Problems=1"])
         self.assertEqual((result.returncode, result.stderr), (0, ""))
+        self.assertGreater(int(self.rows("run")[-1]["iterations"]), 2 * 40)  # of the ways before
         self.assertEqual(len(self.files("run")), 11)
         for file in self.files("run"):
             self.row(file, "--stored", "--tolerance=1e-10")
