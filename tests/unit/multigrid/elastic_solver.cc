@@ -12,7 +12,7 @@ using Eigen::VectorXd;
 /// cells.
 TEST(VCycle, MakesConjugateGradientsFast)
 {
-  constexpr unsigned int most_iterations = 12;
+  constexpr unsigned int most_iterations = 8;
   struct Case
   {
     BodyShape shape;
@@ -33,7 +33,7 @@ TEST(VCycle, MakesConjugateGradientsFast)
 /// Cells of three sizes cost no more.
 TEST(VCycle, MakesConjugateGradientsFastBesideHangingNodes)
 {
-  constexpr unsigned int most_iterations = 12;
+  constexpr unsigned int most_iterations = 8;
   for (const unsigned int degree : {1U, 2U, 3U})
   {
     const RefinedBody refined(default_geometry, uneven_mesh(degree), quarter);
