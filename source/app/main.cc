@@ -3,6 +3,8 @@
 #include "dispatch.h"
 #include "launch.h"
 
+#include <orthocone/base/blas_kernels.h>
+
 #include <unistd.h>
 
 #include <cstdlib>
@@ -12,6 +14,7 @@ int main(const int argc, const char *const *const argv)
 {
   // Factorizations report NaN themselves. To look for it first takes 4 % of a small step.
   ::setenv("LAPACKE_NANCHECK", "0", 0);
+  orthocone::use_kernels_of_this_processor();
   orthocone::Launch launch(argc, argv);
   const int code = orthocone::guarded_dispatch(argc, argv);
   std::cout.flush();

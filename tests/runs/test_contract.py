@@ -241,6 +241,17 @@ class ContractTest(unittest.TestCase):
         self.assertEqual((result.returncode, result.stdout, result.stderr), (0, "", ""))
         self.assertTrue((self.folder / "short/history.csv").exists())
 
+    def test_blas_has_kernels_of_this_processor(self):
+        """Also where OpenBLAS is older than the processor. What the environment asks for, it gets."""
+        features = pathlib.Path("/proc/cpuinfo").read_text(encoding="ascii").split()
+        usual = {name: value for name, value in os.environ.items() if name != "OPENBLAS_CORETYPE"}
+        of = lambda environment: subprocess.run([PROGRAM, "--version"], text=True, capture_output=True, timeout=60,
+                                                check=True, env=environment).stdout
+        if "OpenBLAS" not in of(usual) or not {"avx2", "fma"} <= set(features):
+            self.skipTest("no OpenBLAS, or no AVX2")
+        self.assertNotIn("Prescott", of(usual))
+        self.assertIn("Prescott", of({**usual, "OPENBLAS_CORETYPE": "Prescott"}))
+
     def test_dissipation_is_never_negative(self):
         """Also where all is rounding: a disc of the width of a galaxy, pressed by a tenth of a millimetre."""
         result = self.run_program("--output", "run", settings=[*SMALL, "Geometry/Radius=1e18", "Output/Probes="])
