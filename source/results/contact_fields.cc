@@ -78,6 +78,7 @@ static StickSample between(const HangingNode &hanging, const std::vector<StickSa
 {
   StickSample sample;
   sample.status = samples[nearest(hanging)].status;
+  sample.law = samples[nearest(hanging)].law;
   double sum = 0;
   for (const auto &[node, weight] : hanging.terms)
     if (samples[node].status == sample.status)
@@ -89,6 +90,15 @@ static StickSample between(const HangingNode &hanging, const std::vector<StickSa
   sample.reserve = std::max(0., sample.reserve / sum);
   sample.slip = std::max(0., sample.slip / sum);
   return sample;
+}
+
+/// Of a node that slips under a friction force: the normal of the cone (StickSample::law), and the direction
+/// of slip, turned by half a circle as the force is against it.
+static std::pair<Vector2d, Vector2d> normal_and_slip(const OrthotropicFriction &law, const Vector2d &force)
+{
+  const Vector2d gradient(force[0] / (law.mu_x * law.mu_x), force[1] / (law.mu_y * law.mu_y));
+  const Vector2d slip(force[0] / (law.p_x * law.p_x), force[1] / (law.p_y * law.p_y));
+  return {force.norm() / gradient.dot(force) * gradient, slip.normalized()};
 }
 
 ContactFieldEvaluator::ContactFieldEvaluator(const Scene &scene)
@@ -155,6 +165,11 @@ double ContactFieldEvaluator::stick_area(const ContactState &state) const
     sample.status = state.status[node];
     sample.reserve = friction * std::max(0., (1 - load) * r[0]) / surface_.nodes[node].area;
     sample.slip = slip_since_stick(state, node);
+    if (sample.status == NodeStatus::slip && !is_frictionless(law))
+    {
+      const auto [normal, slip] = normal_and_slip(law, r.tail<2>());
+      sample.law = axes_.to_global(node, normal) * axes_.to_global(node, slip).transpose();
+    }
   }
   for (const HangingNode &hanging : surface_.hanging)
     samples.push_back(between(hanging, samples));

@@ -113,8 +113,8 @@ double stick_share(const double reserve, const double slip, const double edge_co
 }
 
 StickArea::StickArea(const ContactSurface &surface, const MaterialOptions &material)
-    : edge_compliance_(4. / 3 * (1 - std::pow(material.isotropic().poisson_ratio, 2)) /
-                       material.isotropic().young_modulus)
+    : poisson_ratio_(material.isotropic().poisson_ratio),
+      edge_compliance_(4. / 3 * (1 - std::pow(poisson_ratio_, 2)) / material.isotropic().young_modulus)
 {
   const bool is_section = !surface.faces.empty() && surface.faces.front().size() == surface.degree + 1;
   for (const auto &face : surface.faces)
@@ -152,15 +152,29 @@ double StickArea::operator()(const std::vector<StickSample> &samples) const
   return sum;
 }
 
+/// In-plane shear, slip across the border, is 1/(1 - nu) times as stiff as antiplane shear along it. Slip e
+/// changes the traction by both, and n of that counts against the reserve (docs/theory.md, "Stick area").
+double StickArea::edge_compliance(const StickSample &slipping, const Place &normal) const
+{
+  constexpr double least = 0.05; // where slip hardly changes the reserve, higher orders decide
+  const double trace = slipping.law.trace();
+  if (trace == 0)
+    return edge_compliance_;
+  const Eigen::Vector2d across(normal[0], normal[1]);
+  const double stiffness = (1 - poisson_ratio_) * trace + poisson_ratio_ * across.dot(slipping.law * across);
+  return edge_compliance_ / std::max(least, stiffness);
+}
+
 /// The place where stick ends between two nodes, only one of which sticks: 0 at the first, 1 at the second.
-double StickArea::border(const StickSample &first, const StickSample &second, const double length) const
+double StickArea::border(const StickSample &first, const StickSample &second, const double length,
+                         const Place &normal) const
 {
   const bool first_sticks = first.status == NodeStatus::stick;
   const StickSample &stuck = first_sticks ? first : second;
   const StickSample &other = first_sticks ? second : first;
   if (other.status == NodeStatus::open)
     return 0.5;
-  const double share = stick_share(stuck.reserve, other.slip, edge_compliance_, length);
+  const double share = stick_share(stuck.reserve, other.slip, edge_compliance(other, normal), length);
   return first_sticks ? share : 1 - share;
 }
 
@@ -205,9 +219,10 @@ StickArea::Borders StickArea::borders_of(const Cell &cell, const std::array<bool
     const Place &to = cell.positions[next];
     const Place side{{to[0] - from[0], to[1] - from[1]}};
     double length = std::hypot(side[0], side[1]);
+    const Place across = normal ? *normal : Place{{side[0] / length, side[1] / length}};
     if (normal)
       length = std::max(least_length * length, std::abs(side[0] * (*normal)[0] + side[1] * (*normal)[1]));
-    const double along = border(samples[cell.nodes[i]], samples[cell.nodes[next]], length);
+    const double along = border(samples[cell.nodes[i]], samples[cell.nodes[next]], length, across);
     borders.push_back({along, between(from, to, along)});
   }
   return borders;
@@ -239,7 +254,7 @@ double StickArea::area(const Ring &ring, const std::vector<StickSample> &samples
   if (inner_sticks != outer_sticks)
     radii[inner_sticks ? 1 : 0] +=
         (ring.radii[1] - ring.radii[0]) *
-        (border(inner, outer, ring.radii[1] - ring.radii[0]) - (inner_sticks ? 1 : 0));
+        (border(inner, outer, ring.radii[1] - ring.radii[0], {{1, 0}}) - (inner_sticks ? 1 : 0));
   return pi * (radii[1] * radii[1] - radii[0] * radii[0]);
 }
 } // namespace orthocone

@@ -16,6 +16,9 @@ struct StickSample
   NodeStatus status = NodeStatus::open;
   double reserve = 0; ///< friction traction that would still fit before slip, MPa; of nodes that stick
   double slip = 0;    ///< since the node last stuck, mm; of nodes that slip
+  /// n e^T of nodes that slip: the normal n of the cone at their friction force, as long that its component
+  /// along the force is 1, and the direction e of slip. Zero where these are not known.
+  Eigen::Matrix2d law = Eigen::Matrix2d::Zero();
 };
 
 /// Where the stick zone ends between a node that sticks and one that slips, `length` mm away across the
@@ -61,14 +64,17 @@ private:
   using Borders = std::vector<Border>;
 
   void add_cells(const ContactSurface &surface, const std::vector<unsigned int> &face);
-  double border(const StickSample &first, const StickSample &second, double length) const;
+  double border(const StickSample &first, const StickSample &second, double length,
+                const Place &normal) const;
+  double edge_compliance(const StickSample &slipping, const Place &normal) const;
   Borders borders_of(const Cell &cell, const std::array<bool, 4> &sticks,
                      const std::vector<StickSample> &samples, const std::optional<Place> &normal) const;
   static std::optional<Place> normal_of(const Borders &borders);
   double share(const Cell &cell, const std::vector<StickSample> &samples) const;
   double area(const Ring &ring, const std::vector<StickSample> &samples) const;
 
-  double edge_compliance_; ///< mm^2/N
+  double poisson_ratio_;
+  double edge_compliance_; ///< of in-plane shear, mm^2/N
   std::vector<Cell> cells_;
   std::vector<Ring> rings_;
 };
