@@ -78,7 +78,7 @@ static StickSample between(const HangingNode &hanging, const std::vector<StickSa
 {
   StickSample sample;
   sample.status = samples[nearest(hanging)].status;
-  sample.law = samples[nearest(hanging)].law;
+  sample.normal_by_slip = samples[nearest(hanging)].normal_by_slip;
   double sum = 0;
   for (const auto &[node, weight] : hanging.terms)
     if (samples[node].status == sample.status)
@@ -92,8 +92,8 @@ static StickSample between(const HangingNode &hanging, const std::vector<StickSa
   return sample;
 }
 
-/// Of a node that slips under a friction force: the normal of the cone (StickSample::law), and the direction
-/// of slip, turned by half a circle as the force is against it.
+/// Of a node that slips under a friction force: the normal of the cone (StickSample::normal_by_slip), and the
+/// direction of slip, turned by half a circle as the force is against it.
 static std::pair<Vector2d, Vector2d> normal_and_slip(const OrthotropicFriction &law, const Vector2d &force)
 {
   const Vector2d gradient(force[0] / (law.mu_x * law.mu_x), force[1] / (law.mu_y * law.mu_y));
@@ -168,7 +168,7 @@ double ContactFieldEvaluator::stick_area(const ContactState &state) const
     if (sample.status == NodeStatus::slip && !is_frictionless(law))
     {
       const auto [normal, slip] = normal_and_slip(law, r.tail<2>());
-      sample.law = axes_.to_global(node, normal) * axes_.to_global(node, slip).transpose();
+      sample.normal_by_slip = axes_.to_global(node, normal) * axes_.to_global(node, slip).transpose();
     }
   }
   for (const HangingNode &hanging : surface_.hanging)

@@ -157,11 +157,11 @@ double StickArea::operator()(const std::vector<StickSample> &samples) const
 double StickArea::edge_compliance(const StickSample &slipping, const Place &normal) const
 {
   constexpr double least = 0.05; // where slip hardly changes the reserve, higher orders decide
-  const double trace = slipping.law.trace();
-  if (trace == 0)
+  if (slipping.normal_by_slip.isZero(0))
     return edge_compliance_;
   const Eigen::Vector2d across(normal[0], normal[1]);
-  const double stiffness = (1 - poisson_ratio_) * trace + poisson_ratio_ * across.dot(slipping.law * across);
+  const double stiffness = (1 - poisson_ratio_) * slipping.normal_by_slip.trace() +
+                           poisson_ratio_ * across.dot(slipping.normal_by_slip * across);
   return edge_compliance_ / std::max(least, stiffness);
 }
 

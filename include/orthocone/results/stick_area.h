@@ -18,7 +18,7 @@ struct StickSample
   double slip = 0;    ///< since the node last stuck, mm; of nodes that slip
   /// n e^T of nodes that slip: the normal n of the cone at their friction force, as long that its component
   /// along the force is 1, and the direction e of slip. Zero where these are not known.
-  Eigen::Matrix2d law = Eigen::Matrix2d::Zero();
+  Eigen::Matrix2d normal_by_slip = Eigen::Matrix2d::Zero();
 };
 
 /// Where the stick zone ends between a node that sticks and one that slips, `length` mm away across the

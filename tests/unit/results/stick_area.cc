@@ -179,14 +179,14 @@ TEST(StickArea, KnowsHowCompliantSlipAlongTheBorderIs)
     if (in_plane.back().status != NodeStatus::slip)
       continue;
     const Eigen::Vector2d across = place.normalized(), along(-across[1], across[0]);
-    in_plane.back().law = across * across.transpose();
-    antiplane.back().law = along * along.transpose();
+    in_plane.back().normal_by_slip = across * across.transpose();
+    antiplane.back().normal_by_slip = along * along.transpose();
     antiplane.back().slip /= 1 - material.poisson_ratio;
   }
   const StickArea area(surface, material);
   EXPECT_NEAR(area(antiplane), area(in_plane), 1e-3 * area(in_plane));
   for (StickSample &sample : antiplane)
-    sample.law.setZero();
+    sample.normal_by_slip.setZero();
   EXPECT_LT(area(antiplane), 0.99 * area(in_plane));
 }
 
