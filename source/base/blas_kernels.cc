@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include <orthocone/base/blas_kernels.h>
+#include "blas_function.h"
 
-#include <dlfcn.h>
+#include <orthocone/base/blas_kernels.h>
 
 #include <cstdlib>
 #include <string>
@@ -11,13 +11,6 @@ namespace orthocone
 {
 namespace
 {
-/// A function of the BLAS that runs, which Debian's alternatives decide; null if it has none of that name.
-template<typename Function>
-Function *function_of_blas(const char *const name)
-{
-  return reinterpret_cast<Function *>(dlsym(RTLD_DEFAULT, name));
-}
-
 bool has_avx2()
 {
 #if defined(__x86_64__)

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include <orthocone/base/threads.h>
+#include "blas_function.h"
 
 #include <orthocone/base/control_group.h>
+#include <orthocone/base/threads.h>
 
-#include <dlfcn.h>
 #include <sched.h>
 #include <unistd.h>
 
@@ -65,21 +65,20 @@ ThreadChoice choose_threads(const double unknowns, const UsableCores &cores, con
 /// the calling one.
 static void set_openmp_levels(const int number)
 {
-  if (auto *const set = reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, "omp_set_max_active_levels")))
+  if (auto *const set = function_of_blas<void(int)>("omp_set_max_active_levels"))
     set(number);
 }
 
 void set_blas_threads(const unsigned int number)
 {
   set_openmp_levels(number > 1 ? 1 : 0);
-  // Debian's alternatives decide at run time which BLAS is there.
-  if (auto *const set = reinterpret_cast<void (*)(int)>(dlsym(RTLD_DEFAULT, "openblas_set_num_threads")))
+  if (auto *const set = function_of_blas<void(int)>("openblas_set_num_threads"))
     set(static_cast<int>(number));
 }
 
 unsigned int blas_threads()
 {
-  auto *const get = reinterpret_cast<int (*)()>(dlsym(RTLD_DEFAULT, "openblas_get_num_threads"));
+  auto *const get = function_of_blas<int()>("openblas_get_num_threads");
   return get == nullptr ? 1 : static_cast<unsigned int>(std::max(1, get()));
 }
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
+#include "blas_function.h"
+
 #include <orthocone/base/version.h>
 
 #include <Eigen/Core>
@@ -16,9 +18,7 @@ std::string program_version()
 
 std::string running_blas()
 {
-  // Debian's alternatives decide at run time which library libblas.so.3 is.
-  using Describe = const char *();
-  if (auto *const describe = reinterpret_cast<Describe *>(dlsym(RTLD_DEFAULT, "openblas_get_config")))
+  if (auto *const describe = function_of_blas<const char *()>("openblas_get_config"))
     return describe();
   Dl_info info{};
   const bool is_found = dladdr(dlsym(RTLD_DEFAULT, "dgemm_"), &info) != 0;

@@ -93,12 +93,13 @@ static StickSample between(const HangingNode &hanging, const std::vector<StickSa
 }
 
 /// Of a node that slips under a friction force: the normal of the cone (StickSample::normal_by_slip), and the
-/// direction of slip, turned by half a circle as the force is against it.
+/// direction of slip, both turned to the side of the force. The normal is how associated slip would go.
 static std::pair<Vector2d, Vector2d> normal_and_slip(const OrthotropicFriction &law, const Vector2d &force)
 {
-  const Vector2d gradient(force[0] / (law.mu_x * law.mu_x), force[1] / (law.mu_y * law.mu_y));
-  const Vector2d slip(force[0] / (law.p_x * law.p_x), force[1] / (law.p_y * law.p_y));
-  return {force.norm() / gradient.dot(force) * gradient, slip.normalized()};
+  const OrthotropicFriction associated{law.mu_x, law.mu_y, law.mu_x, law.mu_y};
+  const Vector2d normal = slip_direction(associated, force[0], force[1]);
+  const Vector2d slip = -slip_direction(law, force[0], force[1]);
+  return {force.norm() / normal.dot(force) * normal, slip.normalized()};
 }
 
 ContactFieldEvaluator::ContactFieldEvaluator(const Scene &scene)
@@ -165,7 +166,7 @@ double ContactFieldEvaluator::stick_area(const ContactState &state) const
     sample.status = state.status[node];
     sample.reserve = friction * std::max(0., (1 - load) * r[0]) / surface_.nodes[node].area;
     sample.slip = slip_since_stick(state, node);
-    if (sample.status == NodeStatus::slip && !is_frictionless(law))
+    if (sample.status == NodeStatus::slip && !is_frictionless(law) && !r.tail<2>().isZero(0))
     {
       const auto [normal, slip] = normal_and_slip(law, r.tail<2>());
       sample.normal_by_slip = axes_.to_global(node, normal) * axes_.to_global(node, slip).transpose();

@@ -4,7 +4,7 @@
 
 One cycle of cases A, B and C. Adaptive meshes begin with even cells, or with the rings of a resolution. Slip, force and energy
 are compared with the limit of even cells of degree 3 over their rounds, the stick area with the last of these, which have the
-smallest cells along its border. --large adds meshes of up to 1.3 million unknowns (12 GB, an hour or two)."""
+smallest cells along its border. --large adds meshes of up to 1.2 million unknowns (12 GB, an hour or two)."""
 import matplotlib.pyplot as plt
 import style
 from one_cycle import FINEST
@@ -28,7 +28,7 @@ LARGE = {
     GRADED: {"18 core cells": SERIES[GRADED]["14 core cells"] | {"Mesh/Core cells": 18, "Mesh/Rings": 10, "Mesh/Layers": 18}},
     EVEN_3: {f"{n} rounds": {**EVEN, "Mesh/Degree": 3, "Mesh/Adaptive": n} for n in (5, 6, 7)},
 }
-LEFT_OUT = {("b", "7 rounds"), ("c", "7 rounds")}  # long; a step does not settle within half an hour
+LEFT_OUT = {("b", "7 rounds"), ("c", "7 rounds")}  # B takes long, and a step of C does not settle
 QUANTITIES = {"largest_slip": "largest slip", "force": "total force", "dissipation": "dissipated energy",
               "stick_area": "stick area"}
 QUICK = {GRADED: ("coarse",), EVEN_3: ("1 rounds",)}
