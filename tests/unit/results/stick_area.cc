@@ -195,7 +195,7 @@ TEST(StickArea, KnowsHowCompliantSlipAlongTheBorderIs)
 TEST(StickArea, IsKnownOnCoarseCellsWhereSlipIsNotNormalToTheCone)
 {
   Parameters parameters;
-  parameters.friction.slip_potential = {{0.05, 0.2}};
+  parameters.friction.slip_potential = std::array<double, 2>{{0.05, 0.2}};
   parameters.load.legs = {move_to(0, 0, -0.1, 1)};
   parameters.mesh.model = ModelKind::quarter;
   parameters.mesh.core_cells = 2;
