@@ -11,13 +11,17 @@ namespace orthocone
 {
 namespace
 {
-bool has_avx2()
+/// OpenBLAS's name of its best kernels for this processor, or null for its own choice.
+const char *kernels_of_this_processor()
 {
 #if defined(__x86_64__)
-  return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma");
-#else
-  return false;
+  if (__builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512bw") &&
+      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+    return "SkylakeX";
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    return "Haswell";
 #endif
+  return nullptr;
 }
 } // namespace
 
@@ -28,10 +32,11 @@ void use_kernels_of_this_processor()
   // OpenBLAS exports both, but declares them in none of its headers.
   const auto forget = function_of_blas<void()>("gotoblas_dynamic_quit");
   const auto choose = function_of_blas<void()>("gotoblas_dynamic_init");
+  const char *const kernels = kernels_of_this_processor();
   if (std::getenv(variable) != nullptr || name == nullptr || forget == nullptr || choose == nullptr ||
-      std::string(name()) != "Prescott" || !has_avx2())
+      std::string(name()) != "Prescott" || kernels == nullptr)
     return;
-  ::setenv(variable, "Haswell", 0);
+  ::setenv(variable, kernels, 0);
   forget();
   choose();
 }

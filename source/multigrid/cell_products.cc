@@ -9,10 +9,6 @@
 
 #include <algorithm>
 
-// Inlined functions are compiled for each processor, and for each number of nodes.
-#define ORTHOCONE_INLINE __attribute__((always_inline)) inline
-#define ORTHOCONE_INLINE_LAMBDA __attribute__((always_inline))
-
 namespace orthocone
 {
 namespace

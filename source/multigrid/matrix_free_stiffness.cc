@@ -107,14 +107,15 @@ template<typename Number>
 MatrixFreeStiffness<Number>::MatrixFreeStiffness(const Discretization &space, const MaterialOptions &material)
     : space_(space),
       material_(material),
-      cells_(empty_batches<Number>(space, material))
+      cells_(empty_batches<Number>(space, material)),
+      hanging_(space.hanging())
 {
   BatchWriter<Number> writer(space, cells_);
   unsigned int n_cells = 0;
   for (const auto &cell : space.dof_handler().active_cell_iterators())
     if (cell->is_locally_owned())
       writer.add(cell, n_cells++ % Lanes<Number>::n);
-  if (!space.hanging().empty())
+  if (!hanging_.empty())
     with_hanging_.resize(space.n_dofs());
 }
 
@@ -125,17 +126,16 @@ void MatrixFreeStiffness<Number>::vmult(BodyVector<Number> &forces,
   Assert(std::all_of(displacement.begin() + space_.n_free(), displacement.begin() + space_.n_owned(),
                      [](const Number held) { return held == 0; }),
          dealii::ExcMessage("a held degree of freedom moves"));
-  const HangingDofs &hanging = space_.hanging();
   forces = 0;
   displacement.update_ghost_values();
-  if (hanging.empty())
+  if (hanging_.empty())
     add_products(cells_, displacement.begin(), forces.begin());
   else
   {
     std::copy_n(displacement.begin(), space_.n_dofs(), with_hanging_.begin());
-    hanging.distribute(with_hanging_.data());
+    hanging_.distribute(with_hanging_.data());
     add_products(cells_, with_hanging_.data(), forces.begin());
-    hanging.collect(forces.begin());
+    hanging_.collect(forces.begin());
   }
   displacement.zero_out_ghost_values();
   forces.compress(dealii::VectorOperation::add);

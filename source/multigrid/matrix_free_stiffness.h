@@ -3,6 +3,7 @@
 #pragma once
 
 #include "cell_products.h"
+#include "hanging_products.h"
 
 #include <orthocone/body/fe/displacement_space.h>
 
@@ -36,6 +37,7 @@ private:
   const Discretization &space_;
   MaterialOptions material_;
   CellBatches<Number> cells_;
+  HangingProducts<Number> hanging_;
   mutable std::vector<Number> with_hanging_; ///< displacement with hanging nodes, if there are any
 };
 } // namespace orthocone

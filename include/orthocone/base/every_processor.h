@@ -10,3 +10,7 @@
 #else
 #define ORTHOCONE_FOR_EVERY_PROCESSOR
 #endif
+
+/// Of functions and lambdas that such a function calls: they are compiled for each of its processors.
+#define ORTHOCONE_INLINE __attribute__((always_inline)) inline
+#define ORTHOCONE_INLINE_LAMBDA __attribute__((always_inline))

@@ -41,32 +41,20 @@ public:
   bool empty() const { return sums_.empty(); }
   bool contains(const unsigned int dof) const { return !empty() && places_[dof] != none; }
 
+  const std::vector<unsigned int> &numbers() const { return numbers_; } ///< of the hanging ones
+
   /// The sum of a hanging degree of freedom.
   const Terms &terms(const unsigned int dof) const { return sums_[places_[dof]]; }
 
   /// Sets the displacements of the hanging ones from those of the others; `displacement` has n_dofs numbers.
-  template<typename Number>
-  void distribute(Number *const displacement) const
+  void distribute(double *const displacement) const
   {
     for (std::size_t i = 0; i < sums_.size(); ++i)
     {
       double sum = 0;
       for (const Term &term : sums_[i])
-        sum += term.weight * static_cast<double>(displacement[term.dof]);
-      displacement[numbers_[i]] = static_cast<Number>(sum);
-    }
-  }
-
-  /// Moves forces on hanging ones to the degrees of freedom that move them, which does the same work;
-  /// `forces` has n_dofs numbers.
-  template<typename Number>
-  void collect(Number *const forces) const
-  {
-    for (std::size_t i = 0; i < sums_.size(); ++i)
-    {
-      for (const Term &term : sums_[i])
-        forces[term.dof] += static_cast<Number>(term.weight) * forces[numbers_[i]];
-      forces[numbers_[i]] = 0;
+        sum += term.weight * displacement[term.dof];
+      displacement[numbers_[i]] = sum;
     }
   }
 

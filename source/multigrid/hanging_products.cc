@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "hanging_products.h"
+
+#include <orthocone/base/every_processor.h>
+
+#include <algorithm>
+#include <map>
+
+namespace orthocone
+{
+namespace
+{
+/// A degree of freedom, and the terms of its sum.
+struct Sum
+{
+  unsigned int target;
+  HangingDofs::Terms terms;
+};
+
+std::vector<Sum> sums_of_hanging(const HangingDofs &hanging)
+{
+  std::vector<Sum> sums;
+  for (const unsigned int dof : hanging.numbers())
+    sums.push_back({dof, hanging.terms(dof)});
+  return sums;
+}
+
+std::vector<Sum> sums_of_moving(const HangingDofs &hanging)
+{
+  std::map<unsigned int, HangingDofs::Terms> terms;
+  for (const unsigned int dof : hanging.numbers())
+    for (const auto &[moving, weight] : hanging.terms(dof))
+      terms[moving].push_back({dof, weight});
+  std::vector<Sum> sums;
+  for (auto &[moving, moved] : terms)
+    sums.push_back({moving, std::move(moved)});
+  return sums;
+}
+
+/// Sums of similar length share a batch.
+template<typename Number>
+LaneSums<Number> in_lanes(std::vector<Sum> sums)
+{
+  constexpr std::size_t lanes = Lanes<Number>::n;
+  const auto is_longer = [](const Sum &a, const Sum &b) { return a.terms.size() > b.terms.size(); };
+  std::stable_sort(sums.begin(), sums.end(), is_longer);
+  LaneSums<Number> result;
+  for (std::size_t first = 0; first < sums.size(); first += lanes)
+  {
+    const std::size_t n_terms = sums[first].terms.size(), n_before = result.weights.size();
+    result.n_terms.push_back(static_cast<unsigned int>(n_terms));
+    result.dofs.resize(result.dofs.size() + n_terms * lanes);
+    result.weights.resize(n_before + n_terms, Lanes<Number>{});
+    for (std::size_t i = first; i < std::min(first + lanes, sums.size()); ++i)
+    {
+      result.targets.push_back(sums[i].target);
+      for (std::size_t t = 0; t < sums[i].terms.size(); ++t)
+      {
+        const auto &[dof, weight] = sums[i].terms[t];
+        result.dofs[(n_before + t) * lanes + i - first] = dof;
+        result.weights[n_before + t].values[i - first] = static_cast<Number>(weight);
+      }
+    }
+  }
+  return result;
+}
+
+/// Calls `use` with the target and the value of each sum.
+template<typename Number, typename Use>
+ORTHOCONE_INLINE void for_each_sum(const LaneSums<Number> &sums, const Number *values, const Use &use)
+{
+  constexpr std::size_t lanes = Lanes<Number>::n;
+  const unsigned int *dofs = sums.dofs.data();
+  const Lanes<Number> *weights = sums.weights.data();
+  std::size_t first = 0;
+  for (const unsigned int n_terms : sums.n_terms)
+  {
+    Lanes<Number> sum{};
+    for (unsigned int t = 0; t < n_terms; ++t, dofs += lanes, ++weights)
+    {
+      Lanes<Number> of_term;
+      for (std::size_t lane = 0; lane < lanes; ++lane)
+        of_term.values[lane] = values[dofs[lane]];
+      sum.values += weights->values * of_term.values;
+    }
+    const std::size_t n = std::min(lanes, sums.targets.size() - first);
+    for (std::size_t lane = 0; lane < n; ++lane)
+      use(sums.targets[first + lane], sum.values[lane]);
+    first += lanes;
+  }
+}
+
+template<typename Number>
+ORTHOCONE_INLINE void distribute_all(const LaneSums<Number> &of_hanging, Number *displacement)
+{
+  for_each_sum(of_hanging, displacement,
+               [&](const unsigned int hanging, const Number value) ORTHOCONE_INLINE_LAMBDA
+               { displacement[hanging] = value; });
+}
+
+template<typename Number>
+ORTHOCONE_INLINE void collect_all(const LaneSums<Number> &of_hanging, const LaneSums<Number> &of_moving,
+                                  Number *forces)
+{
+  for_each_sum(of_moving, forces,
+               [&](const unsigned int moving, const Number value) ORTHOCONE_INLINE_LAMBDA
+               { forces[moving] += value; });
+  for (const unsigned int hanging : of_hanging.targets)
+    forces[hanging] = 0;
+}
+
+ORTHOCONE_FOR_EVERY_PROCESSOR
+void distribute_on(const LaneSums<float> &of_hanging, float *displacement)
+{
+  distribute_all(of_hanging, displacement);
+}
+
+ORTHOCONE_FOR_EVERY_PROCESSOR
+void distribute_on(const LaneSums<double> &of_hanging, double *displacement)
+{
+  distribute_all(of_hanging, displacement);
+}
+
+ORTHOCONE_FOR_EVERY_PROCESSOR
+void collect_from(const LaneSums<float> &of_hanging, const LaneSums<float> &of_moving, float *forces)
+{
+  collect_all(of_hanging, of_moving, forces);
+}
+
+ORTHOCONE_FOR_EVERY_PROCESSOR
+void collect_from(const LaneSums<double> &of_hanging, const LaneSums<double> &of_moving, double *forces)
+{
+  collect_all(of_hanging, of_moving, forces);
+}
+} // namespace
+
+template<typename Number>
+HangingProducts<Number>::HangingProducts(const HangingDofs &hanging)
+    : of_hanging_(in_lanes<Number>(sums_of_hanging(hanging))),
+      of_moving_(in_lanes<Number>(sums_of_moving(hanging)))
+{
+}
+
+template<typename Number>
+void HangingProducts<Number>::distribute(Number *const displacement) const
+{
+  distribute_on(of_hanging_, displacement);
+}
+
+template<typename Number>
+void HangingProducts<Number>::collect(Number *const forces) const
+{
+  collect_from(of_hanging_, of_moving_, forces);
+}
+
+template class HangingProducts<float>;
+template class HangingProducts<double>;
+} // namespace orthocone
