@@ -51,6 +51,13 @@ bool may_be_solvable(const Verdict verdict)
   return verdict == Verdict::cycling || verdict == Verdict::slow || verdict == Verdict::diverged;
 }
 
+/// Nodes in groups cost many solutions: they are for the first method alone.
+Allowances without_groups(Allowances allowances)
+{
+  allowances.nodes_in_groups = 0;
+  return allowances;
+}
+
 /// Newton's method on the map that stalls less often, and on the other one where it stalls.
 class OnEitherMap : public ContactSolver
 {
@@ -58,7 +65,7 @@ public:
   OnEitherMap(const ContactSystem &system, const ContactSolverOptions &options,
               const Allowances &allowances = {})
       : pressure_first_(make_inexact_newton(system, options, allowances)),
-        natural_(make_natural_newton(system, options, allowances))
+        natural_(make_natural_newton(system, options, without_groups(allowances)))
   {
   }
 
@@ -115,7 +122,7 @@ SolverReport Continuation::solve_at(const ContactStep &step, const double t, Wal
   // take few iterations.
   constexpr double accurate = 1e-9;
   constexpr unsigned int most_iterations = 20; // docs/performance.md, "Multigrid"
-  Allowances allowances;
+  Allowances allowances = without_groups({});
   allowances.leaps = 0; // they would leave the way
   ContactSolverOptions options = options_;
   options.maximum_iterations = std::min(options.maximum_iterations, most_iterations);

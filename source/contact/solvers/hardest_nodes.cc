@@ -2,11 +2,12 @@
 // Copyright (C) 2026 the orthocone authors
 #include "hardest_nodes.h"
 
+#include "few_nodes.h"
+
 #include <orthocone/surface/nearest_nodes.h>
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 #include <utility>
 #include <vector>
 
@@ -22,7 +23,8 @@ namespace
 using Nodes = std::vector<Index>;
 
 // Of the small problem: fewer neighbours would leave more for the whole surface to mend.
-constexpr Index most_worst = 24, neighbours = 32, size_of_problem = 100;
+constexpr std::size_t most_worst = 24;
+constexpr Index neighbours = 32, size_of_problem = 100;
 
 /// A block of W, from its lower half.
 Matrix3d block(const DenseView &w, const Index i, const Index j)
@@ -30,31 +32,6 @@ Matrix3d block(const DenseView &w, const Index i, const Index j)
   if (i >= j)
     return w.block<3, 3>(3 * i, 3 * j);
   return w.block<3, 3>(3 * j, 3 * i).transpose();
-}
-
-/// The nodes that hold nearly all of the map, worst first; none if they are many.
-Nodes worst_nodes(const VectorXd &map, const Index n_nodes)
-{
-  constexpr double remaining = 0.01; // of the squared map
-  std::vector<double> parts(n_nodes);
-  for (Index i = 0; i < n_nodes; ++i)
-    parts[i] = map.segment<3>(3 * i).squaredNorm();
-  Nodes nodes(n_nodes);
-  std::iota(nodes.begin(), nodes.end(), 0);
-  std::partial_sort(nodes.begin(), nodes.begin() + most_worst, nodes.end(),
-                    [&](const Index a, const Index b) { return parts[a] > parts[b]; });
-  const double all = std::accumulate(parts.begin(), parts.end(), 0.);
-  double rest = all;
-  for (Index n = 0; n < most_worst; ++n)
-  {
-    rest -= parts[nodes[n]];
-    if (rest <= remaining * all)
-    {
-      nodes.resize(n + 1);
-      return nodes;
-    }
-  }
-  return {};
 }
 
 /// The node and its nearest ones, nearest first.
@@ -98,13 +75,6 @@ MatrixXd compliance_of(const Nodes &nodes, const DenseView &w)
   return result;
 }
 
-VectorXd values_at(const Nodes &nodes, const VectorXd &values)
-{
-  VectorXd result(3 * static_cast<Index>(nodes.size()));
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    result.segment<3>(3 * static_cast<Index>(i)) = values.segment<3>(3 * nodes[i]);
-  return result;
-}
 } // namespace
 
 HardestNodes::HardestNodes(const ContactSolverOptions &options, Make *const make)
@@ -122,8 +92,8 @@ HardestNodes::Result HardestNodes::solve(const ContactStep &step, const VectorXd
   const DenseView *const w = step.system().compliance().dense();
   if (w == nullptr || step.n_nodes() < least_surface * size_of_problem)
     return {};
-  Nodes nodes = worst_nodes(step.natural_map(unknowns, displacement), step.n_nodes());
-  if (nodes.empty())
+  Nodes nodes = worst_nodes(step, unknowns, displacement, most_worst + 1);
+  if (nodes.size() > most_worst)
     return {};
   nodes = with_neighbours(std::move(nodes), *w);
   const DenseCompliance compliance(compliance_of(nodes, *w));

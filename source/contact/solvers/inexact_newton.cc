@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include "exact_node.h"
+#include "exact_nodes.h"
+#include "few_nodes.h"
 #include "line_search.h"
 #include "loose_face.h"
 #include "solvers.h"
@@ -9,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 namespace orthocone
 {
@@ -73,6 +75,9 @@ private:
                      double length) const;
   BodyIterate share_of(const ContactChange &change, const ContactStep &step, const BodyIterate &last,
                        const StepChoice &choice, Allowances &allowances) const;
+  static std::vector<Eigen::Index> nodes_to_solve(const ContactStep &step, const BodyIterate &last,
+                                                  const BodyIterate &full, const StepChoice &choice,
+                                                  Allowances &allowances);
   BodyIterate next(const ContactStep &step, const BodyIterate &last, const StepChoice &choice,
                    Allowances &allowances) const;
   bool is_solved(const ContactStep &step, BodyIterate &iterate, VectorXd &unknowns) const;
@@ -146,8 +151,36 @@ BodyIterate InexactNewton::share_of(const ContactChange &change, const ContactSt
   return best.error <= std::min(full.error, bearable_growth * last.error) ? best : full;
 }
 
-/// The iterate behind Newton's change. Where that stalls because one node changes its status to and fro, this
-/// node is solved exactly. For others that is worse at first as a rule. Newton's next steps mend it.
+/// The nodes that are to be solved exactly: the hardest one behind a full step, if there is one, a few times.
+/// Where that has not helped, those few that are hardest behind or before the step. They may be in a row in
+/// which each one slips when its neighbour does. None where the error is on many nodes.
+std::vector<Eigen::Index> InexactNewton::nodes_to_solve(const ContactStep &step, const BodyIterate &last,
+                                                        const BodyIterate &full, const StepChoice &choice,
+                                                        Allowances &allowances)
+{
+  constexpr std::size_t few = 4;
+  const auto node = hardest_node(step, full.unknowns, full.displacement);
+  if (node && allowances.exact_nodes > 0)
+  {
+    --allowances.exact_nodes;
+    return {*node};
+  }
+  std::vector<Eigen::Index> nodes = worst_nodes(step, full.unknowns, full.displacement, few + 1);
+  if (nodes.size() > few || !choice.may_solve_nodes)
+    return {};
+  const auto before = worst_nodes(step, last.unknowns, last.displacement, few + 1);
+  if (before.size() <= few)
+    for (const Eigen::Index other : before)
+      if (std::find(nodes.begin(), nodes.end(), other) == nodes.end())
+        nodes.push_back(other);
+  if (nodes.size() > allowances.nodes_in_groups)
+    return {};
+  allowances.nodes_in_groups -= nodes.size();
+  return nodes;
+}
+
+/// The iterate behind Newton's change. Where that stalls because nodes change their status to and fro, these
+/// are solved exactly. For others that is worse at first as a rule. Newton's next steps mend it.
 BodyIterate InexactNewton::next(const ContactStep &step, const BodyIterate &last, const StepChoice &choice,
                                 Allowances &allowances) const
 {
@@ -155,15 +188,13 @@ BodyIterate InexactNewton::next(const ContactStep &step, const BodyIterate &last
   const ContactConditions &conditions = last.linearization.conditions;
   const ContactChange change = with_displacement(step, conditions_->solve(conditions, choice.accuracy));
   BodyIterate next = share_of(change, step, last, choice, allowances);
-  if (!choice.may_solve_node || allowances.exact_nodes == 0 || !has_stalled(next.error, last.error))
+  if (!choice.may_solve_node || !has_stalled(next.error, last.error))
     return next;
-  const BodyIterate full = behind(step, last, change, 1);
-  const auto node = hardest_node(step, full.unknowns, full.displacement);
-  if (!node)
+  const auto nodes = nodes_to_solve(step, last, behind(step, last, change, 1), choice, allowances);
+  if (nodes.empty())
     return next;
-  --allowances.exact_nodes;
   const auto exact =
-      with_exact_node(step, last.unknowns, last.displacement, conditions, *conditions_, change, *node);
+      with_exact_nodes(step, last.unknowns, last.displacement, conditions, *conditions_, change, nodes);
   if (!exact)
     return next;
   BodyIterate solved = behind(step, last, *exact, 1);

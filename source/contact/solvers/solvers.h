@@ -11,6 +11,7 @@
 #include <orthocone/contact/solvers/contact_solver.h>
 
 #include <cmath>
+#include <cstddef>
 #include <utility>
 
 namespace orthocone
@@ -101,8 +102,9 @@ std::unique_ptr<ContactSolver> make(const ContactSystem &system, const ContactSo
 /// How often the steps of one solution may do what leads out of a trap, or only costs.
 struct Allowances
 {
-  unsigned int leaps = 3;       ///< full steps to a larger error; they may lead to another solution
-  unsigned int exact_nodes = 3; ///< nodes that are solved exactly
+  unsigned int leaps = 3;           ///< full steps to a larger error; they may lead to another solution
+  unsigned int exact_nodes = 3;     ///< nodes that are solved exactly, one at a time
+  std::size_t nodes_in_groups = 24; ///< the same, several at a time
 };
 
 /// The first two are Newton's method where the backend has no dense compliance, on the map that asks for the

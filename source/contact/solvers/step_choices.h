@@ -68,30 +68,32 @@ inline bool has_stalled(const double error, const double last_error)
 }
 
 /// Tells steps that are hard from easy ones, which stall once where nodes change their status. Far from the
-/// solution many nodes do, and to solve one of them exactly helps little (docs/performance.md, "Multigrid").
+/// solution many nodes do, and to solve some of them exactly helps little (docs/performance.md, "Multigrid").
 class Stalls
 {
 public:
-  /// Whether a step has stalled near the solution, up to the one that has led to `error`.
-  bool have_begun(const double error, const bool is_near)
+  /// Steps that have stalled near the solution, up to the one that has led to `error`.
+  unsigned int number(const double error, const bool is_near)
   {
     const double before = std::exchange(last_, error);
-    have_begun_ = have_begun_ || (is_near && has_stalled(error, before));
-    return have_begun_;
+    if (is_near && has_stalled(error, before))
+      ++number_;
+    return number_;
   }
 
 private:
   double last_ = 0;
-  bool have_begun_ = false;
+  unsigned int number_ = 0;
 };
 
 /// What the next step may do.
 struct StepChoice
 {
-  double accuracy;     ///< of its linear system
-  double bound;        ///< that its error must stay below, N
-  bool may_leap;       ///< as far as there are Allowances
-  bool may_solve_node; ///< exactly, in the same way
+  double accuracy;      ///< of its linear system
+  double bound;         ///< that its error must stay below, N
+  bool may_leap;        ///< as far as there are Allowances
+  bool may_solve_node;  ///< exactly, in the same way
+  bool may_solve_nodes; ///< several at once
 };
 
 /// Of the steps of one solution, in their order.
@@ -101,9 +103,11 @@ public:
   /// Behind an iterate with these errors of the law alone, and of law and equilibrium together (N).
   StepChoice next(const double of_law, const double error, const double wanted)
   {
+    constexpr unsigned int hopeless = 5; // stalls: one node at a time has not helped
     const bool is_near = nearness_.has_come(error);
-    return {forcing_.next(of_law, error, wanted), ridge_.height(error, is_near), is_near,
-            stalls_.have_begun(error, is_near)};
+    const unsigned int stalls = stalls_.number(error, is_near);
+    return {forcing_.next(of_law, error, wanted), ridge_.height(error, is_near), is_near, stalls > 0,
+            stalls >= hopeless};
   }
 
 private:

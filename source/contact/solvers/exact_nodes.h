@@ -5,6 +5,7 @@
 #include <orthocone/contact/problem/contact_step.h>
 
 #include <optional>
+#include <vector>
 
 namespace orthocone
 {
@@ -15,13 +16,13 @@ ContactChange with_displacement(const ContactStep &step, ContactChange change);
 std::optional<Eigen::Index> hardest_node(const ContactStep &step, const Eigen::VectorXd &unknowns,
                                          const NodeVector &displacement);
 
-/// Newton's `change` of `unknowns`, altered so that one node obeys its law exactly, while all others obey
+/// Newton's `change` of `unknowns`, altered so that some nodes obey their laws exactly, while all others obey
 /// their linearized `conditions`: the law of a node that changes its status to and fro between full steps has
-/// no use of a slope. The compliance of the node, with the others' conditions, takes three solutions. Nothing
-/// if it is singular. `change` must have its displacement (mm).
-std::optional<ContactChange> with_exact_node(const ContactStep &step, const Eigen::VectorXd &unknowns,
-                                             const NodeVector &displacement,
-                                             const ContactConditions &conditions,
-                                             const ConditionSolver &solver, ContactChange change,
-                                             Eigen::Index node);
+/// no use of a slope. The compliance of these nodes, with the others' conditions, takes three solutions a
+/// node. Nothing if no forces are found that obey the laws. `change` must have its displacement (mm).
+std::optional<ContactChange> with_exact_nodes(const ContactStep &step, const Eigen::VectorXd &unknowns,
+                                              const NodeVector &displacement,
+                                              const ContactConditions &conditions,
+                                              const ConditionSolver &solver, ContactChange change,
+                                              const std::vector<Eigen::Index> &nodes);
 } // namespace orthocone
