@@ -76,4 +76,20 @@ inline ContactSolverOptions solver_options(const std::string &method, const doub
   options.maximum_iterations = 200000;
   return options;
 }
+
+/// What changes of force (N) and displacement (mm) lack of a condition, N.
+inline double lacking_of(const NodeCondition &condition, const Eigen::Vector3d &force,
+                         const Eigen::Vector3d &displacement)
+{
+  const Eigen::Vector3d moved = force - condition.fixed;
+  const Eigen::Index n = condition.n_unknowns;
+  if (n == 0)
+    return moved.norm();
+  const Eigen::MatrixXd basis = condition.basis.leftCols(n);
+  const Eigen::VectorXd unknowns = basis.colPivHouseholderQr().solve(moved);
+  const Eigen::VectorXd lacking = condition.rows.leftCols(n).transpose() * displacement +
+                                  condition.diagonal.head(n).cwiseProduct(unknowns) -
+                                  condition.right_side.head(n);
+  return lacking.norm() + (basis * unknowns - moved).norm();
+}
 } // namespace orthocone::test

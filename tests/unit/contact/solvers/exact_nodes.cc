@@ -42,16 +42,8 @@ struct NewtonStep
   /// What the conditions of a node lack, N.
   double lacking(const ContactChange &of, const Index node) const
   {
-    const NodeCondition &condition = conditions.nodes[node];
-    const Vector3d moved = of.force.segment<3>(3 * node) - condition.fixed;
-    const Index n = condition.n_unknowns;
-    if (n == 0)
-      return moved.norm();
-    const Eigen::VectorXd unknowns = condition.basis.leftCols(n).colPivHouseholderQr().solve(moved);
-    const Eigen::VectorXd lacking =
-        condition.rows.leftCols(n).transpose() * of.displacement.segment<3>(3 * node) +
-        condition.diagonal.head(n).cwiseProduct(unknowns) - condition.right_side.head(n);
-    return lacking.norm();
+    return lacking_of(conditions.nodes[node], of.force.segment<3>(3 * node),
+                      of.displacement.segment<3>(3 * node));
   }
 
   GridProblem grid;
@@ -67,7 +59,7 @@ namespace
 /// Groups of so many nodes that follow each other obey their laws, and all others their conditions.
 void expect_exact(const NewtonStep &step, const Index size)
 {
-  constexpr double rounding = 1e-9, accuracy = 1e-2; // of the solutions for a force at a node
+  constexpr double exact_to = 1e-9, accuracy = 1e-2; // of the solutions for a force at a node
   const Index n = step.grid.problem.n_nodes();
   double missed = 0;
   for (Index first = 0; first + size <= n; ++first)
@@ -82,12 +74,12 @@ void expect_exact(const NewtonStep &step, const Index size)
     for (Index node = 0; node < n; ++node)
       if (std::find(nodes.begin(), nodes.end(), node) != nodes.end())
       {
-        EXPECT_LE(step.error(*exact, node).norm(), rounding * step.force.norm()) << first << " " << node;
+        EXPECT_LE(step.error(*exact, node).norm(), exact_to * step.force.norm()) << first << " " << node;
         missed = std::max(missed, step.error(step.change, node).norm());
       }
       else
       {
-        EXPECT_LE(step.lacking(*exact, node), accuracy * moved + rounding * step.force.norm())
+        EXPECT_LE(step.lacking(*exact, node), accuracy * moved + exact_to * step.force.norm())
             << first << " " << node;
       }
   }
