@@ -28,7 +28,7 @@ LARGE = {
     GRADED: {"18 core cells": SERIES[GRADED]["14 core cells"] | {"Mesh/Core cells": 18, "Mesh/Rings": 10, "Mesh/Layers": 18}},
     EVEN_3: {f"{n} rounds": {**EVEN, "Mesh/Degree": 3, "Mesh/Adaptive": n} for n in (5, 6, 7)},
 }
-LEFT_OUT = {("b", "7 rounds"), ("c", "7 rounds")}  # B takes long, and a step of C does not settle
+LEFT_OUT = {("b", "7 rounds"), ("c", "7 rounds")}  # they take long
 QUANTITIES = {"largest_slip": "largest slip", "force": "total force", "dissipation": "dissipated energy",
               "stick_area": "stick area"}
 QUICK = {GRADED: ("coarse",), EVEN_3: ("1 rounds",)}
