@@ -85,7 +85,7 @@ ContactChange Elimination::solve(const ContactConditions &conditions, double) co
   VectorXd right_side(n + m);
   matrix.topLeftCorner(n, n) = nodes.rows.transpose() * MatrixXd(compliance_ * nodes.basis);
   matrix.diagonal().head(n) += nodes.diagonal;
-  const NodeVector moved = compliance_.selfadjointView<Eigen::Lower>() * nodes.fixed;
+  const NodeVector moved = compliance_ * nodes.fixed;
   right_side.head(n) = nodes.right_side - nodes.rows.transpose() * moved;
   if (m > 0)
   {
@@ -105,5 +105,26 @@ ContactChange Elimination::solve(const ContactConditions &conditions, double) co
 std::unique_ptr<ConditionSolver> ExactCompliance::condition_solver(const double softness) const
 {
   return std::make_unique<Elimination>(*dense(), softness);
+}
+
+UnsymmetricCompliance::UnsymmetricCompliance(MatrixXd matrix)
+    : matrix_(std::move(matrix))
+{
+  eigen_assert(matrix_.rows() == matrix_.cols() && matrix_.rows() % 3 == 0);
+}
+
+void UnsymmetricCompliance::vmult(NodeVector &displacement, const NodeVector &force) const
+{
+  displacement = matrix_ * force;
+}
+
+Eigen::Matrix3d UnsymmetricCompliance::diagonal_block(const Index node) const
+{
+  return matrix_.block<3, 3>(3 * node, 3 * node);
+}
+
+std::unique_ptr<ConditionSolver> UnsymmetricCompliance::condition_solver(const double softness) const
+{
+  return std::make_unique<Elimination>(DenseView(matrix_.data(), matrix_.rows(), matrix_.cols()), softness);
 }
 } // namespace orthocone

@@ -15,4 +15,21 @@ public:
 
   std::unique_ptr<ConditionSolver> condition_solver(double softness) const override;
 };
+
+/// The compliance of a few nodes whose neighbours obey linearized laws: a matrix that is not symmetric where
+/// slip is not associated. Its conditions are solved in the same way.
+class UnsymmetricCompliance : public Compliance
+{
+public:
+  /// `matrix`: 3 n x 3 n, mm/N.
+  explicit UnsymmetricCompliance(Eigen::MatrixXd matrix);
+
+  Eigen::Index n_nodes() const override { return matrix_.rows() / 3; }
+  void vmult(NodeVector &displacement, const NodeVector &force) const override;
+  Eigen::Matrix3d diagonal_block(Eigen::Index node) const override;
+  std::unique_ptr<ConditionSolver> condition_solver(double softness) const override;
+
+private:
+  Eigen::MatrixXd matrix_;
+};
 } // namespace orthocone

@@ -7,6 +7,7 @@
 #include "solvers.h"
 
 #include <orthocone/contact/law/one_node.h>
+#include <orthocone/surface/exact_compliance.h>
 
 #include <utility>
 
@@ -46,6 +47,7 @@ void add(ContactChange &change, const double factor, const ContactChange &other)
   change.displacement += factor * other.displacement;
   change.body = change.body.moved(1, BodyPart{factor * other.body.displacement, factor * other.body.rest});
 }
+
 /// Forces of one node (all directions of slip are tried) or of several, from `start` on. `free` is their
 /// displacement without forces (mm).
 std::optional<VectorXd> exact_forces(const ContactStep &step, const Nodes &nodes, const MatrixXd &compliance,
@@ -61,7 +63,7 @@ std::optional<VectorXd> exact_forces(const ContactStep &step, const Nodes &nodes
   std::vector<OrthotropicFriction> laws;
   for (const Index node : nodes)
     laws.push_back(step.law(node));
-  const ComplianceOfFewNodes few(compliance);
+  const UnsymmetricCompliance few(compliance);
   const ContactSystem system(few, std::move(laws));
   VectorXd forces = start;
   if (!make_continuation(system, {})->solve(ContactStep(system, free), forces).converged)

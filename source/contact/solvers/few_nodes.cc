@@ -4,59 +4,12 @@
 
 #include <algorithm>
 #include <numeric>
-#include <utility>
 
 namespace orthocone
 {
 using Eigen::Index;
-using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using Nodes = std::vector<Index>;
-
-namespace
-{
-class DirectSolver : public ConditionSolver
-{
-public:
-  explicit DirectSolver(const MatrixXd &compliance)
-      : compliance_(compliance)
-  {
-  }
-
-  ContactChange solve(const ContactConditions &conditions, double) const override
-  {
-    Index n = 0;
-    for (const NodeCondition &condition : conditions.nodes)
-      n += condition.n_unknowns;
-    MatrixXd basis = MatrixXd::Zero(compliance_.rows(), n), rows = basis;
-    VectorXd diagonal = VectorXd::Zero(n), right_side(n), fixed(compliance_.rows());
-    Index place = 0, first = 0;
-    for (const NodeCondition &condition : conditions.nodes)
-    {
-      const Index m = condition.n_unknowns;
-      basis.block(place, first, 3, m) = condition.basis.leftCols(m);
-      rows.block(place, first, 3, m) = condition.rows.leftCols(m);
-      diagonal.segment(first, m) = condition.diagonal.head(m);
-      right_side.segment(first, m) = condition.right_side.head(m);
-      fixed.segment<3>(place) = condition.fixed;
-      place += 3;
-      first += m;
-    }
-    ContactChange change{fixed, VectorXd()};
-    if (n > 0)
-    {
-      MatrixXd system = rows.transpose() * compliance_ * basis;
-      system.diagonal() += diagonal;
-      change.force +=
-          basis * system.partialPivLu().solve(right_side - rows.transpose() * compliance_ * fixed);
-    }
-    return change;
-  }
-
-private:
-  const MatrixXd &compliance_;
-};
-} // namespace
 
 Nodes worst_nodes(const ContactStep &step, const VectorXd &unknowns, const NodeVector &displacement,
                   const std::size_t most)
@@ -90,26 +43,5 @@ VectorXd values_at(const Nodes &nodes, const VectorXd &values)
   for (std::size_t i = 0; i < nodes.size(); ++i)
     result.segment<3>(3 * static_cast<Index>(i)) = values.segment<3>(3 * nodes[i]);
   return result;
-}
-
-ComplianceOfFewNodes::ComplianceOfFewNodes(MatrixXd matrix)
-    : matrix_(std::move(matrix))
-{
-  eigen_assert(matrix_.rows() == matrix_.cols() && matrix_.rows() % 3 == 0);
-}
-
-void ComplianceOfFewNodes::vmult(NodeVector &displacement, const NodeVector &force) const
-{
-  displacement = matrix_ * force;
-}
-
-Eigen::Matrix3d ComplianceOfFewNodes::diagonal_block(const Index node) const
-{
-  return matrix_.block<3, 3>(3 * node, 3 * node);
-}
-
-std::unique_ptr<ConditionSolver> ComplianceOfFewNodes::condition_solver(double) const
-{
-  return std::make_unique<DirectSolver>(matrix_);
 }
 } // namespace orthocone

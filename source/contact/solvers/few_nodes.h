@@ -15,23 +15,4 @@ std::vector<Eigen::Index> worst_nodes(const ContactStep &step, const Eigen::Vect
 
 /// Three values of each of these nodes.
 Eigen::VectorXd values_at(const std::vector<Eigen::Index> &nodes, const Eigen::VectorXd &values);
-
-/// Compliance of a few nodes whose neighbours obey linearized laws: a dense matrix that is not symmetric
-/// where slip is not associated.
-class ComplianceOfFewNodes : public Compliance
-{
-public:
-  /// `matrix`: 3 n x 3 n, mm/N.
-  explicit ComplianceOfFewNodes(Eigen::MatrixXd matrix);
-
-  Eigen::Index n_nodes() const override { return matrix_.rows() / 3; }
-  void vmult(NodeVector &displacement, const NodeVector &force) const override;
-  Eigen::Matrix3d diagonal_block(Eigen::Index node) const override;
-
-  /// Solves by a dense LU decomposition, whatever accuracy is asked for. There is no face.
-  std::unique_ptr<ConditionSolver> condition_solver(double softness) const override;
-
-private:
-  Eigen::MatrixXd matrix_;
-};
 } // namespace orthocone

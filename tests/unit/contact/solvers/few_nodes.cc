@@ -4,6 +4,8 @@
 #include "contact/contact_problems.h"
 #include "contact/solvers/linearization.h"
 
+#include <orthocone/surface/exact_compliance.h>
+
 #include <gtest/gtest.h>
 
 namespace orthocone::test
@@ -42,7 +44,7 @@ TEST(FewNodes, ObeyLinearizedLawsOnAComplianceThatIsNotSymmetric)
     matrix(i, i - 1) += skew;
     matrix(i - 1, i) -= skew;
   }
-  const ComplianceOfFewNodes compliance(matrix);
+  const UnsymmetricCompliance compliance(matrix);
   const NodeVector change = compliance.condition_solver(1)->solve(conditions, 1).force;
   const NodeVector moved = matrix * change;
   for (Index node = 0; node < grid.problem.n_nodes(); ++node)
