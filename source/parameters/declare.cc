@@ -91,7 +91,7 @@ void declare_refinements(MeshOptions &mesh, EntryTable &table)
 void declare_backend(MeshOptions &mesh, EntryTable &table)
 {
   add_count(
-      table, "Adaptive", mesh.adaptive, 0, 7,
+      table, "Adaptive", mesh.adaptive, 0, 10,
       "Rounds in which cells are halved where the first cycle, solved on the mesh so far, shows that they "
       "are too large: at the rim of the base, where stick, slip and gap meet, and where stresses jump "
       "between cells.");

@@ -118,8 +118,8 @@ ROWS = [
      "{file}:4: Geometry/Radius = 10 mm: allowed is a number > 0"),
     ("radius_zero", "subsection Geometry\n  set Height = 10\n  set Radius = 0\nend\n",
      "{file}:4: Geometry/Radius = 0: allowed is a number > 0"),
-    ("adaptive_too_many", "subsection Mesh\n  set Core cells = 8\n  set Adaptive = 8\nend\n",
-     "{file}:4: Mesh/Adaptive = 8: allowed is a whole number from 0 to 7"),
+    ("adaptive_too_many", "subsection Mesh\n  set Core cells = 8\n  set Adaptive = 11\nend\n",
+     "{file}:4: Mesh/Adaptive = 11: allowed is a whole number from 0 to 10"),
     ("refined_cells_backwards", "subsection Mesh\n  set Core cells = 8\n  set Refined cells = 0; 7-4\nend\n",
      "{file}:4: Mesh/Refined cells = 0; 7-4: allowed is nothing, or rounds, separated by ';', of the numbers of the "
      "mesh's cells, such as '0 4-7; 12'"),

@@ -14,7 +14,7 @@ REFUSED = {
     "Mesh/Model": ["AUTO", "quarter half", "1/4"], "Mesh/Resolution": ["Coarse", "medium,fine"],
     "Load program/Accuracy": ["1 % %", "%", "nan %", "0.009 %", "50.1 %", "1e-2", "-0 %x", "1 percent"],
     "Mesh/Accuracy": ["1 % %", "%", "nan %", "0.009 %", "50.1 %", "1e-2", "-0 %x", "1 percent"],
-    "Mesh/Adaptive": ["-1", "8", "1.0", "one"],
+    "Mesh/Adaptive": ["-1", "11", "1.0", "one"],
     "Mesh/Refined cells": ["-1", "1-", "-", "1,2", "1;;2", ";", "1-2-3", "4294967296", "0 - 3", "1.5", "all"],
     "Mesh/Core cells": ["+5", "0x8", "8 cells", "1e1", "4294967304", "-4294967288", "2 2"],
     "Mesh/Rings": ["-0", "1e2", "1.0"],
