@@ -72,10 +72,10 @@ def solve(W, q, mu, p=None, *, method="newton", tolerance=1e-10, maximum_iterati
     semi-axes of the slip ellipse; None is p = mu. method: a word of methods(). tolerance: of Report.residual.
     maximum_iterations: for the whole problem. start: (n, 3) or (3 n,), N, the forces to start from.
 
-    W is used where it is, if it is contiguous and float64. `newton` and `plain-newton` make a copy in single precision for
-    their linear systems. Up to 200 nodes a factorization of a copy checks W before all else. A W with directions in which
-    nodes cannot move is copied, too. If W is singular, forces may not exist, and need not be unique (docs/manual.md,
-    Problems of FCLIB, has what is checked and promised).
+    W is used where it is, if it is contiguous and float64. `newton` and `plain-newton` make a copy in single precision, or
+    of 16 bits where it is large, for their linear systems. Up to 200 nodes a factorization of a copy checks W before all
+    else. A W with directions in which nodes cannot move is copied, too. If W is singular, forces may not exist, and need
+    not be unique (docs/manual.md, Problems of FCLIB, has what is checked and promised).
 
     Returns a Solution. Raises NotConverged, and ValueError for arguments of another form. docs/theory.md, section 3."""
     W = _matrix(W)

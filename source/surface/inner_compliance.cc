@@ -15,8 +15,8 @@ InnerCompliance::InnerCompliance(const DenseView &compliance, const double scale
       held_(n_held, compliance.rows() / 3),
       holding_forces_(3 * n_held, compliance.rows())
 {
-  constexpr Index fits_into_caches = 2000; // rows: docs/performance.md
-  if (compliance.rows() > fits_into_caches)
+  constexpr Index pays_rounding = 500; // rows: docs/performance.md
+  if (compliance.rows() >= pays_rounding)
     rounded_.emplace(compliance, scale);
   else
     single_ = (compliance / scale).cast<float>();

@@ -11,9 +11,8 @@
 namespace orthocone
 {
 /// The compliance as inner iterations use it, which want two digits of a product. Single precision halves the
-/// memory to read, and rounded entries halve it again where a matrix does not fit into the caches. It is
-/// relative to its largest eigenvalue, so that no unit of force or length comes near the ends of the number
-/// range.
+/// memory to read, and rounded entries halve it again. It is relative to its largest eigenvalue, so that no
+/// unit of force or length comes near the ends of the number range.
 class InnerCompliance
 {
 public:

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <limits>
 
 namespace orthocone
@@ -16,8 +17,6 @@ using Eigen::Index;
 using Eigen::VectorXf;
 
 constexpr int width = 64; // of a tile: its entries and vectors fit into the first cache
-constexpr int lanes = 16; // numbers that a processor takes at once, at most
-constexpr int columns_at_once = 4;
 constexpr Index entries_of_tile = Index{width} * width;
 
 Index n_tiles(const Index size)
@@ -25,41 +24,97 @@ Index n_tiles(const Index size)
   return (size + width - 1) / width;
 }
 
+/// Numbers that a processor takes at once.
+template<int n>
+struct Lanes
+{
+  typedef float Values __attribute__((vector_size(4 * n)));
+  typedef std::int32_t Integers __attribute__((vector_size(4 * n)));
+};
+
+template<int n>
+ORTHOCONE_INLINE void read(typename Lanes<n>::Values &to, const std::int16_t *const from)
+{
+  typename Lanes<n>::Integers integers;
+  for (int k = 0; k < n; ++k)
+    integers[k] = from[k];
+  to = __builtin_convertvector(integers, typename Lanes<n>::Values);
+}
+
+/// Adds up lanes until four are left.
+template<int n>
+ORTHOCONE_INLINE void fold(typename Lanes<4>::Values &to, const typename Lanes<n>::Values &from)
+{
+  typename Lanes<4>::Values parts[n / 4];
+  std::memcpy(parts, &from, sizeof from);
+  to = parts[0];
+  for (int i = 1; i < n / 4; ++i)
+    to += parts[i];
+}
+
+/// A column of the next tile: the processor itself does not look ahead beyond a page of memory.
+ORTHOCONE_INLINE void prefetch(const std::int16_t *const column)
+{
+  constexpr int entries_of_line = 32; // 64 bytes
+  for (int i = 0; i < width; i += entries_of_line)
+    __builtin_prefetch(column + i);
+}
+
 /// Of a tile below the diagonal: y_row += unit tile x_column and y_column += unit tile^T x_row.
-ORTHOCONE_FOR_EVERY_PROCESSOR
+template<int n>
+ORTHOCONE_INLINE void add_products_in_lanes(const std::int16_t *const tile, const float unit,
+                                            const float *const x_row, const float *const x_column,
+                                            float *const y_row, float *const y_column)
+{
+  using Values = typename Lanes<n>::Values;
+  constexpr int n_parts = width / n; // of a column
+  Values sums[n_parts] = {}, scaled[n_parts];
+  std::memcpy(scaled, x_row, sizeof scaled);
+  for (Values &part : scaled)
+    part *= unit;
+  typename Lanes<4>::Values dots[width];
+  for (int j = 0; j < width; ++j)
+  {
+    const std::int16_t *const column = tile + j * width;
+    prefetch(column + entries_of_tile);
+    const float x = unit * x_column[j];
+    Values dot{};
+    for (int i = 0; i < n_parts; ++i)
+    {
+      Values entries;
+      read<n>(entries, column + i * n);
+      sums[i] += x * entries;
+      dot += scaled[i] * entries;
+    }
+    fold<n>(dots[j], dot);
+  }
+  for (int j = 0; j < width; ++j)
+    y_column[j] += (dots[j][0] + dots[j][1]) + (dots[j][2] + dots[j][3]);
+  for (int i = 0; i < width; ++i)
+    y_row[i] += sums[i / n][i % n];
+}
+
+#ifdef ORTHOCONE_FOR_PROCESSOR
+ORTHOCONE_FOR_PROCESSOR("avx512f")
 void add_products(const std::int16_t *const tile, const float unit, const float *const x_row,
                   const float *const x_column, float *const y_row, float *const y_column)
 {
-  float sums[width] = {}, scaled[width];
-  for (int i = 0; i < width; ++i)
-    scaled[i] = unit * x_row[i];
-  for (int j = 0; j < width; j += columns_at_once)
-  {
-    const std::int16_t *const a = tile + j * width, *const b = a + width, *const c = b + width,
-                              *const d = c + width;
-    const float x_a = unit * x_column[j], x_b = unit * x_column[j + 1], x_c = unit * x_column[j + 2],
-                x_d = unit * x_column[j + 3];
-    float dot_a[lanes] = {}, dot_b[lanes] = {}, dot_c[lanes] = {}, dot_d[lanes] = {};
-    for (int i = 0; i < width; i += lanes)
-      for (int k = 0; k < lanes; ++k)
-      {
-        const float e_a = a[i + k], e_b = b[i + k], e_c = c[i + k], e_d = d[i + k];
-        sums[i + k] += e_a * x_a + e_b * x_b + e_c * x_c + e_d * x_d;
-        dot_a[k] += e_a * scaled[i + k];
-        dot_b[k] += e_b * scaled[i + k];
-        dot_c[k] += e_c * scaled[i + k];
-        dot_d[k] += e_d * scaled[i + k];
-      }
-    for (int k = 0; k < lanes; ++k)
-    {
-      y_column[j] += dot_a[k];
-      y_column[j + 1] += dot_b[k];
-      y_column[j + 2] += dot_c[k];
-      y_column[j + 3] += dot_d[k];
-    }
-  }
-  for (int i = 0; i < width; ++i)
-    y_row[i] += sums[i];
+  add_products_in_lanes<16>(tile, unit, x_row, x_column, y_row, y_column);
+}
+
+ORTHOCONE_FOR_PROCESSOR("fma")
+void add_products(const std::int16_t *const tile, const float unit, const float *const x_row,
+                  const float *const x_column, float *const y_row, float *const y_column)
+{
+  add_products_in_lanes<8>(tile, unit, x_row, x_column, y_row, y_column);
+}
+
+ORTHOCONE_FOR_PROCESSOR("default")
+#endif
+void add_products(const std::int16_t *const tile, const float unit, const float *const x_row,
+                  const float *const x_column, float *const y_row, float *const y_column)
+{
+  add_products_in_lanes<4>(tile, unit, x_row, x_column, y_row, y_column);
 }
 
 /// The same of a tile on the diagonal, which is whole.
@@ -78,7 +133,7 @@ RoundedMatrix::RoundedMatrix(const DenseView &matrix, const double scale)
 {
   constexpr double largest_number = std::numeric_limits<std::int16_t>::max();
   const Index n = n_tiles(size_);
-  entries_.reserve(static_cast<std::size_t>(n * (n + 1) / 2 * entries_of_tile));
+  entries_.reserve(static_cast<std::size_t>((n * (n + 1) / 2 + 1) * entries_of_tile));
   for (Index j = 0; j < n; ++j)
     for (Index i = j; i < n; ++i)
     {
@@ -95,6 +150,7 @@ RoundedMatrix::RoundedMatrix(const DenseView &matrix, const double scale)
       entries_.insert(entries_.end(), rounded.data(), rounded.data() + entries_of_tile);
       units_.push_back(static_cast<float>(unit));
     }
+  entries_.resize(entries_.size() + entries_of_tile); // for looking ahead
 }
 
 VectorXf RoundedMatrix::operator*(const VectorXf &vector) const

@@ -7,6 +7,9 @@
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) &&     \
     !defined(__SANITIZE_THREAD__)
 #define ORTHOCONE_FOR_EVERY_PROCESSOR __attribute__((target_clones("avx512f", "fma", "default")))
+/// Before one of several functions that differ in nothing else: it is for processors with this. One is for
+/// "default".
+#define ORTHOCONE_FOR_PROCESSOR(name) __attribute__((target(name)))
 #else
 #define ORTHOCONE_FOR_EVERY_PROCESSOR
 #endif
