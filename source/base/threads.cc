@@ -90,10 +90,15 @@ std::optional<ThreadChoice> threads_of_environment()
   return std::nullopt;
 }
 
-BlasThreads::BlasThreads(const long n)
+unsigned int product_threads(const long n)
 {
   constexpr long large = 8000; // in single precision half of the matrix fills no cache any more
-  if (n >= large || blas_threads() == 1)
+  return n >= large ? blas_threads() : 1;
+}
+
+BlasThreads::BlasThreads(const long n)
+{
+  if (product_threads(n) == blas_threads())
     return;
   n_before_ = blas_threads();
   set_blas_threads(1);

@@ -3,10 +3,12 @@
 #include "rounded_matrix.h"
 
 #include <orthocone/base/every_processor.h>
+#include <orthocone/base/threads.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <future>
 #include <limits>
 
 namespace orthocone
@@ -155,20 +157,39 @@ RoundedMatrix::RoundedMatrix(const DenseView &matrix, const double scale)
 
 VectorXf RoundedMatrix::operator*(const VectorXf &vector) const
 {
-  const Index n = n_tiles(size_);
-  VectorXf x = VectorXf::Zero(n * width), y = VectorXf::Zero(n * width);
+  return product(vector, product_threads(size_));
+}
+
+VectorXf RoundedMatrix::product(const VectorXf &vector, const Index n_threads) const
+{
+  VectorXf x = VectorXf::Zero(n_tiles(size_) * width);
   x.head(size_) = vector;
-  std::size_t k = 0;
-  for (Index j = 0; j < n; ++j)
-    for (Index i = j; i < n; ++i, ++k)
+  std::vector<std::future<VectorXf>> others;
+  for (Index thread = 1; thread < n_threads; ++thread)
+    others.push_back(
+        std::async(std::launch::async, [&, thread] { return product_of_columns(x, thread, n_threads); }));
+  VectorXf y = product_of_columns(x, 0, n_threads);
+  for (std::future<VectorXf> &other : others)
+    y += other.get();
+  return y.head(size_);
+}
+
+VectorXf RoundedMatrix::product_of_columns(const VectorXf &x, const Index first, const Index stride) const
+{
+  const Index n = n_tiles(size_);
+  VectorXf y = VectorXf::Zero(x.size());
+  for (Index j = first; j < n; j += stride)
+    for (Index i = j; i < n; ++i)
     {
+      const Index k = j * n - j * (j - 1) / 2 + i - j;
       const std::int16_t *const tile = entries_.data() + k * entries_of_tile;
+      const float unit = units_[static_cast<std::size_t>(k)];
       if (i == j)
-        add_diagonal_product(tile, units_[k], x.data() + i * width, y.data() + i * width);
+        add_diagonal_product(tile, unit, x.data() + i * width, y.data() + i * width);
       else
-        add_products(tile, units_[k], x.data() + i * width, x.data() + j * width, y.data() + i * width,
+        add_products(tile, unit, x.data() + i * width, x.data() + j * width, y.data() + i * width,
                      y.data() + j * width);
     }
-  return y.head(size_);
+  return y;
 }
 } // namespace orthocone

@@ -17,10 +17,16 @@ public:
   /// Rounds the lower half of `matrix` / `scale`.
   RoundedMatrix(const DenseView &matrix, double scale);
 
-  /// The product with a vector.
+  /// The product with a vector, by product_threads().
   Eigen::VectorXf operator*(const Eigen::VectorXf &vector) const;
 
+  /// The same by so many threads. Its last digits depend on their number alone.
+  Eigen::VectorXf product(const Eigen::VectorXf &vector, Eigen::Index n_threads) const;
+
 private:
+  /// What every `stride`-th column of tiles from `first` on adds to the product, with whole tiles.
+  Eigen::VectorXf product_of_columns(const Eigen::VectorXf &x, Eigen::Index first, Eigen::Index stride) const;
+
   Eigen::Index size_;
   std::vector<std::int16_t> entries_; ///< tile by tile, column by column of the lower half
   std::vector<float> units_;          ///< of the entries, one a tile

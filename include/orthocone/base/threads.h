@@ -44,6 +44,10 @@ std::optional<ThreadChoice> threads_of_environment();
 /// of OpenMP that this thread begins have one, too.
 void set_blas_threads(unsigned int number);
 
+/// The number of threads for a product with a matrix of `n` rows: that of OpenBLAS, or one where the matrix
+/// is small.
+unsigned int product_threads(long n);
+
 /// While this object lives, OpenBLAS runs on one thread if the matrices of the work are small: their products
 /// take microseconds, and a second thread that waits for them takes a core from the writers of files and from
 /// other programs.

@@ -41,6 +41,21 @@ TEST(RoundedMatrix, ProductsAreOffByTheRoundingOfEntries)
   }
 }
 
+/// More threads than columns of tiles, too.
+TEST(RoundedMatrix, ThreadsShareAProduct)
+{
+  constexpr Index n = 300;
+  const MatrixXd matrix = lower_half(n);
+  const RoundedMatrix rounded(DenseView(matrix.data(), n, n), 1);
+  const Eigen::VectorXf x = Eigen::VectorXf::Random(n), alone = rounded.product(x, 1);
+  for (const Index n_threads : {2, 3, 7})
+  {
+    const Eigen::VectorXf shared = rounded.product(x, n_threads);
+    EXPECT_LT((shared - alone).norm(), 1e-6F * alone.norm()) << n_threads;
+    EXPECT_EQ((shared - rounded.product(x, n_threads)).norm(), 0) << n_threads;
+  }
+}
+
 TEST(RoundedMatrix, TilesHaveAScaleOfTheirOwn)
 {
   constexpr Index n = 128;
