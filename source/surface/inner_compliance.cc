@@ -15,8 +15,8 @@ InnerCompliance::InnerCompliance(const DenseView &compliance, const double scale
       held_(n_held, compliance.rows() / 3),
       holding_forces_(3 * n_held, compliance.rows())
 {
-  constexpr Index pays_rounding = 500; // rows: docs/performance.md
-  if (compliance.rows() >= pays_rounding)
+  constexpr Index least_rows_to_round = 500; // with fewer, rounding costs what products gain
+  if (compliance.rows() >= least_rows_to_round)
     rounded_.emplace(compliance, scale);
   else
     single_ = (compliance / scale).cast<float>();

@@ -28,26 +28,26 @@ Index n_tiles(const Index size)
 
 /// Numbers that a processor takes at once.
 template<int n>
-struct Lanes
+struct Register
 {
   typedef float Values __attribute__((vector_size(4 * n)));
   typedef std::int32_t Integers __attribute__((vector_size(4 * n)));
 };
 
 template<int n>
-ORTHOCONE_INLINE void read(typename Lanes<n>::Values &to, const std::int16_t *const from)
+ORTHOCONE_INLINE void read(typename Register<n>::Values &to, const std::int16_t *const from)
 {
-  typename Lanes<n>::Integers integers;
+  typename Register<n>::Integers integers; // of this loop gcc makes one instruction, of a conversion several
   for (int k = 0; k < n; ++k)
     integers[k] = from[k];
-  to = __builtin_convertvector(integers, typename Lanes<n>::Values);
+  to = __builtin_convertvector(integers, typename Register<n>::Values);
 }
 
 /// Adds up lanes until four are left.
 template<int n>
-ORTHOCONE_INLINE void fold(typename Lanes<4>::Values &to, const typename Lanes<n>::Values &from)
+ORTHOCONE_INLINE void fold(typename Register<4>::Values &to, const typename Register<n>::Values &from)
 {
-  typename Lanes<4>::Values parts[n / 4];
+  typename Register<4>::Values parts[n / 4];
   std::memcpy(parts, &from, sizeof from);
   to = parts[0];
   for (int i = 1; i < n / 4; ++i)
@@ -68,13 +68,13 @@ ORTHOCONE_INLINE void add_products_in_lanes(const std::int16_t *const tile, cons
                                             const float *const x_row, const float *const x_column,
                                             float *const y_row, float *const y_column)
 {
-  using Values = typename Lanes<n>::Values;
+  using Values = typename Register<n>::Values;
   constexpr int n_parts = width / n; // of a column
   Values sums[n_parts] = {}, scaled[n_parts];
   std::memcpy(scaled, x_row, sizeof scaled);
   for (Values &part : scaled)
     part *= unit;
-  typename Lanes<4>::Values dots[width];
+  typename Register<4>::Values dots[width];
   for (int j = 0; j < width; ++j)
   {
     const std::int16_t *const column = tile + j * width;
@@ -165,9 +165,8 @@ VectorXf RoundedMatrix::product(const VectorXf &vector, const Index n_threads) c
   VectorXf x = VectorXf::Zero(n_tiles(size_) * width);
   x.head(size_) = vector;
   std::vector<std::future<VectorXf>> others;
-  for (Index thread = 1; thread < n_threads; ++thread)
-    others.push_back(
-        std::async(std::launch::async, [&, thread] { return product_of_columns(x, thread, n_threads); }));
+  for (Index thread = 1; thread < n_threads; ++thread) // computed below where no thread is to be had
+    others.push_back(std::async([&, thread] { return product_of_columns(x, thread, n_threads); }));
   VectorXf y = product_of_columns(x, 0, n_threads);
   for (std::future<VectorXf> &other : others)
     y += other.get();
