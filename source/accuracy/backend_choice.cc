@@ -5,6 +5,7 @@
 #include <orthocone/accuracy/estimate.h>
 #include <orthocone/base/ranks.h>
 #include <orthocone/contact/solvers/contact_method.h>
+#include <orthocone/parameters/values.h>
 #include <orthocone/scene/load_program.h>
 
 #include <iomanip>
@@ -15,10 +16,24 @@ namespace orthocone
 {
 namespace
 {
-bool both_can(const Parameters &parameters, const ModelSymmetry &symmetry)
+constexpr double nearly_incompressible = 0.495; // docs/stability.md, "On the whole body"
+
+/// The entry that leaves a solid to the factorization; empty where multigrid can compute it, and well.
+std::string what_multigrid_lacks(const Parameters &parameters)
 {
-  constexpr double nearly_incompressible = 0.495; // docs/stability.md, "On the whole body"
-  return multigrid_can(parameters, symmetry) && parameters.material.poisson_ratio < nearly_incompressible;
+  if (parameters.obstacle.kind != ObstacleKind::rigid)
+    return "Obstacle/Kind = " + to_word(parameters.obstacle.kind);
+  if (parameters.output.problem_interval != 0)
+    return "Output/Problems = " + std::to_string(parameters.output.problem_interval);
+  if (!parameters.material.is_uniform_and_isotropic())
+    return "Material of several constants";
+  if (parameters.mesh.volumetric_quadrature != VolumetricQuadrature::full)
+    return "Mesh/Volumetric quadrature = " + to_word(parameters.mesh.volumetric_quadrature);
+  if (find_contact_method(parameters.contact_solver.method)->needs_dense)
+    return "Contact solver/Method = " + parameters.contact_solver.method;
+  if (parameters.material.poisson_ratio >= nearly_incompressible)
+    return "Material/Poisson ratio = " + to_text(parameters.material.poisson_ratio);
+  return "";
 }
 
 std::string described(const Estimate &cost, const double seconds)
@@ -31,20 +46,20 @@ std::string described(const Estimate &cost, const double seconds)
 
 bool multigrid_can(const Parameters &parameters, const ModelSymmetry &symmetry)
 {
-  return !symmetry.is_axisymmetric() && parameters.obstacle.kind == ObstacleKind::rigid &&
-         parameters.output.problem_interval == 0 && parameters.material.is_uniform_and_isotropic() &&
-         parameters.mesh.volumetric_quadrature == VolumetricQuadrature::full &&
-         !find_contact_method(parameters.contact_solver.method)->needs_dense;
+  Parameters compressible = parameters;
+  compressible.material.poisson_ratio = 0;
+  return !symmetry.is_axisymmetric() && what_multigrid_lacks(compressible).empty();
 }
 
 BackendChoice choose_backend(const Parameters &parameters, const ModelSymmetry &symmetry,
                              const double gigabytes)
 {
   constexpr double not_worth_comparing = 20; // s, where no cell is halved
-  if (parameters.mesh.backend != BodyBackend::automatic || !(n_ranks() > 1 || both_can(parameters, symmetry)))
+  if (parameters.mesh.backend != BodyBackend::automatic || (symmetry.is_axisymmetric() && n_ranks() == 1))
     return {parameters.mesh.backend};
+  const std::string line = "backend        ";
   if (n_ranks() > 1)
-    return {BodyBackend::multigrid, "backend        multigrid: " + std::to_string(n_ranks()) + " processes"};
+    return {BodyBackend::multigrid, line + "multigrid: " + std::to_string(n_ranks()) + " processes"};
   const ModelSize size = model_size(parameters, symmetry);
   const Estimate condensed = usual_estimate(parameters, size, symmetry);
   const double n_steps = LoadProgram(parameters.load).n_solved_parts();
@@ -54,10 +69,11 @@ BackendChoice choose_backend(const Parameters &parameters, const ModelSymmetry &
   if (!is_halved && (fits ? seconds_condensed < not_worth_comparing
                           : multigrid_gigabytes(parameters, size, symmetry) > gigabytes))
     return {parameters.mesh.backend};
+  const std::string of_condensed = "condensed about " + described(condensed, seconds_condensed);
+  if (const std::string lack = what_multigrid_lacks(parameters); !lack.empty())
+    return {parameters.mesh.backend, line + of_condensed + "; multigrid is not for " + lack};
   const Estimate multigrid = multigrid_estimate(parameters, size, symmetry);
   const double seconds_multigrid = multigrid.set_up_seconds + n_steps * multigrid.step_seconds;
-  const std::string line = "backend        ";
-  const std::string of_condensed = "condensed about " + described(condensed, seconds_condensed);
   const std::string of_multigrid = "multigrid about " + described(multigrid, seconds_multigrid);
   // Without coarser meshes contact has no good start, so that multigrid must be clearly faster.
   const double margin = is_halved ? 1 : 2;

@@ -58,10 +58,12 @@ double stretch_of(const Parameters &coarsest, const ModelSymmetry &symmetry)
 
 double multigrid_gigabytes(const Parameters &parameters, const ModelSize &size, const ModelSymmetry &symmetry)
 {
-  constexpr double program = 0.17, bytes_per_unknown = 1200; // docs/performance.md, "Multigrid"
+  // docs/performance.md, "Multigrid". Each round of halved cells adds a level that is hardly smaller than the
+  // one behind it.
+  constexpr double program = 0.17, bytes_per_unknown = 1200, bytes_per_round = 480;
+  const auto n_rounds = static_cast<double>(parameters.mesh.refined_cells.size());
   // Every level has a march of its own, with a coarsest mesh of its own.
-  const double n_levels =
-      1. + parameters.mesh.refinements + static_cast<double>(parameters.mesh.refined_cells.size());
+  const double n_levels = 1. + parameters.mesh.refinements + n_rounds;
   const double of_each = program + n_levels * cost_of_coarsest(on_coarsest(parameters), symmetry).gigabytes +
                          step_gigabytes(parameters.load, size.contact_nodes);
   // A checkpoint has the bodies of a cycle that another one follows in its text, which is copied, too.
@@ -70,7 +72,9 @@ double multigrid_gigabytes(const Parameters &parameters, const ModelSize &size, 
   const double n_bodies = n_cycles > 1 ? LoadProgram(parameters.load).n_solved_parts() / n_cycles : 0;
   const double bodies = std::min<double>(StartMemory::most_body_bytes, sizeof(double) * size.dofs * n_bodies);
   // This counts all processes as if they ran on this machine.
-  return n_ranks() * of_each + (bytes_per_unknown * size.dofs + copies * bodies) / bytes_per_gigabyte;
+  return n_ranks() * of_each +
+         ((bytes_per_unknown + bytes_per_round * n_rounds) * size.dofs + copies * bodies) /
+             bytes_per_gigabyte;
 }
 
 /// The numbers are from docs/performance.md, "Multigrid".

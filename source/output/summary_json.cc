@@ -34,6 +34,7 @@ OrderedJson model_json(const Summary &summary)
   return {{"kind", summary.model.symmetry.name()},
           {"reason", summary.model.reason},
           {"symmetry_planes", planes},
+          {"backend", summary.parameters.mesh.backend == BodyBackend::multigrid ? "multigrid" : "condensed"},
           {"cells", unknowns.size().cells},
           {"degree", summary.parameters.mesh.degree},
           {"dofs", unknowns.size().dofs},

@@ -66,8 +66,9 @@ void check_backend(const Parameters &parameters)
                      " with Mesh/Backend = multigrid: what is below is no part of "
                      "the body that its cycles solve; allowed is auto or condensed, or Kind = rigid");
   if (!parameters.material.is_uniform_and_isotropic())
-    throw InputError((parameters.material.is_orthotropic() ? "Material/Law = orthotropic"
-                                                           : std::string("Material/Regions")) +
+    throw InputError((parameters.material.is_orthotropic()
+                          ? "Material/Law = orthotropic"
+                          : "Material/Regions = " + entries::regions_text(parameters.material.regions)) +
                      " with Mesh/Backend = multigrid, whose products have one pair of Lame's constants: "
                      "allowed is Backend = condensed");
   if (parameters.mesh.volumetric_quadrature == VolumetricQuadrature::reduced)

@@ -140,7 +140,8 @@ void add_group(EntryTable &table, const std::string &name, std::string &value, c
 void add_groups(EntryTable &table, const std::string &name, std::vector<std::string> &value,
                 const std::string &help);
 
-/// Isotropic constants of physical volumes.
+/// Isotropic constants of physical volumes, and the text of their entry.
+std::string regions_text(const std::vector<MaterialRegion> &regions);
 void add_regions(EntryTable &table, const std::string &name, std::vector<MaterialRegion> &value,
                  const std::string &help);
 

@@ -25,15 +25,6 @@ std::string triple_text(const std::array<double, 3> &value)
   return to_text(value[0]) + ", " + to_text(value[1]) + ", " + to_text(value[2]);
 }
 
-std::string regions_text(const std::vector<MaterialRegion> &regions)
-{
-  std::string text;
-  for (const MaterialRegion &region : regions)
-    text += (text.empty() ? "" : " ; ") + region.volume + ": " + to_text(region.young_modulus) + ", " +
-            to_text(region.poisson_ratio);
-  return text;
-}
-
 std::optional<MaterialRegion> parse_region(const std::string &text)
 {
   const Range poisson{-1, 0.5};
@@ -97,6 +88,15 @@ void add_groups(EntryTable &table, const std::string &name, std::vector<std::str
   };
   table.add(name, given, Allowed("names or numbers separated by commas, or nothing", are_groups), help,
             [&value](const std::string &text) { value = parse_groups(text); });
+}
+
+std::string regions_text(const std::vector<MaterialRegion> &regions)
+{
+  std::string text;
+  for (const MaterialRegion &region : regions)
+    text += (text.empty() ? "" : " ; ") + region.volume + ": " + to_text(region.young_modulus) + ", " +
+            to_text(region.poisson_ratio);
+  return text;
 }
 
 void add_regions(EntryTable &table, const std::string &name, std::vector<MaterialRegion> &value,

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 """Scenes for multigrid, and what it means that two runs of one have the same states."""
+import math
 import pathlib
 
 TOLERANCE = 1e-10  # of the contact solver, as by default
@@ -80,13 +81,16 @@ def numbers(rows):
 
 
 def differences(first, second):
-    """Of each column that both runs have: the largest difference / (the tolerance x the column's scale). Areas and
-    energies sum what nodes err by. What is worn has its own scale."""
+    """Of motions, forces, moments, slips, energies and wear: the largest difference / (the tolerance x the column's scale).
+    Energies sum what nodes err by, and accumulated slip what cycles do. What is worn has its own scale. Pressures are of
+    single nodes, whose forces may differ by more, and areas jump with the status of a node."""
+    lever = 10  # mm: of the outermost nodes
     slip = max(abs(u) for key in ("ux", "uy", "uz") for u in first[key]) + 1e-9
     force = max(abs(f) for key in ("force_x", "force_y", "force_z") for f in first[key])
-    scales = {"force_x": force, "force_y": force, "force_z": force, "max_slip": slip, "ux": slip, "uy": slip,
-              "uz": slip, "elastic_energy": force * slip, "dissipation": force * slip,
-              "total_dissipation": force * slip,
+    scales = {**{f"force_{axis}": force for axis in "xyz"}, **{f"moment_{axis}": force * lever for axis in "xyz"},
+              **{f"u{axis}": slip for axis in "xyz"}, **{f"r{axis}": math.degrees(slip / lever) for axis in "xyz"},
+              "max_slip": slip, "max_accumulated_slip": slip * (1 + first["cycle"][-1]),
+              **{key: force * slip for key in ("elastic_energy", "dissipation", "total_dissipation")},
               **{key: max(first[key]) + 1e-30 for key in ("worn_volume", "max_wear_depth")}}
     return {column: max(abs(a - b) for a, b in zip(first[column], second[column])) / (TOLERANCE * scale)
             for column, scale in scales.items()}

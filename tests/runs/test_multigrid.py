@@ -26,7 +26,7 @@ class SameStatesTest(RunTest):
         return results["condensed"], results["multigrid"]
 
     def test_scenes(self):
-        """Every column to ten times the tolerance of its scale."""
+        """What differences() compares, to ten times the tolerance of its scale."""
         for name, (file, settings) in SCENES.items():
             with self.subTest(scene=name):
                 condensed, multigrid = self.compared(file, settings)

@@ -57,7 +57,7 @@ class EveryFileTest(RunTest):
         return numbers(self.rows(backend))
 
     def test_same_states(self):
-        """Every column to ten times the tolerance of its scale."""
+        """What differences() compares, to ten times the tolerance of its scale."""
         for name in FILES.keys() - REFUSED.keys():
             with self.subTest(file=name):
                 condensed, multigrid = (self.solved(name, backend) for backend in ("condensed", "multigrid"))

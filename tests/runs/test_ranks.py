@@ -53,7 +53,7 @@ class RanksTest(RunTest):
 
 class SameStatesTest(RanksTest):
     def test_scenes(self):
-        """Every column to ten times the tolerance of its scale."""
+        """What differences() compares, to ten times the tolerance of its scale."""
         for name, (file, settings) in SCENES.items():
             n = 4 if name in ON_FOUR else 2
             with self.subTest(scene=name, processes=n):

@@ -163,6 +163,21 @@ class SweepTest(RunTest):
         error = self.sweep("--vary", "Mesh/Degree=1,2", code=2).stderr
         self.assertRegex(error, r"^sweep: output/sweep-s: holds a study of \S*s\.prm as it was before it changed; --output DIR .*\n$")
 
+    def test_a_changed_mesh_is_another_study(self):
+        mesh = self.folder / "part.msh"
+        whole = (ROOT / "prm/import/cylinder_coarse.msh").read_bytes()
+        entries = ["Geometry/Shape=file", "Geometry/Contact surface=base", "Geometry/Held surface=top",
+                   "Geometry/Symmetry surfaces=x0, y0"]
+        legs = "subsection Load program\n  set Legs = 0 0 -0.1 : 1\nend\n"
+        words = ["--vary", "Mesh/Degree=1,2", *(word for entry in entries for word in ("--set", entry))]
+        for named_by, scene, more in (("set", "", ["--set", "Geometry/Mesh file=part.msh"]),
+                                      ("file", "subsection Geometry\n  set Mesh file = part.msh\nend\n", [])):
+            mesh.write_bytes(whole)
+            (self.folder / "s.prm").write_text(legs + scene)
+            self.sweep(*words, *more, "-o", named_by)
+            mesh.write_bytes(whole + b"\n")
+            self.assertIn("as it was before it changed", self.sweep(*words, *more, "-o", named_by, code=2).stderr)
+
     def test_wrong_studies_are_reported_in_a_line(self):
         for words, says in ((("--vary", "iterations=1,2"), r"iterations is a column of the table"),
                             (("--vary", "mu=1:2:3"), r"mu stands in no --set"), (("--vary", "mu"), r"allowed is NAME=VALUES"),

@@ -17,6 +17,7 @@ import sweep_runs  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 MOST_RUNS = 100000
+FILE_ENTRIES = ("Obstacle/Gap file", "Geometry/Mesh file", "Lower geometry/Mesh file")
 
 
 class WrongInput(Exception):
@@ -69,29 +70,30 @@ def texts_of(path, seen=()):
     content = path.read_bytes()
     texts = [content]
     for line in content.decode("utf-8", "replace").splitlines():
-        match = re.match(r"\s*(?:include\s+|set\s+Gap file\s*=\s*)(\S.*?)\s*(?:#.*)?$", line)
+        match = re.match(r"\s*(?:include\s+|set\s+(?:Gap|Mesh) file\s*=\s*)(\S.*?)\s*(?:#.*)?$", line)
         other = path.parent / match[1] if match else None
         if other and other.is_file() and other.resolve() not in seen:
             texts += texts_of(other, (*seen, path.resolve()))
     return texts
 
 
-def gap_files_of(options, points):
-    """The gap files that a JSON file, --set or --vary name."""
+def other_files_of(options, points):
+    """The files with gaps and meshes that a JSON file, --set or --vary name."""
     settings = {setting for point in points for setting in settings_of(point, options.set)}
     files = {pathlib.Path(setting.partition("=")[2].strip()) for setting in settings
-             if setting.partition("=")[0].strip() == "Obstacle/Gap file"}
+             if setting.partition("=")[0].strip() in FILE_ENTRIES}
     if options.file.suffix == ".json":
-        try:
-            files.add(options.file.parent / json.loads(options.file.read_text(encoding="utf-8"))["Obstacle"]["Gap file"])
-        except (ValueError, KeyError, TypeError):
-            pass  # it names none, or the program says what is wrong with it
+        for section, entry in (name.split("/") for name in FILE_ENTRIES):
+            try:
+                files.add(options.file.parent / json.loads(options.file.read_text(encoding="utf-8"))[section][entry])
+            except (ValueError, KeyError, TypeError):
+                pass  # it names none, or the program says what is wrong with it
     return sorted(file for file in files if file.is_file())
 
 
 def checksum_of(options, points):
     """Of all that the runs read."""
-    texts = texts_of(options.file) + [file.read_bytes() for file in gap_files_of(options, points)]
+    texts = texts_of(options.file) + [file.read_bytes() for file in other_files_of(options, points)]
     return hashlib.sha256(b"\0".join(texts)).hexdigest()
 
 

@@ -9,8 +9,8 @@
 
 namespace orthocone
 {
-/// The backend that solves the elastic body, and the line with the reason; it is empty where nothing was
-/// compared.
+/// The backend that solves the elastic body, and the line with the reason; it is empty where any would do, or
+/// only one is possible for a section.
 struct BackendChoice
 {
   BodyBackend backend;
@@ -21,9 +21,10 @@ struct BackendChoice
 bool multigrid_can(const Parameters &parameters, const ModelSymmetry &symmetry);
 
 /// The backend of Mesh/Backend = auto: the faster one by estimates that know only the memory of this machine,
-/// into which the factorization must fit. Nothing is compared where only one backend is possible (multigrid
-/// needs a solid, one isotropic material, full quadrature, Newton's method and a Poisson ratio below 0.495),
-/// nor where no cell is halved and the factorization fits and takes seconds, nor where neither fits.
+/// into which the factorization must fit. Where multigrid cannot compute a solid (it needs one isotropic
+/// material, full quadrature, Newton's method and a Poisson ratio below 0.495), the reason names the entry.
+/// Nothing is compared for a section, nor where no cell is halved and the factorization fits and takes
+/// seconds, nor where neither fits.
 /// `parameters` have the resolved mesh.
 BackendChoice choose_backend(const Parameters &parameters, const ModelSymmetry &symmetry, double gigabytes);
 } // namespace orthocone

@@ -84,6 +84,26 @@ TEST(BackendChoice, KnowsThatALargeCoarsestMeshIsAggregated)
   EXPECT_NEAR(bytes_per_unknown(96), bytes_per_unknown(48), 0.1 * bytes_per_unknown(48));
 }
 
+/// The largest measured runs with one cycle of the table "adaptive" in docs/accuracy.md: cells of degree 3.
+TEST(BackendChoice, KnowsThatHalvedCellsTakeMoreMemory)
+{
+  struct Run
+  {
+    unsigned int n_rounds;
+    double dofs, contact_nodes, gigabytes;
+  };
+  for (const Run &run : {Run{5, 295845, 8650, 1.065}, Run{6, 617817, 17983, 2.181},
+                         Run{7, 1279437, 37129, 5.276}, Run{8, 2397168, 68839, 12.272}})
+  {
+    Parameters parameters = refined(1);
+    parameters.mesh.degree = 3;
+    parameters.mesh.refined_cells.resize(run.n_rounds);
+    parameters.load.cycles = 1;
+    const ModelSize size{run.dofs / 81, run.contact_nodes, run.dofs, 0};
+    EXPECT_NEAR(multigrid_gigabytes(parameters, size, quarter) / run.gigabytes, 1, 0.3) << run.n_rounds;
+  }
+}
+
 /// A checkpoint has the bodies of a cycle that another one follows.
 TEST(BackendChoice, KnowsThatCyclesKeepBodies)
 {
@@ -98,25 +118,36 @@ TEST(BackendChoice, KnowsThatCyclesKeepBodies)
   EXPECT_NEAR(gigabytes(200), gigabytes(2), 0.1 * gigabytes(2)); // of one cycle
 }
 
-TEST(BackendChoice, ComparesNothingWhereOnlyOneCanDoIt)
+TEST(BackendChoice, ComparesNothingForSectionsAndSmallModels)
 {
-  const auto expect_none = [](const Parameters &parameters, const ModelSymmetry &symmetry)
+  for (const BackendChoice &choice : {choose_backend(refined(0), quarter, much),
+                                      choose_backend(refined(4), ModelSymmetry::of_revolution(), much)})
   {
-    const BackendChoice choice = choose_backend(parameters, symmetry, much);
     EXPECT_EQ(choice.backend, BodyBackend::automatic);
     EXPECT_EQ(choice.reason, "");
+  }
+}
+
+TEST(BackendChoice, NamesTheEntryThatMultigridIsNotFor)
+{
+  const auto expect_named = [](const Parameters &parameters, const std::string &entry)
+  {
+    const BackendChoice choice = choose_backend(parameters, quarter, much);
+    EXPECT_EQ(choice.backend, BodyBackend::automatic);
+    EXPECT_NE(choice.reason.find("multigrid is not for " + entry), std::string::npos) << choice.reason;
   };
-  expect_none(refined(0), quarter);
-  expect_none(refined(4), ModelSymmetry::of_revolution());
   Parameters other = refined(4);
   other.mesh.volumetric_quadrature = VolumetricQuadrature::reduced;
-  expect_none(other, quarter);
+  expect_named(other, "Mesh/Volumetric quadrature = reduced");
   other = refined(4);
   other.material.poisson_ratio = 0.499;
-  expect_none(other, quarter);
+  expect_named(other, "Material/Poisson ratio = 0.499");
   other = refined(4);
   other.contact_solver.method = "gauss-seidel";
-  expect_none(other, quarter);
+  expect_named(other, "Contact solver/Method = gauss-seidel");
+  other = refined(4);
+  other.obstacle.kind = ObstacleKind::half_space;
+  expect_named(other, "Obstacle/Kind = half-space");
 }
 
 TEST(BackendChoice, LeavesWhatIsGiven)
