@@ -26,7 +26,7 @@ std::string changed_mesh_entry(const MeshOptions &mesh)
   {
     const auto &[entry, value] = values[i];
     const bool is_free = entry == "Mesh/Model" || entry == "Mesh/Resolution" || entry == "Mesh/Accuracy" ||
-                         entry == "Mesh/Volumetric quadrature";
+                         entry == "Mesh/Volumetric quadrature" || entry == "Mesh/Backend";
     if (!is_free && value != defaults[i].second)
       return entry + " = " + shown(value) + " is set beside it: allowed is " +
              (defaults[i].second.empty() ? "nothing" : "the default " + defaults[i].second);

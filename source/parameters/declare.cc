@@ -102,10 +102,9 @@ void declare_backend(MeshOptions &mesh, EntryTable &table)
       table, "Backend", mesh.backend,
       "How the elastic body is solved: factorized and condensed to its contact nodes (condensed), or by "
       "multigrid over all these meshes, without a factorization of the whole (multigrid: solids of degree 1 "
-      "to 3 "
-      "with Contact solver/Method = newton). auto: what takes less time by an estimate, or alone fits into "
-      "the "
-      "memory; condensed where no cell is halved and that takes seconds.");
+      "to 3 with Contact solver/Method = newton). auto: what takes less time by an estimate, or alone fits "
+      "into the memory; condensed where no cell is halved and that takes seconds. May stand beside a "
+      "Resolution or an Accuracy.");
 }
 
 void declare_material(MaterialOptions &material, EntryTable &table)

@@ -98,6 +98,11 @@ class ResumedTest(ResumeTest):
         self.whole(settings, ["history.csv", "checks.csv", "contact-0015.vtu"])
         self.assert_goes_on(settings, 8)
 
+    def test_halved_cells_are_not_searched_again(self):
+        settings = [*self.SETTINGS, "Mesh/Adaptive=1", "Load program/Cycles=1"]
+        self.whole(settings, ["history.csv", "checks.csv", "parameters.prm", "contact-0015.vtu"])
+        self.assert_goes_on(settings, 8)
+
 
 class UnsolvedTest(RunTest):
     def test_what_is_named_as_a_remedy_is_there(self):
