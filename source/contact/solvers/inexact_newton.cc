@@ -80,7 +80,7 @@ private:
                                                   Allowances &allowances);
   BodyIterate next(const ContactStep &step, const BodyIterate &last, const StepChoice &choice,
                    Allowances &allowances) const;
-  bool is_solved(const ContactStep &step, BodyIterate &iterate, VectorXd &unknowns) const;
+  double settle(const ContactStep &step, BodyIterate &iterate, VectorXd &unknowns) const;
 
   ContactSolverOptions options_;
   Allowances allowances_;
@@ -201,25 +201,30 @@ BodyIterate InexactNewton::next(const ContactStep &step, const BodyIterate &last
   return solved.error <= bearable_growth * next.error ? solved : next;
 }
 
-/// Whether the forces of an iterate, moved into their cones, solve the step with the displacement that they
-/// cause. If not, the iterate becomes the state of these forces.
-bool InexactNewton::is_solved(const ContactStep &step, BodyIterate &iterate, VectorXd &unknowns) const
+/// The residual of an iterate's forces, moved into their cones, with the displacement that they cause. If
+/// they do not solve the step, the iterate becomes their state.
+double InexactNewton::settle(const ContactStep &step, BodyIterate &iterate, VectorXd &unknowns) const
 {
   step.system().compliance().learn(iterate.unknowns.head(iterate.displacement.size()), iterate.body);
   unknowns = step.admissible(iterate.unknowns);
-  if (step.residual(unknowns) <= options_.tolerance)
-    return true;
-  iterate = near(step, unknowns);
-  return false;
+  const double residual = step.residual(unknowns);
+  if (residual > options_.tolerance)
+    iterate = near(step, unknowns);
+  return residual;
+}
+
+/// The share of the tolerance that a step must reach, where a share of `strictness` has left this residual:
+/// in a tall body, the displacement that forces cause differs from the iterate's by more than the tolerance.
+double stricter(const double strictness, const double tolerance, const double residual)
+{
+  constexpr double sure = 0.5, least = 0.1, strictest = 1e-3;
+  return std::max(strictest, strictness * std::clamp(sure * tolerance / residual, least, sure));
 }
 
 SolverReport InexactNewton::solve(const ContactStep &step, VectorXd &unknowns) const
 {
   constexpr double rest_share =
       0.3; // of the tolerance: the error of the displacement is up to 30 times as large
-  // In a tall body it is larger still: where the forces do not solve the step with the displacement that they
-  // cause, the body must come closer to its equilibrium.
-  constexpr double stricter = 0.1, strictest = 1e-3;
   const unsigned int most = std::min(options_.maximum_iterations, most_inexact_iterations);
   Trace trace;
   StepChoices choices;
@@ -244,9 +249,10 @@ SolverReport InexactNewton::solve(const ContactStep &step, VectorXd &unknowns) c
       continue;
     if (iterate.rest_norm <= rest_share * wanted)
     {
-      if (is_solved(step, iterate, unknowns))
+      residual = settle(step, iterate, unknowns);
+      if (residual <= options_.tolerance)
         break;
-      strictness = std::max(strictest, stricter * strictness);
+      strictness = stricter(strictness, options_.tolerance, residual);
     }
     residual = std::max(2 * options_.tolerance, step.residual(iterate.unknowns, iterate.displacement));
   }
