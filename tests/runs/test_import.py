@@ -82,7 +82,7 @@ class ImportTest(program.RunTest):
                 (["Mesh/Accuracy=1 %"], "Mesh/Accuracy = 1 % with Geometry/Shape = file: allowed is 0"),
                 (["Mesh/Resolution=fine"], "Mesh/Resolution = fine with Geometry/Shape = file: allowed is custom"),
                 (["Material/Regions=bdy: 1, 0"], r"Material/Regions: 'bdy' is no physical volume: allowed in \S+ are body \(5\)"),
-                (["Material/Regions=body: 1, 0", "Mesh/Backend=multigrid"], "Material/Regions with Mesh/Backend = multigrid")):
+                (["Material/Regions=body: 1, 0", "Mesh/Backend=multigrid"], "Material/Regions = body: 1, 0 with Mesh/Backend = multigrid")):
             with self.subTest(settings=settings):
                 result = self.run_program("none", "--check", settings=settings)
                 self.assertEqual(result.returncode, WRONG_INPUT)
