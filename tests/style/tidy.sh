@@ -15,5 +15,5 @@ if ! clang-tidy --version 2>/dev/null | grep -q 'version 14\.'; then
 fi
 cmake -S . -B "$build/tidy" -G Ninja -DCMAKE_UNITY_BUILD=ON -DORTHOCONE_PRECOMPILED_HEADERS=OFF -DORTHOCONE_TESTS=OFF >/dev/null 2>&1
 cmake --build "$build/tidy" --target orthocone_base_revision >/dev/null
-sed -n 's/^ *"file": "\(.*\/Unity\/.*\)".*/\1/p' "$build/tidy/compile_commands.json" | sort -u |
+sed -n 's/^ *"file": "\(.*\)".*/\1/p' "$build/tidy/compile_commands.json" | sort -u |
   xargs -n 1 -P "$(nproc)" clang-tidy -quiet -p "$build/tidy" 2>/dev/null
