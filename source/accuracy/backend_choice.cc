@@ -16,24 +16,29 @@ namespace orthocone
 {
 namespace
 {
-constexpr double nearly_incompressible = 0.495; // docs/stability.md, "On the whole body"
-
-/// The entry that leaves a solid to the factorization; empty where multigrid can compute it, and well.
-std::string what_multigrid_lacks(const Parameters &parameters)
+/// The entry with which multigrid cannot compute a solid; empty where it can.
+std::string what_multigrid_cannot(const Parameters &parameters)
 {
   if (parameters.obstacle.kind != ObstacleKind::rigid)
     return "Obstacle/Kind = " + to_word(parameters.obstacle.kind);
   if (parameters.output.problem_interval != 0)
     return "Output/Problems = " + std::to_string(parameters.output.problem_interval);
   if (!parameters.material.is_uniform_and_isotropic())
-    return "Material of several constants";
+    return parameters.material.is_orthotropic() ? "Material/Law = orthotropic" : "Material/Regions";
   if (parameters.mesh.volumetric_quadrature != VolumetricQuadrature::full)
     return "Mesh/Volumetric quadrature = " + to_word(parameters.mesh.volumetric_quadrature);
   if (find_contact_method(parameters.contact_solver.method)->needs_dense)
     return "Contact solver/Method = " + parameters.contact_solver.method;
-  if (parameters.material.poisson_ratio >= nearly_incompressible)
-    return "Material/Poisson ratio = " + to_text(parameters.material.poisson_ratio);
   return "";
+}
+
+/// The same, or the entry with which it may not reach equilibrium.
+std::string what_multigrid_is_not_for(const Parameters &parameters)
+{
+  constexpr double nearly_incompressible = 0.495; // docs/stability.md, "On the whole body"
+  const double nu = parameters.material.poisson_ratio;
+  const std::string entry = what_multigrid_cannot(parameters);
+  return entry.empty() && nu >= nearly_incompressible ? "Material/Poisson ratio = " + to_text(nu) : entry;
 }
 
 std::string described(const Estimate &cost, const double seconds)
@@ -46,9 +51,7 @@ std::string described(const Estimate &cost, const double seconds)
 
 bool multigrid_can(const Parameters &parameters, const ModelSymmetry &symmetry)
 {
-  Parameters compressible = parameters;
-  compressible.material.poisson_ratio = 0;
-  return !symmetry.is_axisymmetric() && what_multigrid_lacks(compressible).empty();
+  return !symmetry.is_axisymmetric() && what_multigrid_cannot(parameters).empty();
 }
 
 BackendChoice choose_backend(const Parameters &parameters, const ModelSymmetry &symmetry,
@@ -70,8 +73,8 @@ BackendChoice choose_backend(const Parameters &parameters, const ModelSymmetry &
                           : multigrid_gigabytes(parameters, size, symmetry) > gigabytes))
     return {parameters.mesh.backend};
   const std::string of_condensed = "condensed about " + described(condensed, seconds_condensed);
-  if (const std::string lack = what_multigrid_lacks(parameters); !lack.empty())
-    return {parameters.mesh.backend, line + of_condensed + "; multigrid is not for " + lack};
+  if (const std::string entry = what_multigrid_is_not_for(parameters); !entry.empty())
+    return {parameters.mesh.backend, line + of_condensed + "; multigrid is not for " + entry};
   const Estimate multigrid = multigrid_estimate(parameters, size, symmetry);
   const double seconds_multigrid = multigrid.set_up_seconds + n_steps * multigrid.step_seconds;
   const std::string of_multigrid = "multigrid about " + described(multigrid, seconds_multigrid);

@@ -25,7 +25,7 @@ SERIES = {
     EVEN_2: {f"{n} rounds": {**EVEN, "Mesh/Adaptive": n} for n in (1, 2, 3, 4, 5)},
     EVEN_3: {f"{n} rounds": {**EVEN, "Mesh/Degree": 3, "Mesh/Adaptive": n} for n in (1, 2, 3, 4)},
     BOTH: {f"coarse, {n} rounds": {**COARSE, "Mesh/Adaptive": n} for n in (1, 2, 3)},
-    MORE_3: {},
+    MORE_3: {},  # large ones alone
 }
 LARGE = {
     GRADED: {"18 core cells": SERIES[GRADED]["14 core cells"] | {"Mesh/Core cells": 18, "Mesh/Rings": 10, "Mesh/Layers": 18}},

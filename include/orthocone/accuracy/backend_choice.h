@@ -9,8 +9,8 @@
 
 namespace orthocone
 {
-/// The backend that solves the elastic body, and the line with the reason; it is empty where any would do, or
-/// only one is possible for a section.
+/// The backend that solves the elastic body, and the line with the reason; it is empty where nothing is
+/// compared.
 struct BackendChoice
 {
   BodyBackend backend;

@@ -80,7 +80,7 @@ private:
                                                   Allowances &allowances);
   BodyIterate next(const ContactStep &step, const BodyIterate &last, const StepChoice &choice,
                    Allowances &allowances) const;
-  double settle(const ContactStep &step, BodyIterate &iterate, VectorXd &unknowns) const;
+  double judge_forces(const ContactStep &step, BodyIterate &iterate, VectorXd &unknowns) const;
 
   ContactSolverOptions options_;
   Allowances allowances_;
@@ -203,7 +203,7 @@ BodyIterate InexactNewton::next(const ContactStep &step, const BodyIterate &last
 
 /// The residual of an iterate's forces, moved into their cones, with the displacement that they cause. If
 /// they do not solve the step, the iterate becomes their state.
-double InexactNewton::settle(const ContactStep &step, BodyIterate &iterate, VectorXd &unknowns) const
+double InexactNewton::judge_forces(const ContactStep &step, BodyIterate &iterate, VectorXd &unknowns) const
 {
   step.system().compliance().learn(iterate.unknowns.head(iterate.displacement.size()), iterate.body);
   unknowns = step.admissible(iterate.unknowns);
@@ -249,7 +249,7 @@ SolverReport InexactNewton::solve(const ContactStep &step, VectorXd &unknowns) c
       continue;
     if (iterate.rest_norm <= rest_share * wanted)
     {
-      residual = settle(step, iterate, unknowns);
+      residual = judge_forces(step, iterate, unknowns);
       if (residual <= options_.tolerance)
         break;
       strictness = stricter(strictness, options_.tolerance, residual);

@@ -100,7 +100,7 @@ TEST(BackendChoice, KnowsThatHalvedCellsTakeMoreMemory)
     parameters.mesh.degree = run.degree;
     parameters.mesh.refined_cells.resize(run.n_rounds);
     parameters.load.cycles = 1;
-    const ModelSize size{run.dofs / 81, run.contact_nodes, run.dofs, 0};
+    const ModelSize size{0, run.contact_nodes, run.dofs, 0}; // memory depends on no more
     EXPECT_NEAR(multigrid_gigabytes(parameters, size, quarter) / run.gigabytes, 1, 0.3) << run.n_rounds;
   }
 }
