@@ -25,8 +25,9 @@ std::string what_multigrid_cannot(const Parameters &parameters)
     return "Output/Problems = " + std::to_string(parameters.output.problem_interval);
   if (!parameters.material.is_uniform_and_isotropic())
     return parameters.material.is_orthotropic() ? "Material/Law = orthotropic" : "Material/Regions";
-  if (parameters.mesh.volumetric_quadrature != VolumetricQuadrature::full)
-    return "Mesh/Volumetric quadrature = " + to_word(parameters.mesh.volumetric_quadrature);
+  if (const auto quadrature = parameters.mesh.resolved_volumetric_quadrature();
+      quadrature != VolumetricQuadrature::full)
+    return "Mesh/Volumetric quadrature = " + to_word(quadrature);
   if (find_contact_method(parameters.contact_solver.method)->needs_dense)
     return "Contact solver/Method = " + parameters.contact_solver.method;
   return "";

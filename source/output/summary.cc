@@ -244,8 +244,8 @@ std::string describe_model(const Parameters &parameters, const ModelChoice &mode
        << (model.symmetry.is_axisymmetric() ? " quadrilaterals" : " hexahedra") << " of degree "
        << parameters.mesh.degree << ", " << parameters.mesh.n_quadrature_points()
        << " Gauss points per direction"
-       << (parameters.mesh.volumetric_quadrature == VolumetricQuadrature::reduced
-               ? ", volumetric part reduced\n"
+       << (parameters.mesh.resolved_volumetric_quadrature() == VolumetricQuadrature::projected
+               ? ", divergence projected\n"
                : "\n")
        << "unknowns       " << unknowns.size().free_dofs << " of " << unknowns.size().dofs
        << " degrees of freedom\n"

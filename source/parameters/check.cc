@@ -71,8 +71,8 @@ void check_backend(const Parameters &parameters)
                           : "Material/Regions = " + entries::regions_text(parameters.material.regions)) +
                      " with Mesh/Backend = multigrid, whose products have one pair of Lame's constants: "
                      "allowed is Backend = condensed");
-  if (parameters.mesh.volumetric_quadrature == VolumetricQuadrature::reduced)
-    throw InputError("Mesh/Volumetric quadrature = reduced with Mesh/Backend = multigrid: its products see "
+  if (parameters.mesh.resolved_volumetric_quadrature() == VolumetricQuadrature::projected)
+    throw InputError("Mesh/Volumetric quadrature = projected with Mesh/Backend = multigrid: its products see "
                      "all of the strain "
                      "at the same points; allowed is full, or Backend = condensed");
 }

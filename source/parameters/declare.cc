@@ -67,9 +67,12 @@ void declare_cells(MeshOptions &mesh, EntryTable &table)
             "Gauss points per direction, more than the degree; 0 = degree + 1.");
   add_choice(
       table, "Volumetric quadrature", mesh.volumetric_quadrature,
-      "reduced: the elements resist changes of volume only as far as these are polynomials of the degree "
-      "- 1, as with one Gauss point fewer per direction (B-bar for degree 1); against the locking of "
-      "nearly incompressible materials. May stand beside a Resolution or an Accuracy.");
+      "projected: the elements resist changes of volume only as far as these are polynomials of the degree "
+      "- 1 (B-bar for degree 1), so that nearly incompressible bodies do not lock and contact stresses do "
+      "not "
+      "scatter; full: as far as they go; auto: projected for degree 2 and more, full for degree 1. reduced "
+      "is "
+      "an older word for projected. May stand beside a Resolution or an Accuracy.");
   add_number(table, "Core ratio", mesh.core_ratio, Range{0.01, 1, true, false},
              "Distance of the core's corners from the axis / radius.");
   add_number(table, "Rim grading", mesh.rim_grading, Range{0, 10, false, true},

@@ -62,13 +62,7 @@ void check_regions(const Parameters &parameters)
 void check_material(const Parameters &parameters)
 {
   if (parameters.material.is_orthotropic())
-  {
     check_orthotropic(parameters.material);
-    if (parameters.mesh.volumetric_quadrature == VolumetricQuadrature::reduced)
-      throw InputError(
-          "Mesh/Volumetric quadrature = reduced with Material/Law = orthotropic, whose stress is "
-          "no pressure and a part at constant volume: allowed is full");
-  }
   check_regions(parameters);
 }
 } // namespace orthocone

@@ -24,9 +24,24 @@ FrictionOptions FrictionOptions::at(const double x, const double y) const
 MaterialOptions MaterialOptions::isotropic() const
 {
   MaterialOptions same;
-  same.young_modulus =
-      is_orthotropic() ? std::cbrt(young_moduli[0] * young_moduli[1] * young_moduli[2]) : young_modulus;
-  same.poisson_ratio = is_orthotropic() ? 0.3 : poisson_ratio; // its effect on an estimate is small
+  same.young_modulus = young_modulus;
+  same.poisson_ratio = poisson_ratio;
+  if (!is_orthotropic())
+    return same;
+  // Sums of the compliances S_ii, S_ij and 1/G_ij; 1/K is the sum of all S_ij, and
+  // 15/G = 4 sum S_ii - 4 sum_{i<j} S_ij + 3 sum 1/G_ij.
+  double along = 0, shear = 0;
+  for (unsigned int i = 0; i < 3; ++i)
+  {
+    along += 1 / young_moduli[i];
+    shear += 1 / shear_moduli[i];
+  }
+  const auto &[nu_xy, nu_xz, nu_yz] = poisson_ratios;
+  const double across = -(nu_xy + nu_xz) / young_moduli[0] - nu_yz / young_moduli[1];
+  const double bulk_modulus = 1 / (along + 2 * across),
+               shear_modulus = 15 / (4 * along - 4 * across + 3 * shear);
+  same.young_modulus = 9 * bulk_modulus * shear_modulus / (3 * bulk_modulus + shear_modulus);
+  same.poisson_ratio = (3 * bulk_modulus - 2 * shear_modulus) / (2 * (3 * bulk_modulus + shear_modulus));
   return same;
 }
 

@@ -28,15 +28,31 @@ void warn_of_slip_ellipse(const FrictionOptions &friction, std::vector<std::stri
         "the contact solver may need many iterations");
 }
 
+/// The largest Poisson's ratio of a material, and the entry that it stands in.
+std::pair<std::string, double> most_incompressible(const MaterialOptions &material)
+{
+  const double ratio = material.isotropic().poisson_ratio;
+  std::pair most(material.is_orthotropic() ? "Material/Poisson ratios, on average " + to_text(ratio)
+                                           : "Material/Poisson ratio = " + to_text(ratio),
+                 ratio);
+  for (const MaterialRegion &region : material.regions)
+    if (region.poisson_ratio > most.second)
+      most = {"Material/Regions: a Poisson ratio of " + to_text(region.poisson_ratio), region.poisson_ratio};
+  return most;
+}
+
 void warn_of_locking(const MaterialOptions &material, const MeshOptions &mesh,
                      std::vector<std::string> &warnings)
 {
-  constexpr double nearly_incompressible = 0.49;
-  if (!material.is_orthotropic() && material.poisson_ratio > nearly_incompressible && mesh.degree == 1 &&
-      mesh.volumetric_quadrature == VolumetricQuadrature::full)
-    warnings.push_back("Material/Poisson ratio = " + to_text(material.poisson_ratio) +
-                       " with Mesh/Degree = 1: trilinear elements lock, forces come out much too large; "
-                       "take degree 2 or 3, or Mesh/Volumetric quadrature = reduced");
+  constexpr double nearly_incompressible = 0.48; // docs/stability.md, "Nearly incompressible bodies"
+  if (mesh.resolved_volumetric_quadrature() == VolumetricQuadrature::projected)
+    return;
+  const auto [entry, ratio] = most_incompressible(material);
+  if (ratio > nearly_incompressible)
+    warnings.push_back(
+        entry + " with Mesh/Degree = " + std::to_string(mesh.degree) +
+        " and full volumetric quadrature: the elements lock, pressures and forces come out too "
+        "large; take Mesh/Volumetric quadrature = projected");
 }
 
 /// Motion of the held face (mm, degrees) at the corners of the load program; 0 where it is unknown because a

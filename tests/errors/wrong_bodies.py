@@ -28,7 +28,7 @@ ROWS = [
 COUNT, POSITIVE, GRADING = "a whole number from 1 to 200", "a number > 0", "a number > 0 and <= 10"
 OF_CELLS = [("Core cells", "0", COUNT), ("Rings", "-1", "a whole number from 0 to 200"), ("Layers", "0", COUNT),
             ("Degree", "5", "a whole number from 1 to 4"), ("Quadrature points", "11", "a whole number from 0 to 10"),
-            ("Volumetric quadrature", "b-bar", "full | reduced"), ("Core ratio", "1", "a number >= 0.01 and < 1"),
+            ("Volumetric quadrature", "b-bar", "auto | full | projected | reduced"), ("Core ratio", "1", "a number >= 0.01 and < 1"),
             ("Rim grading", "0", GRADING), ("Cells", "8, 8", "three whole numbers from 1 to 200 separated by commas"),
             ("Edge grading", "0", GRADING), ("Layer grading", "10.1", GRADING),
             ("Refinements", "8", "a whole number from 0 to 7")]

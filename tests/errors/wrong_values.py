@@ -174,7 +174,7 @@ ROWS = [
     ("two_settings_on_a_line", "subsection Mesh\n  set Degree = 2 set Layers = 4\nend\n",
      "{file}:3: Mesh/Degree = 2 set Layers = 4: allowed is a whole number from 1 to 4"),
     ("volumetric_quadrature_unknown", "subsection Mesh\n  set Volumetric quadrature = b-bar\nend\n",
-     "{file}:3: Mesh/Volumetric quadrature = b-bar: allowed is full | reduced"),
+     "{file}:3: Mesh/Volumetric quadrature = b-bar: allowed is auto | full | projected | reduced"),
     ("young_modulus_gpa", "subsection Material\n  set Poisson ratio = 0.3\n  set Young modulus = 210 GPa\nend\n",
      "{file}:4: Material/Young modulus = 210 GPa: allowed is a number > 0"),
     ("young_modulus_negative", "subsection Material\n  set Poisson ratio = 0.3\n  set Young modulus = -210000\nend\n",

@@ -20,7 +20,7 @@ REFUSED = {
     "Mesh/Rings": ["-0", "1e2", "1.0"],
     "Mesh/Layers": ["0.5", "2e2", "18446744073709551618"], "Mesh/Degree": ["-1", "4.0", "1-4"],
     "Mesh/Quadrature points": ["-0", "2.", "three"],
-    "Mesh/Volumetric quadrature": ["Reduced", "full reduced"],
+    "Mesh/Volumetric quadrature": ["Reduced", "full reduced", "projected auto"],
     "Mesh/Core ratio": ["0.00999999", "1.0000000001", "-0.5", "1e0x"],
     "Mesh/Rim grading": ["10.000001", "-1", "-0", "nan"], "Mesh/Layer grading": ["1e2", "-1e-9", "1:2"],
     "Material/Young modulus": ["-0", "210 000", "2.1e5MPa", "2.1*10^5", "1e309"],

@@ -89,19 +89,24 @@ struct Words<MeshResolution>
 };
 
 /// How the part of the stiffness that resists changes of volume is integrated: like the rest (full), or with
-/// the divergence projected to one degree less (reduced). docs/theory.md, section 2, "Nearly incompressible
-/// bodies".
+/// the divergence projected to one degree less (projected). docs/theory.md, section 2, "Projected
+/// divergence".
 enum class VolumetricQuadrature
 {
+  automatic, ///< projected for degree 2 and more, where it is stable; full for degree 1
   full,
-  reduced,
+  projected,
 };
 
 template<>
 struct Words<VolumetricQuadrature>
 {
-  static constexpr std::array<std::pair<VolumetricQuadrature, std::string_view>, 2> table{
-      {{VolumetricQuadrature::full, "full"}, {VolumetricQuadrature::reduced, "reduced"}}};
+  /// The last word is an older one for projected.
+  static constexpr std::array<std::pair<VolumetricQuadrature, std::string_view>, 4> table{
+      {{VolumetricQuadrature::automatic, "auto"},
+       {VolumetricQuadrature::full, "full"},
+       {VolumetricQuadrature::projected, "projected"},
+       {VolumetricQuadrature::projected, "reduced"}}};
 };
 
 /// Law of elasticity of the body.
@@ -170,7 +175,7 @@ struct MeshOptions
   unsigned int layers = 4;            ///< cells over the height
   unsigned int degree = 2;            ///< polynomial degree of FE_Q
   unsigned int quadrature_points = 0; ///< Gauss points per direction; 0: degree + 1
-  VolumetricQuadrature volumetric_quadrature = VolumetricQuadrature::full;
+  VolumetricQuadrature volumetric_quadrature = VolumetricQuadrature::automatic;
   double core_ratio = 0.5;  ///< core corner radius / R
   double rim_grading = 1;   ///< thickness of a ring / thickness of the next inner ring
   double layer_grading = 1; ///< thickness of a layer / thickness of its neighbour towards mid-height
@@ -185,6 +190,13 @@ struct MeshOptions
   unsigned int coarsenings = 0; ///< how often cells that were halved are made larger again; no entry
 
   unsigned int n_rings() const { return rings == 0 ? core_cells : rings; } ///< the default resolved
+  /// Full or projected: the default resolved.
+  VolumetricQuadrature resolved_volumetric_quadrature() const
+  {
+    if (volumetric_quadrature != VolumetricQuadrature::automatic)
+      return volumetric_quadrature;
+    return degree >= 2 ? VolumetricQuadrature::projected : VolumetricQuadrature::full;
+  }
   unsigned int n_quadrature_points() const { return quadrature_points == 0 ? degree + 1 : quadrature_points; }
 };
 
@@ -211,7 +223,8 @@ struct MaterialOptions
   bool is_orthotropic() const { return law == MaterialLaw::orthotropic; }
   bool is_uniform_and_isotropic() const { return !is_orthotropic() && regions.empty(); }
 
-  /// The constants themselves, or, for the orthotropic law, isotropic ones of similar size, for estimates.
+  /// The constants themselves, or, for the orthotropic law, those of Reuss's average over all directions
+  /// (Hill, Proc. Phys. Soc. A 65 (1952) 349-354), which are the same where the nine constants are isotropic.
   MaterialOptions isotropic() const;
 };
 } // namespace orthocone

@@ -54,8 +54,7 @@ CellFields<dim>::CellFields(const DisplacementSpace<dim> &space, const Materials
       values_(space.mapping(), space.scalar_fe(), points, needed),
       quadrature_values_(space.mapping(), space.scalar_fe(), dealii::QGauss<dim>(space.n_quadrature_points()),
                          needed | dealii::update_JxW_values),
-      divergence_(space.scalar_fe().degree, quadrature_values_.get_quadrature()),
-      polynomials_(ProjectedDivergence<dim>(space.scalar_fe().degree, points).polynomials().transpose())
+      divergence_(space.scalar_fe().degree)
 {
 }
 
@@ -70,25 +69,31 @@ VectorXd CellFields<dim>::nodal_values(const typename DisplacementSpace<dim>::Ce
   return space_.has_axis_face(cell) ? VectorXd(space_.axis_face_basis() * values) : values;
 }
 
+/// At the points of `values_`, which is at the cell.
 template<int dim>
 VectorXd CellFields<dim>::projected_volume_changes(const typename DisplacementSpace<dim>::Cell &cell,
                                                    const VectorXd &nodal)
 {
   quadrature_values_.reinit(typename dealii::Triangulation<dim>::active_cell_iterator(cell));
-  divergence_.reset(1);
+  divergence_.reset(cell, 1);
   for (const unsigned int q : quadrature_values_.quadrature_point_indices())
-    divergence_.add(q, VectorXd::Constant(1, trace(strain_at(quadrature_values_, q, nodal))),
+    divergence_.add(quadrature_values_.quadrature_point(q),
+                    VectorXd::Constant(1, trace(strain_at(quadrature_values_, q, nodal))),
                     StrainTerms<dim>::volume(quadrature_values_, q));
-  return polynomials_ * divergence_.coefficients();
+  const VectorXd coefficients = divergence_.coefficients();
+  VectorXd changes(values_.n_quadrature_points);
+  for (const unsigned int q : values_.quadrature_point_indices())
+    changes[q] = coefficients.dot(divergence_.polynomials_at(values_.quadrature_point(q)));
+  return changes;
 }
 
 template<int dim>
 std::vector<PointFields> CellFields<dim>::in(const typename DisplacementSpace<dim>::Cell &cell)
 {
-  const bool is_reduced = space_.volumetric_quadrature() == VolumetricQuadrature::reduced;
+  const bool is_projected = space_.volumetric_quadrature() == VolumetricQuadrature::projected;
   const VectorXd nodal = nodal_values(cell);
-  const VectorXd changes = is_reduced ? projected_volume_changes(cell, nodal) : VectorXd();
   values_.reinit(typename dealii::Triangulation<dim>::active_cell_iterator(cell));
+  const VectorXd changes = is_projected ? projected_volume_changes(cell, nodal) : VectorXd();
   std::vector<PointFields> fields(values_.n_quadrature_points);
   for (const unsigned int q : values_.quadrature_point_indices())
   {
@@ -96,7 +101,7 @@ std::vector<PointFields> CellFields<dim>::in(const typename DisplacementSpace<di
     fields[q].place = in_space(values_.quadrature_point(q));
     fields[q].displacement = displacement_at(values_, q, nodal);
     fields[q].stress =
-        materials_.of(cell->material_id()).stress(strain, is_reduced ? changes[q] : trace(strain));
+        materials_.of(cell->material_id()).stress(strain, is_projected ? changes[q] : trace(strain));
   }
   return fields;
 }

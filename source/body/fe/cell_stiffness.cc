@@ -46,8 +46,8 @@ CellStiffness<dim>::CellStiffness(const DisplacementSpace<dim> &space, const Mat
                   dealii::update_JxW_values),
       materials_(materials)
 {
-  if (space.volumetric_quadrature() == VolumetricQuadrature::reduced)
-    divergence_.emplace(space.scalar_fe().degree, values_.get_quadrature());
+  if (space.volumetric_quadrature() == VolumetricQuadrature::projected)
+    divergence_.emplace(space.scalar_fe().degree);
   for (unsigned int c = 0; c < dim; ++c)
     divergence_factors_[c] = divergence_factors_of<dim>(c);
 }
@@ -58,11 +58,11 @@ void CellStiffness<dim>::take(const Material &material)
   if (material_ == &material)
     return;
   material_ = &material;
-  const bool is_reduced = divergence_.has_value();
+  const bool is_projected = divergence_.has_value();
   volumetric_modulus_ = material.volumetric_modulus();
-  lambda_ = is_reduced ? 0 : volumetric_modulus_;
+  lambda_ = is_projected ? 0 : volumetric_modulus_;
   mu_ = material.shear_modulus();
-  const ElasticTangent tangent = is_reduced ? material.tangent_at_constant_volume() : material.tangent();
+  const ElasticTangent tangent = is_projected ? material.tangent_at_constant_volume() : material.tangent();
   for (unsigned int c = 0; c < dim; ++c)
     for (unsigned int d = 0; d < dim; ++d)
       factors_[dim * c + d] = factors_of<dim>(tangent, c, d);
@@ -88,7 +88,7 @@ void CellStiffness<dim>::integrate()
   divergences_.resize(dim * n_nodes);
   products_.setZero(terms_.size(), terms_.size());
   if (divergence_)
-    divergence_->reset(divergences_.size());
+    divergence_->reset(values_.get_cell(), divergences_.size());
   for (const unsigned int q : values_.quadrature_point_indices())
   {
     for (unsigned int a = 0; a < n_nodes; ++a)
@@ -100,7 +100,7 @@ void CellStiffness<dim>::integrate()
     for (unsigned int a = 0; a < n_nodes; ++a)
       for (unsigned int c = 0; c < dim; ++c)
         divergences_[dim * a + c] = divergence_factors_[c].dot(terms_.segment<n_terms>(n_terms * a));
-    divergence_->add(q, divergences_, volume);
+    divergence_->add(values_.quadrature_point(q), divergences_, volume);
   }
 }
 

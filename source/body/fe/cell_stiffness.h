@@ -36,11 +36,11 @@ private:
   static constexpr unsigned int n_terms = 3;
   const DisplacementSpace<dim> &space_;
   dealii::FEValues<dim> values_;
-  std::optional<ProjectedDivergence<dim>> divergence_; ///< with reduced volumetric quadrature
+  std::optional<ProjectedDivergence<dim>> divergence_; ///< with projected volumetric quadrature
   Materials materials_;
   const Material *material_ = nullptr; ///< the next numbers are its own
   double volumetric_modulus_ = 0;
-  double lambda_ = 0; ///< the part in combine(): 0 with reduced volumetric quadrature
+  double lambda_ = 0; ///< the part in combine(): 0 with projected volumetric quadrature
   double mu_ = 0;
   /// For each pair of components (dim c + d) the factors by which the products of terms of two nodes
   /// contribute to their entry (c, d).

@@ -85,7 +85,7 @@ DisplacementSpace<dim>::DisplacementSpace(const dealii::Triangulation<dim> &tria
       mapping_(dim == 2 ? 1 : options.degree), // sections are rectangles
       dof_handler_(triangulation),
       n_quadrature_points_(options.n_quadrature_points()),
-      volumetric_quadrature_(options.volumetric_quadrature),
+      volumetric_quadrature_(options.resolved_volumetric_quadrature()),
       hierarchic_(dealii::FETools::lexicographic_to_hierarchic_numbering<dim>(options.degree))
 {
   dof_handler_.distribute_dofs(fe_);

@@ -96,8 +96,7 @@ std::string remedy(const ContactSolverOptions &options, const SolverReport &repo
   if (!is_dense)
     return "Try smaller load steps, or Mesh/Backend = condensed, which has more to fall back on.";
   return "Try smaller load steps or Contact solver/Method = gauss-seidel; near incompressibility, "
-         "Mesh/Volumetric "
-         "quadrature = reduced; and see what log.txt says of the critical friction.";
+         "Mesh/Volumetric quadrature = projected; and see what log.txt says of the critical friction.";
 }
 } // namespace
 

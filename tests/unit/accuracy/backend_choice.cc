@@ -138,8 +138,8 @@ TEST(BackendChoice, NamesTheEntryThatMultigridIsNotFor)
     EXPECT_NE(choice.reason.find("multigrid is not for " + entry), std::string::npos) << choice.reason;
   };
   Parameters other = refined(4);
-  other.mesh.volumetric_quadrature = VolumetricQuadrature::reduced;
-  expect_named(other, "Mesh/Volumetric quadrature = reduced");
+  other.mesh.volumetric_quadrature = VolumetricQuadrature::projected;
+  expect_named(other, "Mesh/Volumetric quadrature = projected");
   other = refined(4);
   other.material.poisson_ratio = 0.499;
   expect_named(other, "Material/Poisson ratio = 0.499");

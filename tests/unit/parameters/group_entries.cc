@@ -51,9 +51,6 @@ TEST(MaterialChecks, NameWhatCannotGoTogether)
 {
   Parameters parameters;
   parameters.material.law = MaterialLaw::orthotropic;
-  parameters.mesh.volumetric_quadrature = VolumetricQuadrature::reduced;
-  EXPECT_NE(rejection_of([&] { check_parameters(parameters); }).find("orthotropic"), std::string::npos);
-  parameters.mesh.volumetric_quadrature = VolumetricQuadrature::full;
   parameters.mesh.backend = BodyBackend::multigrid;
   EXPECT_NE(rejection_of([&] { check_parameters(parameters); }).find("Material/Law = orthotropic with"),
             std::string::npos);

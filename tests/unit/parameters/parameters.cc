@@ -25,7 +25,7 @@ Parameters unusual_parameters()
 {
   Parameters parameters;
   parameters.geometry = {7.25, 1e-3, TopFace::guided};
-  parameters.mesh = {ModelKind::quarter,     6,  5, 3, 3, 5, VolumetricQuadrature::reduced, 0.37, 0.4, 1.5,
+  parameters.mesh = {ModelKind::quarter,     6,  5, 3, 3, 5, VolumetricQuadrature::projected, 0.37, 0.4, 1.5,
                      MeshResolution::coarse, 2.5};
   parameters.mesh.refined_cells = {{{0, 0}, {4, 7}}, {{12, 12}}};
   parameters.material = {1. / 3, -0.25};

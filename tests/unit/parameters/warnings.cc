@@ -79,14 +79,41 @@ TEST(Warnings, AreGivenForElementsThatDoNotResolveTheRimOrLock)
         p.material.poisson_ratio = 0.495;
       },
       "Material/Poisson ratio"));
-  EXPECT_FALSE(warned(
-      [&](Parameters &p)
-      {
-        fine(p);
-        p.material.poisson_ratio = 0.495;
-        p.mesh.volumetric_quadrature = VolumetricQuadrature::reduced;
-      },
-      "Material/Poisson ratio"));
+  const auto with = [](const unsigned int degree, const VolumetricQuadrature quadrature)
+  {
+    return [=](Parameters &p)
+    {
+      p.mesh.degree = degree;
+      p.mesh.volumetric_quadrature = quadrature;
+      p.material.regions = {{"seal", 5, 0.495}};
+    };
+  };
+  const std::string of_region = "Material/Regions: a Poisson ratio of 0.495 with Mesh/Degree = ";
+  for (const unsigned int degree : {1, 2, 3})
+  {
+    EXPECT_TRUE(warned(with(degree, VolumetricQuadrature::full), of_region));
+    EXPECT_FALSE(warned(with(degree, VolumetricQuadrature::projected), of_region));
+    EXPECT_EQ(warned(with(degree, VolumetricQuadrature::automatic), of_region), degree == 1);
+  }
+}
+
+// Nine constants of an isotropic material are that material.
+TEST(Warnings, TakeOrthotropicMaterialsByTheirAverage)
+{
+  const auto orthotropic = [](const double poisson)
+  {
+    return [=](Parameters &p)
+    {
+      p.material.law = MaterialLaw::orthotropic;
+      p.material.young_moduli = {{70, 70, 70}};
+      p.material.poisson_ratios = {{poisson, poisson, poisson}};
+      const double shear = 70 / (2 * (1 + poisson));
+      p.material.shear_moduli = {{shear, shear, shear}};
+      p.mesh.volumetric_quadrature = VolumetricQuadrature::full;
+    };
+  };
+  EXPECT_TRUE(warned(orthotropic(0.495), "Material/Poisson ratios, on average 0.495"));
+  EXPECT_FALSE(warned(orthotropic(0.4), "Material/Poisson ratios"));
 }
 
 TEST(Warnings, AreGivenForALoadProgramThatNeverPresses)

@@ -23,7 +23,7 @@ struct PointFields
 
 /// Fields of a displacement, at the same points in one cell after the other.
 ///
-/// With reduced volumetric quadrature the stress has the projected change of volume (ProjectedDivergence).
+/// With projected volumetric quadrature the stress has the projected change of volume (ProjectedDivergence).
 /// The pointwise change of volume would be noise where the material is nearly incompressible, and lambda
 /// times this noise would be much larger than the stress (docs/theory.md, section 2).
 template<int dim>
@@ -47,8 +47,7 @@ private:
   const Eigen::VectorXd &displacement_;
   Materials materials_;
   dealii::FEValues<dim> values_;
-  dealii::FEValues<dim> quadrature_values_; ///< with reduced volumetric quadrature only, as the next two
+  dealii::FEValues<dim> quadrature_values_; ///< with projected volumetric quadrature only, as the next one
   ProjectedDivergence<dim> divergence_;
-  Eigen::MatrixXd polynomials_; ///< of the projection, at the points
 };
 } // namespace orthocone

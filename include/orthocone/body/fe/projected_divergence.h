@@ -2,51 +2,75 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
-#include <deal.II/base/quadrature.h>
-#include <deal.II/fe/fe_dgq.h>
+#include <deal.II/fe/fe_dgp.h>
+#include <deal.II/grid/tria.h>
 
 #include <Eigen/Dense>
 
 namespace orthocone
 {
-/// The divergence in a cell, projected (least squares) to the polynomials in the cell's own coordinates whose
-/// degree is one less than the displacement's (docs/theory.md, section 2, "Nearly incompressible bodies").
+/// The divergence in a cell, projected (least squares) to the polynomials in x, y, z (in a section: r, z)
+/// whose total degree is one less than the displacement's (docs/theory.md, section 2, "Projected
+/// divergence").
 ///
-/// In parallelepipeds this is the interpolation between the Gauss points of the rule with one point fewer per
-/// direction, so that its square is what selective reduced integration takes. In other cells that rule is not
-/// exact for the divergence itself, and a uniform pressure would no longer be balanced; the projection keeps
-/// constants.
+/// These are complete polynomials: 1, x, y, z for a displacement of degree 2. Together with the displacement
+/// they form the pairs Q_k/P_(k-1) of mixed methods, whose pressures are stable for every k >= 2 (Boffi,
+/// Brezzi, Fortin, Mixed Finite Element Methods, section 8.6). Tensor products of the same degree are twice
+/// as many, and are not stable. They are polynomials in space and not in the coordinates of the unit cell,
+/// because the latter hold no linear function where a cell is no parallelepiped, which costs an order (Boffi
+/// and Gastaldi, Computing 69 (2002) 131-147).
 template<int dim>
 class ProjectedDivergence
 {
 public:
-  /// `degree` is that of the displacement, at least 1; `quadrature` is on the unit cell.
-  ProjectedDivergence(const unsigned int degree, const dealii::Quadrature<dim> &quadrature)
-      : polynomials_(dealii::FE_DGQ<dim>(degree - 1).n_dofs_per_cell(), quadrature.size())
+  /// `degree` is that of the displacement, at least 1.
+  explicit ProjectedDivergence(const unsigned int degree)
+      : fe_(degree - 1)
   {
-    const dealii::FE_DGQ<dim> fe(degree - 1);
-    for (unsigned int k = 0; k < polynomials_.rows(); ++k)
-      for (unsigned int q = 0; q < quadrature.size(); ++q)
-        polynomials_(k, q) = fe.shape_value(k, quadrature.point(q));
   }
 
   /// Begins a cell with `n_dofs` degrees of freedom.
-  void reset(const Eigen::Index n_dofs)
+  void reset(const typename dealii::Triangulation<dim>::cell_iterator &cell, const Eigen::Index n_dofs)
   {
-    mass_.setZero(polynomials_.rows(), polynomials_.rows());
-    moments_.setZero(polynomials_.rows(), n_dofs);
+    dealii::Tensor<2, dim> axes;
+    centre_ = dealii::Point<dim>();
+    for (const unsigned int i : cell->vertex_indices())
+    {
+      const dealii::Point<dim> unit = dealii::GeometryInfo<dim>::unit_cell_vertex(i);
+      centre_ += cell->vertex(i) / n_vertices;
+      for (unsigned int d = 0; d < dim; ++d)
+        for (unsigned int e = 0; e < dim; ++e)
+          axes[d][e] += (unit[e] - 0.5) * 4 / n_vertices * cell->vertex(i)[d];
+    }
+    to_unit_ = invert(axes);
+    mass_.setZero(n_polynomials(), n_polynomials());
+    moments_.setZero(n_polynomials(), n_dofs);
   }
 
-  /// Adds a quadrature point: the degrees of freedom's divergences there (n_dofs, 1/mm), and its share of the
-  /// volume (mm^3).
-  void add(const unsigned int q, const Eigen::VectorXd &divergences, const double volume)
+  /// Adds a quadrature point at `place` (mm): the degrees of freedom's divergences there (n_dofs, 1/mm), and
+  /// its share of the volume (mm^3).
+  void add(const dealii::Point<dim> &place, const Eigen::VectorXd &divergences, const double volume)
   {
-    mass_.noalias() += (volume * polynomials_.col(q)) * polynomials_.col(q).transpose();
-    moments_.noalias() += (volume * polynomials_.col(q)) * divergences.transpose();
+    const Eigen::VectorXd values = polynomials_at(place);
+    mass_.noalias() += (volume * values) * values.transpose();
+    moments_.noalias() += (volume * values) * divergences.transpose();
   }
 
-  /// Values of the polynomials (rows) at the quadrature points (columns).
-  const Eigen::MatrixXd &polynomials() const { return polynomials_; }
+  /// Values of the polynomials of this cell at a place, mm.
+  Eigen::VectorXd polynomials_at(const dealii::Point<dim> &place) const
+  {
+    // Products of Legendre's polynomials in the coordinates of the parallelepiped that is nearest to the
+    // cell: any basis will do, but this one keeps the mass matrix well conditioned in flat cells at any
+    // angle.
+    dealii::Point<dim> unit;
+    for (unsigned int d = 0; d < dim; ++d)
+      unit[d] = 0.5;
+    unit += to_unit_ * (place - centre_);
+    Eigen::VectorXd values(n_polynomials());
+    for (unsigned int k = 0; k < fe_.n_dofs_per_cell(); ++k)
+      values[k] = fe_.shape_value(k, unit);
+    return values;
+  }
 
   /// Column i has the polynomials' coefficients in the projected divergence of degree of freedom i, 1/mm.
   Eigen::MatrixXd coefficients() const { return mass_.llt().solve(moments_); }
@@ -55,7 +79,12 @@ public:
   Eigen::MatrixXd products() const { return moments_.transpose() * coefficients(); }
 
 private:
-  Eigen::MatrixXd polynomials_;
+  Eigen::Index n_polynomials() const { return fe_.n_dofs_per_cell(); }
+
+  static constexpr unsigned int n_vertices = dealii::GeometryInfo<dim>::vertices_per_cell;
+  dealii::FE_DGP<dim> fe_;
+  dealii::Point<dim> centre_;
+  dealii::Tensor<2, dim> to_unit_; ///< 1/mm
   Eigen::MatrixXd mass_;
   Eigen::MatrixXd moments_; ///< of the divergences of the degrees of freedom
 };

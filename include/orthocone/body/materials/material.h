@@ -27,7 +27,7 @@ class Material
 {
 public:
   explicit Material(const MaterialOptions &options)
-      : lame_(options)
+      : lame_(options.isotropic())
   {
     if (options.is_orthotropic())
       orthotropic_ = orthotropic_tangent(options);
@@ -46,34 +46,42 @@ public:
   /// Stress (MPa) of a strain.
   Stress stress(const Strain &strain) const { return stress(strain, trace(strain)); }
 
-  /// Stress (MPa) in elements whose change of volume is not the trace of `strain`; orthotropic materials
-  /// ignore `volume_change`.
+  /// Stress (MPa) in elements whose change of volume is not the trace of `strain`.
   Stress stress(const Strain &strain, const double volume_change) const
   {
+    const auto one = dealii::unit_symmetric_tensor<3>();
     if (orthotropic_)
-      return *orthotropic_ * strain;
-    return lame_.lambda * volume_change * dealii::unit_symmetric_tensor<3>() + 2 * lame_.mu * strain;
+      return *orthotropic_ * strain + lame_.lambda * (volume_change - trace(strain)) * one;
+    return lame_.lambda * volume_change * one + 2 * lame_.mu * strain;
   }
 
   /// Derivative of the stress with respect to the strain, MPa.
   ElasticTangent tangent() const
   {
-    if (orthotropic_)
-      return *orthotropic_;
-    const auto one = dealii::unit_symmetric_tensor<3>();
-    return lame_.lambda * outer_product(one, one) + tangent_at_constant_volume();
+    return orthotropic_ ? *orthotropic_ : volumetric_tangent() + tangent_at_constant_volume();
   }
 
-  /// The part of the tangent without the stress from the change of volume, MPa; for isotropic materials only.
-  ElasticTangent tangent_at_constant_volume() const { return 2 * lame_.mu * dealii::identity_tensor<3>(); }
+  /// The part of the tangent without the stress from the change of volume, MPa.
+  ElasticTangent tangent_at_constant_volume() const
+  {
+    return orthotropic_ ? *orthotropic_ - volumetric_tangent() : 2 * lame_.mu * dealii::identity_tensor<3>();
+  }
 
   double shear_modulus() const { return lame_.mu; } ///< MPa, for isotropic materials only
 
-  /// Stress from a change of volume by 1, MPa; for isotropic materials only.
+  /// What resists a change of volume by 1 and is no part of the tangent at constant volume, MPa: lambda, for
+  /// orthotropic materials that of the isotropic average. It is less than their bulk modulus 1/(1 : S : 1),
+  /// so that every strain stores energy without this part, too.
   double volumetric_modulus() const { return lame_.lambda; }
 
 private:
-  LameParameters lame_;
+  ElasticTangent volumetric_tangent() const
+  {
+    const auto one = dealii::unit_symmetric_tensor<3>();
+    return lame_.lambda * outer_product(one, one);
+  }
+
+  LameParameters lame_; ///< of the isotropic average
   std::optional<ElasticTangent> orthotropic_;
 };
 } // namespace orthocone

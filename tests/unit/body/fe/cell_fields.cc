@@ -42,7 +42,7 @@ void expect_uniform(const DisplacementSpace<dim> &space, const Eigen::Matrix3d &
 }
 
 const std::array<VolumetricQuadrature, 2> quadratures{
-    {VolumetricQuadrature::full, VolumetricQuadrature::reduced}};
+    {VolumetricQuadrature::full, VolumetricQuadrature::projected}};
 } // namespace
 
 TEST(CellFields, AreUniformWhereTheSolidIsStrainedUniformly)

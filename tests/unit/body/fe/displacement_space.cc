@@ -212,7 +212,7 @@ TEST(Section, CompressesUniformly)
   constexpr double pressure = 100;
   const double strain = -pressure / material.young_modulus;
   for (const unsigned int degree : {1, 2, 3, 4})
-    for (const auto quadrature : {VolumetricQuadrature::full, VolumetricQuadrature::reduced})
+    for (const auto quadrature : {VolumetricQuadrature::full, VolumetricQuadrature::projected})
     {
       MeshOptions options = section_options(degree);
       options.volumetric_quadrature = quadrature;

@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/body/materials/material.h>
 
+#include <Eigen/Dense>
+
 #include <gtest/gtest.h>
 
 namespace orthocone::test
@@ -34,6 +36,40 @@ TEST(Material, HasTheTangentOfItsStress)
   const Stress rest = material.stress(strain, 0);
   EXPECT_LE((material.tangent_at_constant_volume() * strain - rest).norm(), 1e-14 * rest.norm());
   EXPECT_NEAR(stress[0][0] - rest[0][0], material.volumetric_modulus() * trace(strain), 1e-9);
+}
+
+// The volumetric part is that of the isotropic material of the same constants, and what is left over stores
+// energy.
+TEST(Material, HasAVolumetricPartWhateverItsLaw)
+{
+  MaterialOptions options;
+  options.law = MaterialLaw::orthotropic;
+  for (const double poisson : {-0.5, 0.3, 0.4999})
+  {
+    MaterialOptions isotropic;
+    isotropic.poisson_ratio = poisson;
+    const double shear = isotropic.young_modulus / (2 * (1 + poisson));
+    options.young_moduli.fill(isotropic.young_modulus);
+    options.poisson_ratios.fill(poisson);
+    options.shear_moduli.fill(shear);
+    const ElasticTangent expected = Material(isotropic).tangent_at_constant_volume();
+    const ElasticTangent change = Material(options).tangent_at_constant_volume() - expected;
+    EXPECT_LE(change.norm(), 1e-10 * expected.norm() / (0.5 - poisson));
+  }
+  options.young_moduli = {{100, 50, 2000}};
+  options.poisson_ratios = {{0.3, 0.05, 0.01}};
+  options.shear_moduli = {{11, 1200, 13}};
+  const Material material(options);
+  Eigen::Matrix3d normal;
+  for (unsigned int i = 0; i < 3; ++i)
+    for (unsigned int j = 0; j < 3; ++j)
+      normal(i, j) = material.tangent_at_constant_volume()[i][i][j][j];
+  EXPECT_GT(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(normal).eigenvalues().minCoeff(), 0);
+  Strain strain;
+  strain[0][0] = 0.1;
+  strain[1][2] = 0.2;
+  EXPECT_LE((material.stress(strain, trace(strain)) - material.stress(strain)).norm(), 1e-12);
+  EXPECT_LE((material.stress(strain, 0) - material.tangent_at_constant_volume() * strain).norm(), 1e-12);
 }
 
 // Each column of the compliance is the strain under one stress.
