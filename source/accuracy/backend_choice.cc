@@ -4,9 +4,10 @@
 
 #include <orthocone/accuracy/estimate.h>
 #include <orthocone/base/ranks.h>
+#include <orthocone/base/text.h>
 #include <orthocone/contact/solvers/contact_method.h>
+#include <orthocone/parameters/computed_steps.h>
 #include <orthocone/parameters/values.h>
-#include <orthocone/scene/load_program.h>
 
 #include <iomanip>
 #include <sstream>
@@ -25,9 +26,6 @@ std::string what_multigrid_cannot(const Parameters &parameters)
     return "Output/Problems = " + std::to_string(parameters.output.problem_interval);
   if (!parameters.material.is_uniform_and_isotropic())
     return parameters.material.is_orthotropic() ? "Material/Law = orthotropic" : "Material/Regions";
-  if (const auto quadrature = parameters.mesh.resolved_volumetric_quadrature();
-      quadrature != VolumetricQuadrature::full)
-    return "Mesh/Volumetric quadrature = " + to_word(quadrature);
   if (find_contact_method(parameters.contact_solver.method)->needs_dense)
     return "Contact solver/Method = " + parameters.contact_solver.method;
   return "";
@@ -66,7 +64,8 @@ BackendChoice choose_backend(const Parameters &parameters, const ModelSymmetry &
     return {BodyBackend::multigrid, line + "multigrid: " + std::to_string(n_ranks()) + " processes"};
   const ModelSize size = model_size(parameters, symmetry);
   const Estimate condensed = usual_estimate(parameters, size, symmetry);
-  const double n_steps = LoadProgram(parameters.load).n_solved_parts();
+  // Where cycles may be jumped, most of them are, as a rule.
+  const double n_steps = least_computed_parts(parameters.load, parameters.wear);
   const double seconds_condensed = condensed.set_up_seconds + n_steps * condensed.step_seconds;
   const bool fits = condensed.gigabytes <= gigabytes;
   const bool is_halved = parameters.mesh.refinements > 0 || !parameters.mesh.refined_cells.empty();

@@ -21,7 +21,7 @@ constexpr double bytes_per_number = 8;
 constexpr double gigabyte = 1e9;
 constexpr double dense_matrices = 1.5;   // the compliance, and what inner iterations use of it
 constexpr double of_counterbody = 1;     // one more: its compliance, then the sum
-constexpr double bytes_per_step = 100;   // in the load program and the lists of files
+constexpr double bytes_per_step = 100;   // in the lists of files
 constexpr double memory_bandwidth = 8e9; // bytes/s that one core of a usual machine reads
 
 /// Floating point operations per second of a matrix product that fits into the cache.
@@ -64,7 +64,7 @@ double drawn_nodes(const ContactSurface &surface, const ModelSymmetry &symmetry)
 
 double step_gigabytes(const LoadOptions &load, const double contact_nodes)
 {
-  const double n_steps = LoadProgram(load).n_solved_parts();
+  const double n_steps = std::min(LoadProgram(load).n_solved_parts(), most_solved_parts); // computed ones
   const double starts = 2 * n_steps / std::max(1U, load.cycles) * 3 * contact_nodes * bytes_per_number;
   // The starts are kept, and take memory again in the text of a checkpoint.
   return (bytes_per_step * n_steps + 3 * std::min(starts, static_cast<double>(StartMemory::most_bytes))) /
@@ -191,18 +191,22 @@ Estimate least_estimate(const ModelSize &size)
   return result;
 }
 
-std::string describe(const Estimate &estimate, const unsigned int n_steps, const MemoryLimit &limit,
-                     const bool is_least, const bool has_jumps)
+std::string describe(const Estimate &estimate, const ComputedSteps &n_steps, const MemoryLimit &limit,
+                     const bool is_least)
 {
   const char *const about = is_least ? "more than " : "about ";
+  const auto seconds = [&](const double n) { return estimate.set_up_seconds + n * estimate.step_seconds; };
+  const auto counted = [](const double n) { return std::to_string(static_cast<unsigned long>(n)); };
+  const bool has_jumps = n_steps.least < n_steps.most;
   std::ostringstream text;
   text << std::setprecision(2) << "memory         " << about << estimate.gigabytes << " GB; " << limit.source
        << " " << (limit.gigabytes < 10 ? limit.gigabytes : std::round(limit.gigabytes)) << " GB\n"
-       << "time           " << (has_jumps ? "up to " : about)
-       << estimate.set_up_seconds + n_steps * estimate.step_seconds << " s: set-up "
-       << estimate.set_up_seconds << " s, " << n_steps << " load steps of " << estimate.step_seconds << " s"
-       << (is_least ? "" : " (to a factor of 3)")
-       << (has_jumps ? ", less for each cycle that is jumped" : "");
+       << "time           " << about << seconds(n_steps.least) << " s";
+  if (has_jumps)
+    text << ", and " << seconds(n_steps.most) << " s if no cycle is jumped";
+  text << ": set-up " << estimate.set_up_seconds << " s, "
+       << (has_jumps ? counted(n_steps.least) + " to " : "") << counted(n_steps.most) << " load steps of "
+       << estimate.step_seconds << " s" << (is_least ? "" : " (to a factor of 3)");
   return text.str();
 }
 

@@ -14,9 +14,10 @@ namespace orthocone
 namespace
 {
 /// Number of the first step in which the top is lowest.
-unsigned int peak(const std::vector<LoadStep> &steps)
+unsigned int peak(const LoadSteps &steps)
 {
-  return std::min_element(steps.begin(), steps.end(),
+  const std::vector<LoadStep> &different = steps.different();
+  return std::min_element(different.begin(), different.end(),
                           [](const LoadStep &a, const LoadStep &b)
                           { return a.motion[2] + a.force[2] < b.motion[2] + b.force[2]; })
       ->number;
@@ -79,7 +80,7 @@ LoadOptions first_cycle(LoadOptions load)
 FirstCycle march_first_cycle(const Scene &scene, const LoadOptions &load, StepSolver &solver,
                              const char *const entry, MarchObserver &also)
 {
-  const std::vector<LoadStep> steps = LoadProgram(first_cycle(load)).steps();
+  const LoadSteps steps = LoadProgram(first_cycle(load)).steps();
   QuantityWatch watch(scene, peak(steps), also);
   ContactState state(scene.gaps());
   const BlasThreads threads(state.force.size());

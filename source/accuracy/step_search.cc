@@ -7,6 +7,8 @@
 #include <orthocone/accuracy/first_cycle.h>
 #include <orthocone/base/memory.h>
 #include <orthocone/body/shapes/mesh_ladder.h>
+#include <orthocone/parameters/computed_steps.h>
+#include <orthocone/scene/load_program.h>
 
 #include <algorithm>
 #include <cmath>
@@ -166,7 +168,9 @@ private:
     halved.cycles = n_cycles_;
     Leg &leg = *legs_of(halved)[i];
     leg.parts *= 2;
-    return leg.parts <= most_parts && LoadProgram(halved).n_solved_parts() <= most_solved_parts;
+    return leg.parts <= most_parts &&
+           least_computed_parts(halved, scene_.parameters().wear) <= most_solved_parts &&
+           LoadProgram(halved).n_solved_parts() <= most_counted_parts;
   }
 
   bool is_to_halve(const LegError &leg) const

@@ -11,6 +11,7 @@
 #include <orthocone/body/shapes/mesh_files.h>
 #include <orthocone/body/shapes/mesh_ladder.h>
 #include <orthocone/output/summary.h>
+#include <orthocone/parameters/computed_steps.h>
 #include <orthocone/parameters/lower_body.h>
 #include <orthocone/scene/load_program.h>
 
@@ -57,16 +58,15 @@ std::string why_too_large(const ModelSize &size, const std::string &lack)
   return lack;
 }
 
-/// Whether cycles may be left out, which then take no time.
-bool has_jumps(const Parameters &parameters)
+ComputedSteps computed_steps(const Parameters &parameters)
 {
-  return parameters.load.jump_when_periodic != 0 || parameters.wear.largest_jump != 0;
+  return {least_computed_parts(parameters.load, parameters.wear),
+          LoadProgram(parameters.load).n_solved_parts()};
 }
 
 /// Prints a model whose mesh has so many unknowns that making it takes too long for a check.
 void print_large_model(const Parameters &parameters, const ModelChoice &model, const ModelSize &size)
 {
-  const auto n_steps = static_cast<unsigned int>(LoadProgram(parameters.load).n_solved_parts());
   const MemoryLimit limit = memory_limit();
   const bool is_condensed = parameters.mesh.backend != BodyBackend::multigrid;
   const Estimate cost =
@@ -74,7 +74,7 @@ void print_large_model(const Parameters &parameters, const ModelChoice &model, c
   std::cout << describe_model(model) << describe(size) << "\n"
             << describe_friction(parameters) << describe_obstacle(parameters)
             << describe_steps(parameters.load)
-            << describe(cost, n_steps, limit, is_condensed, has_jumps(parameters)) << "\n";
+            << describe(cost, computed_steps(parameters), limit, is_condensed) << "\n";
   const std::string lack = lack_of_memory(cost.gigabytes, limit);
   print_warnings(parameters, is_condensed ? why_too_large(size, lack) : lack);
 }
@@ -92,7 +92,7 @@ void print_lower_mesh(const Parameters &parameters, const ModelChoice &model)
 
 void print_model(const Parameters &parameters, const ModelChoice &model)
 {
-  const auto n_steps = static_cast<unsigned int>(LoadProgram(parameters.load).n_solved_parts());
+  const ComputedSteps n_steps = computed_steps(parameters);
   const MemoryLimit limit = memory_limit();
   const Body body(parameters, model.symmetry);
   std::cout << describe_model(parameters, model, body.unknowns()) << "\n";
@@ -103,13 +103,13 @@ void print_model(const Parameters &parameters, const ModelChoice &model)
         parameters.mesh.backend == BodyBackend::multigrid
             ? multigrid_estimate(parameters, model_size(parameters, model.symmetry), model.symmetry)
             : estimate(parameters, body, model.symmetry);
-    std::cout << describe(cost, n_steps, limit, false, has_jumps(parameters)) << "\n";
+    std::cout << describe(cost, n_steps, limit, false) << "\n";
     print_warnings(parameters, lack_of_memory(cost.gigabytes, limit));
   }
   catch (const TooLargeError &error)
   {
     const Estimate least = least_estimate(model_size(parameters, model.symmetry));
-    std::cout << describe(least, n_steps, limit, true, has_jumps(parameters)) << "\n";
+    std::cout << describe(least, n_steps, limit, true) << "\n";
     print_warnings(parameters, error.what());
   }
 }

@@ -41,6 +41,12 @@ bool QuasiStaticProblem::goes_on(const LoadStep &)
 {
   if (cycles_.is_to_stop())
     return false;
+  if (const unsigned int n_computed = state_.step - cycles_.memory().n_jumped_steps();
+      n_computed >= most_solved_parts)
+  {
+    outcome_ = {ExitCode::unsolved_step, too_few_jumps_text(n_computed, steps_.size() - state_.step)};
+    return false;
+  }
   if (!any_rank(stop_is_requested()))
     return true;
   outcome_ = {ExitCode::interrupted, "interrupted after load step " + std::to_string(state_.step) + " of " +

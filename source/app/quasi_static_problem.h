@@ -57,7 +57,7 @@ private:
   const Parameters parameters_;
   const RunFolder &folder_;
   Log &log_;
-  const std::vector<LoadStep> steps_;
+  const LoadSteps steps_;
   Stopwatch total_;
   ThreadChooser &threads_;
   const ChosenModel chosen_;

@@ -16,14 +16,14 @@ namespace orthocone
 namespace
 {
 /// "load step 3 of 45 (u_z = -0.06 mm)".
-std::string name_of(const LoadStep &step, const std::vector<LoadStep> &steps)
+std::string name_of(const LoadStep &step, const LoadSteps &steps)
 {
   return "load step " + std::to_string(step.number) + " of " + std::to_string(steps.size()) + " (" +
          MotionText(steps)(step, " = ") + ")";
 }
 } // namespace
 
-std::string unsolved_step_text(const LoadStep &step, const std::vector<LoadStep> &steps,
+std::string unsolved_step_text(const LoadStep &step, const LoadSteps &steps,
                                const ContactSolverOptions &options, const SolverReport &report,
                                const Scene &scene)
 {
@@ -38,8 +38,7 @@ std::string unsolved_step_text(const LoadStep &step, const std::vector<LoadStep>
   return text.str();
 }
 
-std::string no_equilibrium_text(const LoadStep &step, const std::vector<LoadStep> &steps,
-                                const double carried)
+std::string no_equilibrium_text(const LoadStep &step, const LoadSteps &steps, const double carried)
 {
   constexpr double percent = 100;
   std::ostringstream text;
@@ -51,13 +50,20 @@ std::string no_equilibrium_text(const LoadStep &step, const std::vector<LoadStep
   return text.str();
 }
 
-std::string broken_step_text(const LoadStep &step, const std::vector<LoadStep> &steps, const std::string &why)
+std::string broken_step_text(const LoadStep &step, const LoadSteps &steps, const std::string &why)
 {
   return name_of(step, steps) + " is not solved: " + why + ". The files of the steps before stay";
 }
 
-std::string wrong_step_text(const LoadStep &step, const std::vector<LoadStep> &steps,
-                            const std::string &which)
+std::string too_few_jumps_text(const std::size_t n_computed, const std::size_t n_left)
+{
+  return std::to_string(n_computed) + " load steps are computed, and no more are allowed, but " +
+         std::to_string(n_left) +
+         " are left, because too few cycles were jumped: take a larger bound for "
+         "jumps (Load program/Jump when periodic, Wear/Largest depth of a jump), or fewer Cycles";
+}
+
+std::string wrong_step_text(const LoadStep &step, const LoadSteps &steps, const std::string &which)
 {
   return name_of(step, steps) + " is solved, but not right: " + which +
          ".\nThe files of the steps before stay; section Checks has the bounds.";

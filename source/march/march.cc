@@ -8,13 +8,11 @@
 
 namespace orthocone
 {
-MarchEnd march(const std::vector<LoadStep> &steps, StepSolver &solver, ContactState &state,
-               MarchObserver &observer)
+MarchEnd march(const LoadSteps &steps, StepSolver &solver, ContactState &state, MarchObserver &observer)
 {
-  for (const LoadStep &step : steps)
+  while (state.step < steps.size())
   {
-    if (step.number <= state.step)
-      continue;
+    const LoadStep step = steps[state.step];
     if (!observer.goes_on(step))
       return MarchEnd::stopped;
     ContactState next = state;

@@ -54,7 +54,7 @@ void Log::note(const std::string &text) const
   folder_.append("log.txt", text + "\n");
 }
 
-void Log::start_steps(const unsigned int n_done, const std::vector<LoadStep> &steps)
+void Log::start_steps(const unsigned int n_done, const LoadSteps &steps)
 {
   n_done_ = n_done;
   n_steps_ = steps.size();

@@ -6,10 +6,13 @@
 
 #include <orthocone/base/errors.h>
 #include <orthocone/base/text.h>
+#include <orthocone/parameters/computed_steps.h>
 #include <orthocone/parameters/gap_file.h>
 #include <orthocone/parameters/lower_body.h>
 #include <orthocone/parameters/parameters.h>
 #include <orthocone/parameters/values.h>
+
+#include <algorithm>
 
 namespace orthocone
 {
@@ -71,13 +74,31 @@ void check_backend(const Parameters &parameters)
                           : "Material/Regions = " + entries::regions_text(parameters.material.regions)) +
                      " with Mesh/Backend = multigrid, whose products have one pair of Lame's constants: "
                      "allowed is Backend = condensed");
-  if (parameters.mesh.resolved_volumetric_quadrature() == VolumetricQuadrature::projected)
-    throw InputError("Mesh/Volumetric quadrature = projected with Mesh/Backend = multigrid: its products see "
-                     "all of the strain "
-                     "at the same points; allowed is full, or Backend = condensed");
 }
 
-void check_load(const LoadOptions &load)
+/// Bounds what is computed, and what is counted: cycles that may be jumped are not computed.
+void check_number_of_steps(const LoadOptions &load, const WearOptions &wear)
+{
+  LoadOptions all = load;
+  all.jump_when_periodic = 0;
+  const double n_all = least_computed_parts(all, WearOptions{}), n_least = least_computed_parts(load, wear);
+  if (n_least <= most_solved_parts && n_all <= most_counted_parts)
+    return;
+  const auto has_parts = [](const std::vector<Leg> &legs)
+  { return std::any_of(legs.begin(), legs.end(), [](const Leg &leg) { return leg.parts > 1; }); };
+  const std::string unit =
+      has_parts(load.preload) || has_parts(load.legs) ? " parts of load steps" : " load steps";
+  const std::string made = "Load program: Preload, Legs and Cycles = " + std::to_string(load.cycles) +
+                           " make " + to_text(n_all) + unit;
+  if (!may_jump(load, wear))
+    throw InputError(made + ": allowed are 1000000");
+  if (n_least <= most_solved_parts)
+    throw InputError(made + ": allowed are 4000000000 where cycles are jumped");
+  throw InputError(made + ", of which at least " + to_text(n_least) +
+                   " are computed however many cycles are jumped: allowed are 1000000 computed ones");
+}
+
+void check_load(const LoadOptions &load, const WearOptions &wear)
 {
   if (load.preload.empty() && load.legs.empty())
     throw InputError(
@@ -87,22 +108,7 @@ void check_load(const LoadOptions &load)
     throw InputError(
         "Load program/Cycles = 0 and Load program/Preload is empty: allowed is at least one cycle or "
         "a preload");
-  double n_steps = 0;
-  bool has_parts = false;
-  const auto add = [&](const std::vector<Leg> &legs, const double times)
-  {
-    for (const Leg &leg : legs)
-    {
-      n_steps += times * leg.steps * leg.parts;
-      has_parts = has_parts || leg.parts > 1;
-    }
-  };
-  add(load.preload, 1);
-  add(load.legs, load.cycles);
-  if (n_steps > most_solved_parts)
-    throw InputError("Load program: Preload, Legs and Cycles = " + std::to_string(load.cycles) + " make " +
-                     to_text(n_steps) + (has_parts ? " parts of load steps" : " load steps") +
-                     ": allowed are 1000000");
+  check_number_of_steps(load, wear);
   if (load.stop_when_periodic > 0 && load.jump_when_periodic > 0)
     throw InputError("Load program/Stop when periodic = " + to_text(load.stop_when_periodic) +
                      " and Load program/Jump when periodic = " + to_text(load.jump_when_periodic) +
@@ -150,7 +156,7 @@ void check_parameters(const Parameters &parameters)
   check_mesh_choice(parameters.mesh);
   check_quadrature(parameters.mesh);
   check_backend(parameters);
-  check_load(parameters.load);
+  check_load(parameters.load, parameters.wear);
   check_wear(parameters.wear, parameters.load);
   check_compression(parameters.load, parameters.geometry);
   check_shape(parameters);

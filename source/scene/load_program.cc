@@ -106,14 +106,18 @@ LoadProgram::LoadProgram(LoadOptions load)
 {
 }
 
-std::vector<LoadStep> LoadProgram::steps() const
+LoadSteps LoadProgram::steps() const
 {
+  // The first cycle starts from the end of the preload, and all others from the end of a cycle.
+  constexpr unsigned int n_different_cycles = 2;
   Drives reached{};
   std::vector<LoadStep> steps;
   append(load_.preload, 0, reached, steps);
-  for (unsigned int cycle = 1; cycle <= load_.cycles; ++cycle)
+  const std::size_t n_preload = steps.size();
+  for (unsigned int cycle = 1; cycle <= std::min(load_.cycles, n_different_cycles); ++cycle)
     append(load_.legs, cycle, reached, steps);
-  return steps;
+  const std::size_t n_cycle = (n_steps() - n_preload) / std::max(1U, load_.cycles);
+  return {std::move(steps), n_cycle, n_steps()};
 }
 
 std::size_t LoadProgram::n_steps() const

@@ -196,4 +196,14 @@ ROWS = [
     ("too_many_steps_by_cycles",
      "subsection Load program\n  set Legs = 0 0 -0.1 : 500 ; 0 0 0 : 500\n  set Cycles = 1001\nend\n",
      "{file}: Load program: Preload, Legs and Cycles = 1001 make 1001000 load steps: allowed are 1000000"),
+    ("too_many_steps_between_jumps",
+     "subsection Load program\n  set Legs = 0 0 -0.1 : 500 ; 0 0 0 : 500\n  set Cycles = 1000000\n"
+     "  set Jump when periodic = 1e-6\n  set Jump cycles = 1\nend\n",
+     "{file}: Load program: Preload, Legs and Cycles = 1000000 make 1000000000 load steps, of which at least "
+     "500001000 are computed however many cycles are jumped: allowed are 1000000 computed ones"),
+    ("too_many_steps_to_count",
+     "subsection Load program\n  set Legs = 0 0 -0.1 : 2500 ; 0 0 0 : 2500\n  set Cycles = 1000000\n"
+     "  set Jump when periodic = 1e-6\n  set Jump cycles = 1000000\nend\n",
+     "{file}: Load program: Preload, Legs and Cycles = 1000000 make 5000000000 load steps: allowed are 4000000000 "
+     "where cycles are jumped"),
 ]

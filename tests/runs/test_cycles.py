@@ -175,6 +175,14 @@ class PeriodicTest(CyclesTest):
         self.assertAlmostEqual(rows[-1]["total_dissipation"] / rows[0]["dissipation"] / 1000, 1, delta=1e-8)
         self.assertAlmostEqual(rows[-1]["max_accumulated_slip"] / rows[0]["max_accumulated_slip"] / 1000, 1, delta=1e-8)
 
+    def test_more_steps_than_may_be_computed_are_jumped(self):
+        """1.2 million steps, of which twelve are computed."""
+        self.run_many("run", "Load program/Legs=0 0 -0.1 : 3 ; 0 0 0 : 3", "Load program/Cycles=200000",
+                      "Load program/Jump when periodic=1e-8", "Load program/Jump cycles=1000000")
+        rows = self.cycles("run")
+        self.assertEqual([(row["cycle"], row["n_cycles"]) for row in rows], [(1, 1), (199999, 199998), (200000, 1)])
+        self.assertAlmostEqual(rows[-1]["total_dissipation"] / rows[0]["dissipation"] / 200000, 1, delta=1e-8)
+
     def test_a_bound_below_the_solver_is_warned_of(self):
         file = ROOT / "prm/benchmarks/thousand_cycles.prm"
         settings = ["--set=Load program/Stop when periodic=1e-10"]

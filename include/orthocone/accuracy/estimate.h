@@ -50,10 +50,16 @@ double step_gigabytes(const LoadOptions &load, double contact_nodes);
 /// Time that writing fields of the whole body takes in a step, on average, s.
 double volume_seconds_per_step(const OutputOptions &output, double dofs);
 
-/// The estimate in two lines, with the available memory. `is_least`: it is a lower bound. `has_jumps`: cycles
-/// may be left out.
-std::string describe(const Estimate &estimate, unsigned int n_steps, const MemoryLimit &limit, bool is_least,
-                     bool has_jumps);
+/// Numbers of steps that a run may compute, each counted with all its parts: all of them where no cycle is
+/// jumped, and fewer where cycles are.
+struct ComputedSteps
+{
+  double least, most;
+};
+
+/// The estimate in two lines, with the available memory. `is_least`: it is a lower bound.
+std::string describe(const Estimate &estimate, const ComputedSteps &n_steps, const MemoryLimit &limit,
+                     bool is_least);
 
 /// Cells, unknowns and contact nodes in lines.
 std::string describe(const ModelSize &size);

@@ -48,6 +48,5 @@ enum class MarchEnd
 };
 
 /// Solves the steps that lie behind `state`, one after another: the loop of every run.
-MarchEnd march(const std::vector<LoadStep> &steps, StepSolver &solver, ContactState &state,
-               MarchObserver &observer);
+MarchEnd march(const LoadSteps &steps, StepSolver &solver, ContactState &state, MarchObserver &observer);
 } // namespace orthocone

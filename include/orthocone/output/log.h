@@ -25,7 +25,7 @@ public:
   void note(const std::string &text) const;
 
   /// Starts the clock of elapsed and remaining time. The first `n_done` of `steps` are solved already.
-  void start_steps(unsigned int n_done, const std::vector<LoadStep> &steps);
+  void start_steps(unsigned int n_done, const LoadSteps &steps);
 
   /// Reports progress after `step`.
   void progress(const LoadStep &step, const Totals &totals, const SolverReport &report);

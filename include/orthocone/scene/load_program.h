@@ -3,7 +3,7 @@
 #pragma once
 
 #include <orthocone/parameters/options.h>
-#include <orthocone/scene/load_step.h>
+#include <orthocone/scene/load_steps.h>
 
 #include <string>
 #include <vector>
@@ -17,7 +17,7 @@ public:
   explicit LoadProgram(LoadOptions load);
 
   /// All steps, in order. Cycles repeat the same positions to the last bit.
-  std::vector<LoadStep> steps() const;
+  LoadSteps steps() const;
 
   std::size_t n_steps() const;
 

@@ -114,13 +114,13 @@ namespace
 /// before are solved as usual.
 SolverReport solve_last_step(TestScene &scene, const unsigned int most_iterations)
 {
-  const std::vector<LoadStep> steps = LoadProgram(scene.parameters.load).steps();
+  const LoadSteps steps = LoadProgram(scene.parameters.load).steps();
   StepSolver patient(scene.scene);
   for (std::size_t i = 0; i + 1 < steps.size(); ++i)
     EXPECT_TRUE(patient.solve(scene.state, steps[i]).converged);
   ContactSolverOptions options = scene.parameters.contact_solver;
   options.maximum_iterations = most_iterations;
-  return StepSolver(scene.scene, options).solve(scene.state, steps.back());
+  return StepSolver(scene.scene, options).solve(scene.state, steps[steps.size() - 1]);
 }
 } // namespace
 

@@ -50,6 +50,29 @@ TEST(LoadProgram, PassesThroughPreloadAndCycles)
   }
 }
 
+/// Cycles behind the second one are made when they are asked for.
+TEST(LoadProgram, TakesNoMemoryForManyCycles)
+{
+  LoadOptions load;
+  load.preload = {move_to(0, 0, -0.02, 5)};
+  load.legs = {move_to(0.01, 0, -0.1, 8), move_to(0, 0, -0.02, 8)};
+  load.legs[1].parts = 2;
+  load.cycles = 100000;
+  const LoadSteps steps = LoadProgram(load).steps();
+  EXPECT_EQ(steps.size(), 5u + 1600000);
+  EXPECT_EQ(steps.different().size(), 5u + 2 * 16);
+  const LoadStep last = steps[steps.size() - 1], early = steps[5 + 2 * 16 - 1];
+  EXPECT_EQ(last.number, steps.size());
+  EXPECT_EQ(last.cycle, load.cycles);
+  EXPECT_EQ(last.motion, early.motion);
+  EXPECT_EQ(last.phase, early.phase);
+  ASSERT_EQ(last.parts.size(), 2u);
+  EXPECT_EQ(last.parts[0].cycle, load.cycles);
+  EXPECT_EQ(last.parts[0].number, steps.size());
+  EXPECT_EQ(last.parts[0].motion, early.parts[0].motion);
+  EXPECT_EQ(steps[5 + 2 * 16].cycle, 3u);
+}
+
 TEST(LoadProgram, HasThePartsThatSmallerStepsWouldBe)
 {
   LoadOptions load, smaller;
