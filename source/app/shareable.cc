@@ -57,9 +57,8 @@ void require_shareable(const Parameters &parameters, const ModelChoice &model)
     refuse("Mesh/Model", model.symmetry.name(),
            "full, half or quarter: only multigrid is shared, and has no sections");
   if (parameters.mesh.backend == BodyBackend::automatic && !multigrid_can(parameters, model.symmetry))
-    refuse(
-        "Mesh/Backend", "auto",
-        "what multigrid can compute: Contact solver/Method = newton, Mesh/Volumetric quadrature = full, one "
-        "isotropic material, Obstacle/Kind = rigid and Output/Problems = 0");
+    refuse("Mesh/Backend", "auto",
+           "what multigrid can compute: Contact solver/Method = newton, one "
+           "isotropic material, Obstacle/Kind = rigid and Output/Problems = 0");
 }
 } // namespace orthocone

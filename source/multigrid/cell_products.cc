@@ -5,6 +5,9 @@
 // differentiated there as polynomials through these (Kronbichler and Kormann 2012, Computers & Fluids 63).
 #include "cell_products.h"
 
+#include "point_law.h"
+#include "projection.h"
+
 #include <orthocone/base/every_processor.h>
 
 #include <algorithm>
@@ -55,31 +58,6 @@ ORTHOCONE_INLINE void contract(const LineMatrix<Number> matrix, const unsigned i
       }
 }
 
-/// Gradients of three components with respect to the unit cell become those of the forces at one point.
-template<typename Number>
-ORTHOCONE_INLINE void apply_law(const CellBatches<Number> &cells, const Lanes<Number> *geometry,
-                                Lanes<Number> *gradient, const unsigned int step)
-{
-  typename Lanes<Number>::Values strain[3][3], stress[3][3];
-  const auto weight = geometry[9].values;
-  for (unsigned int c = 0; c < 3; ++c)
-    for (unsigned int e = 0; e < 3; ++e)
-      strain[c][e] = gradient[3 * c * step].values * geometry[e].values +
-                     gradient[(3 * c + 1) * step].values * geometry[3 + e].values +
-                     gradient[(3 * c + 2) * step].values * geometry[6 + e].values;
-  const auto pressure = cells.lambda * weight * (strain[0][0] + strain[1][1] + strain[2][2]);
-  for (unsigned int c = 0; c < 3; ++c)
-    for (unsigned int e = 0; e < 3; ++e)
-      stress[c][e] = cells.mu * weight * (strain[c][e] + strain[e][c]);
-  for (unsigned int c = 0; c < 3; ++c)
-    stress[c][c] += pressure;
-  for (unsigned int c = 0; c < 3; ++c)
-    for (unsigned int d = 0; d < 3; ++d)
-      gradient[(3 * c + d) * step].values = stress[c][0] * geometry[3 * d].values +
-                                            stress[c][1] * geometry[3 * d + 1].values +
-                                            stress[c][2] * geometry[3 * d + 2].values;
-}
-
 /// Workspace for the products of a batch.
 template<typename Number>
 struct Workspace
@@ -96,9 +74,33 @@ struct Workspace
   std::vector<Lanes<Number>> first, second, gradients;
 };
 
+/// Gradients with respect to the unit cell become those of the forces, at all points. The divergence is
+/// projected to m polynomials.
+template<typename Number>
+ORTHOCONE_INLINE void apply_laws(const CellBatches<Number> &cells, const unsigned int n_points,
+                                 const unsigned int m, const Lanes<Number> *geometry,
+                                 const Lanes<Number> *inverse_mass, Lanes<Number> *gradients)
+{
+  const unsigned int n_geometry = CellBatches<Number>::n_geometry(m);
+  Projection<Number> projection(m);
+#pragma GCC unroll 1
+  for (unsigned int p = 0; p < n_points && m > 0; ++p)
+    projection.add(geometry + p * n_geometry, gradients + p, n_points);
+  projection.solve(inverse_mass);
+#pragma GCC unroll 1
+  for (unsigned int p = 0; p < n_points; ++p)
+  {
+    const Lanes<Number> *const here = geometry + p * n_geometry;
+    const PointGradient<Number> strain = in_space(here, gradients + p, n_points);
+    const auto divergence = m > 0 ? projection.at(here) : strain.trace();
+    apply_law(cells.mu, here, strain, cells.lambda * here[9].values * divergence, gradients + p, n_points);
+  }
+}
+
 template<typename Number>
 ORTHOCONE_INLINE void multiply(const CellBatches<Number> &cells, const unsigned int n, const unsigned int q,
-                               const Lanes<Number> *geometry, Workspace<Number> &work)
+                               const unsigned int m, const Lanes<Number> *geometry,
+                               const Lanes<Number> *inverse_mass, Workspace<Number> &work)
 {
   const unsigned int n_cell = n * n * n, n_points = q * q * q;
   Lanes<Number> *const first = work.first.data(), *const second = work.second.data();
@@ -116,9 +118,7 @@ ORTHOCONE_INLINE void multiply(const CellBatches<Number> &cells, const unsigned 
     contract<false>(derivatives, q, q, first, gradient + n_points, q, q);
     contract<false>(derivatives, q, q, first, gradient + 2 * n_points, q * q, 1);
   }
-#pragma GCC unroll 1
-  for (unsigned int p = 0; p < n_points; ++p)
-    apply_law(cells, geometry + p * CellBatches<Number>::n_geometry, work.gradients.data() + p, n_points);
+  apply_laws(cells, n_points, m, geometry, inverse_mass, work.gradients.data());
 #pragma GCC unroll 1
   for (unsigned int c = 0; c < 3; ++c)
   {
@@ -132,43 +132,53 @@ ORTHOCONE_INLINE void multiply(const CellBatches<Number> &cells, const unsigned 
   }
 }
 
-/// Calls `use` with the numbers of nodes n and points q, as constants of the compiler where they are usual.
+/// Calls `use` with the numbers of nodes n, points q and polynomials m, as constants of the compiler where
+/// they are usual.
 template<typename Number, typename Use>
 ORTHOCONE_INLINE void with_sizes(const CellBatches<Number> &cells, const Use &use)
 {
-  const unsigned int n = cells.n_nodes, q = cells.n_points;
-  if (n == 2 && q == 2)
-    use(2U, 2U);
-  else if (n == 3 && q == 3)
-    use(3U, 3U);
-  else if (n == 4 && q == 4)
-    use(4U, 4U);
+  const unsigned int n = cells.n_nodes, q = cells.n_points, m = cells.n_polynomials;
+  if (n == 2 && q == 2 && m == 0)
+    use(2U, 2U, 0U);
+  else if (n == 3 && q == 3 && m == 0)
+    use(3U, 3U, 0U);
+  else if (n == 3 && q == 3 && m == 4)
+    use(3U, 3U, 4U);
+  else if (n == 4 && q == 4 && m == 0)
+    use(4U, 4U, 0U);
+  else if (n == 4 && q == 4 && m == 10)
+    use(4U, 4U, 10U);
   else
-    use(n, q);
+    use(n, q, m);
 }
 
 /// Calls `use` with the degrees of freedom of each batch, and with the function that turns work.cell from
 /// displacements into forces.
 template<typename Number, typename Use>
 ORTHOCONE_INLINE void for_each_batch(const CellBatches<Number> &cells, const unsigned int n,
-                                     const unsigned int q, Workspace<Number> &work, const Use &use)
+                                     const unsigned int q, const unsigned int m, Workspace<Number> &work,
+                                     const Use &use)
 {
-  const std::size_t n_geometry = std::size_t{CellBatches<Number>::n_geometry} * q * q * q;
+  const std::size_t n_geometry = std::size_t{CellBatches<Number>::n_geometry(m)} * q * q * q;
   const unsigned int *dofs = cells.dofs.data();
+  const Lanes<Number> *inverse_mass = cells.inverse_masses.data();
   for (std::size_t at = 0; at < cells.geometry.size(); at += n_geometry)
   {
-    use(dofs, [&]() ORTHOCONE_INLINE_LAMBDA { multiply(cells, n, q, cells.geometry.data() + at, work); });
+    use(dofs, [&]() ORTHOCONE_INLINE_LAMBDA
+        { multiply(cells, n, q, m, cells.geometry.data() + at, inverse_mass, work); });
     dofs += 3 * n * n * n * Lanes<Number>::n;
+    inverse_mass += CellBatches<Number>::n_in_triangle(m);
   }
 }
 
 template<typename Number>
 ORTHOCONE_INLINE void add_all_products(const CellBatches<Number> &cells, const unsigned int n,
-                                       const unsigned int q, const Number *displacement, Number *forces)
+                                       const unsigned int q, const unsigned int m, const Number *displacement,
+                                       Number *forces)
 {
   constexpr unsigned int lanes = Lanes<Number>::n;
   Workspace<Number> work(cells);
-  for_each_batch(cells, n, q, work,
+  for_each_batch(cells, n, q, m, work,
                  [&](const unsigned int *dofs, const auto &multiply_batch) ORTHOCONE_INLINE_LAMBDA
                  {
                    for (unsigned int i = 0; i < 3 * n * n * n; ++i)
@@ -184,11 +194,11 @@ ORTHOCONE_INLINE void add_all_products(const CellBatches<Number> &cells, const u
 /// The diagonal of a cell, node by node: the force at a node that is the only one to move.
 template<typename Number>
 ORTHOCONE_INLINE void add_all_diagonals(const CellBatches<Number> &cells, const unsigned int n,
-                                        const unsigned int q, Number *diagonal)
+                                        const unsigned int q, const unsigned int m, Number *diagonal)
 {
   constexpr unsigned int lanes = Lanes<Number>::n;
   Workspace<Number> work(cells);
-  for_each_batch(cells, n, q, work,
+  for_each_batch(cells, n, q, m, work,
                  [&](const unsigned int *dofs, const auto &multiply_batch) ORTHOCONE_INLINE_LAMBDA
                  {
                    for (unsigned int i = 0; i < 3 * n * n * n; ++i)
@@ -206,26 +216,26 @@ ORTHOCONE_INLINE void add_all_diagonals(const CellBatches<Number> &cells, const 
 ORTHOCONE_FOR_EVERY_PROCESSOR
 void add_products(const CellBatches<float> &cells, const float *displacement, float *forces)
 {
-  with_sizes(cells, [&](const unsigned int n, const unsigned int q) ORTHOCONE_INLINE_LAMBDA
-             { add_all_products(cells, n, q, displacement, forces); });
+  with_sizes(cells, [&](const unsigned int n, const unsigned int q, const unsigned int m)
+                        ORTHOCONE_INLINE_LAMBDA { add_all_products(cells, n, q, m, displacement, forces); });
 }
 
 ORTHOCONE_FOR_EVERY_PROCESSOR
 void add_products(const CellBatches<double> &cells, const double *displacement, double *forces)
 {
-  with_sizes(cells, [&](const unsigned int n, const unsigned int q) ORTHOCONE_INLINE_LAMBDA
-             { add_all_products(cells, n, q, displacement, forces); });
+  with_sizes(cells, [&](const unsigned int n, const unsigned int q, const unsigned int m)
+                        ORTHOCONE_INLINE_LAMBDA { add_all_products(cells, n, q, m, displacement, forces); });
 }
 
 ORTHOCONE_FOR_EVERY_PROCESSOR
 void add_diagonals(const CellBatches<float> &cells, float *diagonal)
 {
-  add_all_diagonals(cells, cells.n_nodes, cells.n_points, diagonal);
+  add_all_diagonals(cells, cells.n_nodes, cells.n_points, cells.n_polynomials, diagonal);
 }
 
 ORTHOCONE_FOR_EVERY_PROCESSOR
 void add_diagonals(const CellBatches<double> &cells, double *diagonal)
 {
-  add_all_diagonals(cells, cells.n_nodes, cells.n_points, diagonal);
+  add_all_diagonals(cells, cells.n_nodes, cells.n_points, cells.n_polynomials, diagonal);
 }
 } // namespace orthocone

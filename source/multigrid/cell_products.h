@@ -25,17 +25,29 @@ struct alignas(bytes_of_lanes) Lanes // which the vectors alone are not in a tem
 template<typename Number>
 struct CellBatches
 {
-  /// Numbers of a point: inverse Jacobian (row by row, 1/mm) and weight (mm^3).
-  static constexpr unsigned int n_geometry = 10;
-
   unsigned int n_nodes;             ///< in every direction
   unsigned int n_points;            ///< Gauss points in every direction; not fewer than nodes
   std::vector<Number> values;       ///< n_points x n_nodes: shape functions of a line at its points
   std::vector<Number> derivatives;  ///< n_points x n_points: of the polynomials through the points, there
   Number lambda;                    ///< MPa
   Number mu;                        ///< MPa
+  unsigned int n_polynomials;       ///< that the divergence is projected to (make_monomials()); 0: it is not
   std::vector<unsigned int> dofs{}; ///< batches x 3 components x nodes x lanes
-  std::vector<Lanes<Number>> geometry{}; ///< batches x points x n_geometry
+  std::vector<Lanes<Number>> geometry{};       ///< batches x points x n_geometry(n_polynomials)
+  std::vector<Lanes<Number>> inverse_masses{}; ///< batches x n_in_triangle(n_polynomials)
+
+  /// Numbers of a point: inverse Jacobian (row by row, 1/mm), weight (mm^3), and the three coordinates of the
+  /// polynomials, if these need them.
+  static constexpr unsigned int n_geometry(const unsigned int n_polynomials)
+  {
+    return n_polynomials > 1 ? 13 : 10;
+  }
+
+  /// Of the inverse of the polynomials' mass matrix in the cell (mm^-3): its lower triangle, by rows.
+  static constexpr unsigned int n_in_triangle(const unsigned int n_polynomials)
+  {
+    return n_polynomials * (n_polynomials + 1) / 2;
+  }
 };
 
 /// Adds the forces (N) of all cells under displacements (mm) of all degrees of freedom.

@@ -2,6 +2,9 @@
 // Copyright (C) 2026 the orthocone authors
 #include "matrix_free_stiffness.h"
 
+#include "monomials.h"
+
+#include <orthocone/body/fe/projected_divergence.h>
 #include <orthocone/body/fe/stiffness.h>
 #include <orthocone/body/materials/lame.h>
 
@@ -32,6 +35,13 @@ std::vector<Number> line_table(const std::vector<dealii::Point<1>> &nodes,
   return table;
 }
 
+/// Of the polynomials that the divergence is projected to; 0 where it is not.
+unsigned int n_polynomials(const Discretization &space)
+{
+  const unsigned int k = space.scalar_fe().degree;
+  return space.volumetric_quadrature() == VolumetricQuadrature::full ? 0 : k * (k + 1) * (k + 2) / 6;
+}
+
 template<typename Number>
 CellBatches<Number> empty_batches(const Discretization &space, const MaterialOptions &material)
 {
@@ -44,7 +54,8 @@ CellBatches<Number> empty_batches(const Discretization &space, const MaterialOpt
           line_table<Number>(nodes, points, 0),
           line_table<Number>(points, points, 1),
           static_cast<Number>(lame.lambda),
-          static_cast<Number>(lame.mu)};
+          static_cast<Number>(lame.mu),
+          n_polynomials(space)};
 }
 
 /// Puts cells into the lanes of batches.
@@ -56,7 +67,9 @@ public:
       : space_(space),
         batches_(batches),
         values_(space.mapping(), space.scalar_fe(), dealii::QGauss<3>(space.n_quadrature_points()),
-                dealii::update_inverse_jacobians | dealii::update_JxW_values),
+                dealii::update_inverse_jacobians | dealii::update_JxW_values |
+                    dealii::update_quadrature_points),
+        linear_(2),
         of_cell_(space.fe().n_dofs_per_cell())
   {
   }
@@ -74,6 +87,7 @@ public:
         to += lanes;
       }
     values_.reinit(static_cast<typename dealii::Triangulation<3>::cell_iterator>(cell));
+    linear_.reset(values_.get_cell(), 0);
     Lanes<Number> *geometry = batches_.geometry.data() + batches_.geometry.size() - n_geometry();
     for (const unsigned int q : values_.quadrature_point_indices())
     {
@@ -81,24 +95,60 @@ public:
         for (unsigned int e = 0; e < 3; ++e)
           (geometry++)->values[lane] = static_cast<Number>(values_.inverse_jacobian(q)[d][e]);
       (geometry++)->values[lane] = static_cast<Number>(values_.JxW(q));
+      if (batches_.n_polynomials > 1)
+        for (const double coordinate : coordinates(q))
+          (geometry++)->values[lane] = static_cast<Number>(coordinate);
     }
+    if (batches_.n_polynomials > 0)
+      add_inverse_mass(lane);
   }
 
 private:
   static constexpr unsigned int lanes = Lanes<Number>::n;
 
-  unsigned int n_geometry() const { return CellBatches<Number>::n_geometry * values_.n_quadrature_points; }
+  unsigned int n_geometry() const
+  {
+    return CellBatches<Number>::n_geometry(batches_.n_polynomials) * values_.n_quadrature_points;
+  }
+  unsigned int n_in_triangle() const { return CellBatches<Number>::n_in_triangle(batches_.n_polynomials); }
+
+  /// Of a quadrature point of the cell, for the polynomials: linear in space, and of similar size in all
+  /// directions, so that their mass matrix is well conditioned in flat cells, too.
+  Eigen::Vector3d coordinates(const unsigned int q) const
+  {
+    return linear_.polynomials_at(values_.quadrature_point(q)).template tail<3>();
+  }
+
+  /// Of the polynomials in the cell.
+  void add_inverse_mass(const unsigned int lane)
+  {
+    const auto n = static_cast<Eigen::Index>(batches_.n_polynomials);
+    Eigen::MatrixXd mass = Eigen::MatrixXd::Zero(n, n);
+    for (const unsigned int q : values_.quadrature_point_indices())
+    {
+      Eigen::VectorXd monomials(n);
+      make_monomials(coordinates(q).data(), batches_.n_polynomials, monomials.data());
+      mass += (values_.JxW(q) * monomials) * monomials.transpose();
+    }
+    const Eigen::MatrixXd inverse = mass.llt().solve(Eigen::MatrixXd::Identity(n, n));
+    Lanes<Number> *to = batches_.inverse_masses.data() + batches_.inverse_masses.size() - n_in_triangle();
+    for (Eigen::Index row = 0; row < n; ++row)
+      for (Eigen::Index column = 0; column <= row; ++column)
+        (to++)->values[lane] = static_cast<Number>(inverse(row, column));
+  }
 
   /// Lanes without a cell keep the values from here: no volume, and any degree of freedom.
   void add_batch()
   {
     batches_.dofs.resize(batches_.dofs.size() + of_cell_.size() * lanes, space_.n_dofs() - 1);
     batches_.geometry.resize(batches_.geometry.size() + n_geometry(), Lanes<Number>{});
+    batches_.inverse_masses.resize(batches_.inverse_masses.size() + n_in_triangle(), Lanes<Number>{});
   }
 
   const Discretization &space_;
   CellBatches<Number> &batches_;
   dealii::FEValues<3> values_;
+  ProjectedDivergence<3> linear_; ///< whose polynomials are linear
   std::vector<dealii::types::global_dof_index> of_cell_;
 };
 } // namespace

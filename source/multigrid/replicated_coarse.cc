@@ -14,6 +14,7 @@ ReplicatedCoarse::ReplicatedCoarse(const Discretization &shared, const MeshOptio
   MeshOptions options = mesh;
   options.degree = shared.scalar_fe().degree;
   options.quadrature_points = shared.n_quadrature_points();
+  options.volumetric_quadrature = shared.volumetric_quadrature();
   triangulation_.copy_triangulation(shared.dof_handler().get_triangulation());
   whole_ = std::make_unique<Discretization>(triangulation_, options, geometry.top_face);
   solver_ = make_coarse_solver(*whole_, material, method);

@@ -5,6 +5,7 @@
 #include "replicated_coarse.h"
 
 #include <orthocone/base/ranks.h>
+#include <orthocone/body/materials/lame.h>
 
 #include <deal.II/lac/affine_constraints.h>
 #include <deal.II/numerics/rtree.h>
@@ -23,7 +24,23 @@ MeshOptions with_degree(MeshOptions mesh, const unsigned int degree)
 {
   mesh.degree = degree;
   mesh.quadrature_points = 0;
+  mesh.volumetric_quadrature = VolumetricQuadrature::automatic;
   return mesh;
+}
+
+/// What a cycle takes the body for. Smoothers do not see volumes that hardly change, but where the divergence
+/// is projected, a body that resists them less is nearly as good: the pressures that it errs by are close
+/// together, so that the iterations around the cycle find them at once (docs/theory.md, section 3).
+MaterialOptions smoothed(const Discretization &space, const MaterialOptions &material)
+{
+  constexpr double most = 5; // lambda / mu
+  const LameParameters lame(material);
+  if (space.volumetric_quadrature() == VolumetricQuadrature::full || lame.lambda <= most * lame.mu)
+    return material;
+  MaterialOptions softer = material;
+  softer.poisson_ratio = most / (2 * (1 + most));
+  softer.young_modulus = 2 * lame.mu * (1 + softer.poisson_ratio);
+  return softer;
 }
 
 /// For every node of `coarse` the nearest one of `fine`.
@@ -76,9 +93,10 @@ struct VCycle::Mesh
 };
 
 VCycle::VCycle(const Discretization &space, const MeshOptions &mesh, const GeometryOptions &geometry,
-               const MaterialOptions &material, const CoarseMethod on_coarsest)
+               const MaterialOptions &whole_material, const CoarseMethod on_coarsest)
     : finest_(space)
 {
+  const MaterialOptions material = smoothed(space, whole_material);
   start_mpi();
   const auto triangulations = dealii::MGTransferGlobalCoarseningTools::create_geometric_coarsening_sequence(
       space.dof_handler().get_triangulation());

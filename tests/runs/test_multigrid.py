@@ -188,9 +188,6 @@ class RefusedTest(RunTest):
         for method in ("gauss-seidel", "uzawa", "box3", "feng2006", "plain-newton"):
             self.assertIn(f"Contact solver/Method = {method}", self.refused(f"Contact solver/Method={method}"))
 
-    def test_reduced_quadrature(self):
-        self.assertIn("Volumetric quadrature = reduced", self.refused("Mesh/Volumetric quadrature=reduced"))
-
 
 if __name__ == "__main__":
     main()

@@ -24,9 +24,7 @@ NO_QUARTER = {f"verification/{name}" for name in (
 # Wear wants steps as short as those of the files.
 WORN = {"verification/worn_punch": ["Load program/Legs=Fz -1000 : 1 ; ux 3 : 3"],
         "verification/worn_sphere": ["Load program/Legs=ux 0.1 : 2 ; ux 0 : 2"]}
-REFUSED = {"verification/cattaneo_mindlin": "Mesh/Volumetric quadrature = reduced with Mesh/Backend = multigrid",
-           "verification/fretting_wear": "Mesh/Volumetric quadrature = reduced with Mesh/Backend = multigrid",
-           "verification/hertz_half_space": "Obstacle/Kind = half-space with Mesh/Backend = multigrid"}
+REFUSED = {"verification/hertz_half_space": "Obstacle/Kind = half-space with Mesh/Backend = multigrid"}
 
 
 def text_of(file):

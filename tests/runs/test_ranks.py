@@ -104,7 +104,8 @@ class SameStatesTest(RanksTest):
 
 
 class AdaptiveTest(RanksTest):
-    SETTINGS = [*SMALL, "Mesh/Adaptive=2", "Load program/Cycles=2", EVERY_STEP, "Output/Volume fields=0"]
+    SETTINGS = [*SMALL, "Mesh/Adaptive=2", "Load program/Cycles=2", EVERY_STEP, "Output/Volume fields=0",
+                "Mesh/Volumetric quadrature=projected"]
 
     def refined_cells(self, output):
         return re.search(r"set Refined cells *= (.*)", (self.folder / output / "parameters.prm").read_text()).group(1)

@@ -42,6 +42,22 @@ TEST(VCycle, MakesConjugateGradientsFastBesideHangingNodes)
   }
 }
 
+/// With the projected divergence, the V-cycles do not grow with lambda without bound.
+TEST(VCycle, SolvesNearlyIncompressibleBodies)
+{
+  constexpr unsigned int most_iterations = 55;
+  for (const double poisson_ratio : {0.49, 0.4999})
+  {
+    MeshOptions mesh = uneven_mesh(2);
+    mesh.volumetric_quadrature = VolumetricQuadrature::projected;
+    MaterialOptions material;
+    material.poisson_ratio = poisson_ratio;
+    const RefinedBody refined(default_geometry, mesh, quarter, LocalAxes(0), CoarseMethod::by_size, material);
+    const auto forces = refined.all(random_numbers(refined.body.discretization.n_free(), 3));
+    EXPECT_LE(iterations(refined, forces, most_iterations), most_iterations) << poisson_ratio;
+  }
+}
+
 TEST(ElasticSolver, SolvesAsTheFactorization)
 {
   for (const MeshOptions &mesh : {even_mesh(2, 1), uneven_mesh(2)})

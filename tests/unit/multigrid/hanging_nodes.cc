@@ -55,9 +55,14 @@ VectorXd pressed_base(const Discretization &space)
 /// at nodes beside hanging ones. It needs their sums, the assembly and the areas of the contact nodes.
 TEST(HangingNodes, LeaveAConstantStressConstant)
 {
-  for (const unsigned int degree : {1U, 2U, 3U})
+  for (const auto &[degree, quadrature] : {std::pair{1U, VolumetricQuadrature::full},
+                                           {2U, VolumetricQuadrature::full},
+                                           {3U, VolumetricQuadrature::full},
+                                           {2U, VolumetricQuadrature::projected}})
   {
-    const RefinedBody refined(guided_box(), uneven_mesh(degree), quarter);
+    MeshOptions mesh = uneven_mesh(degree);
+    mesh.volumetric_quadrature = quadrature;
+    const RefinedBody refined(guided_box(), mesh, quarter);
     const Discretization &space = refined.body.discretization;
     ASSERT_FALSE(space.contact_surface().hanging.empty());
     const VectorXd displacement = uniaxial(space, guided_box().sizes[2]), forces = pressed_base(space);
@@ -103,9 +108,16 @@ TEST(HangingNodes, JumpsAreSharedByBothSides)
 
 TEST(HangingNodes, ProductsAndDiagonalAreThoseOfTheMatrix)
 {
-  for (const unsigned int degree : {1U, 2U, 3U})
+  for (const auto &[degree, quadrature] : {std::pair{1U, VolumetricQuadrature::full},
+                                           {2U, VolumetricQuadrature::full},
+                                           {3U, VolumetricQuadrature::full},
+                                           {1U, VolumetricQuadrature::projected},
+                                           {2U, VolumetricQuadrature::projected},
+                                           {3U, VolumetricQuadrature::projected}})
   {
-    const RefinedBody refined(default_geometry, uneven_mesh(degree), quarter);
+    MeshOptions mesh = uneven_mesh(degree);
+    mesh.volumetric_quadrature = quadrature;
+    const RefinedBody refined(default_geometry, mesh, quarter);
     const Discretization &space = refined.body.discretization;
     const VectorXd displacement = random_numbers(space.n_free(), 1);
     const VectorXd forces = refined.body.stiffness.vmult(displacement);

@@ -26,10 +26,11 @@ inline GeometryOptions shape_of(const BodyShape shape)
 struct RefinedBody
 {
   RefinedBody(const GeometryOptions &geometry, const MeshOptions &mesh, const SymmetryPlanes &planes,
-              const LocalAxes &axes = LocalAxes(0), const CoarseMethod on_coarsest = CoarseMethod::by_size)
-      : body((start_mpi_unwatched(), geometry), mesh, default_material, planes, axes),
-        stiffness(body.discretization, default_material),
-        cycle(body.discretization, mesh, geometry, default_material, on_coarsest),
+              const LocalAxes &axes = LocalAxes(0), const CoarseMethod on_coarsest = CoarseMethod::by_size,
+              const MaterialOptions &material = default_material)
+      : body((start_mpi_unwatched(), geometry), mesh, material, planes, axes),
+        stiffness(body.discretization, material),
+        cycle(body.discretization, mesh, geometry, material, on_coarsest),
         elastic(stiffness, cycle)
   {
   }
