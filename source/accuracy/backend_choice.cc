@@ -46,6 +46,22 @@ std::string described(const Estimate &cost, const double seconds)
   text << std::setprecision(2) << seconds << " s and " << cost.gigabytes << " GB";
   return text.str();
 }
+
+/// Several processes share a body with multigrid only, but a factorization by one of them may take less time.
+std::string if_one_is_faster(const Parameters &parameters, const ModelSymmetry &symmetry,
+                             const double gigabytes)
+{
+  const ModelSize size = model_size(parameters, symmetry);
+  const Estimate one = usual_estimate(parameters, size, symmetry);
+  const Estimate all = multigrid_estimate(parameters, size, symmetry);
+  const double n_steps = LoadProgram(parameters.load).n_solved_parts();
+  const double of_one = one.set_up_seconds + n_steps * one.step_seconds;
+  // Each process sets up the coarsest mesh on its own.
+  const double of_all = all.set_up_seconds + n_steps * all.step_seconds / n_ranks();
+  if (one.gigabytes > gigabytes || of_one >= of_all)
+    return "";
+  return "; one process alone would take less time, condensed about " + described(one, of_one);
+}
 } // namespace
 
 bool multigrid_can(const Parameters &parameters, const ModelSymmetry &symmetry)
@@ -61,7 +77,8 @@ BackendChoice choose_backend(const Parameters &parameters, const ModelSymmetry &
     return {parameters.mesh.backend};
   const std::string line = "backend        ";
   if (n_ranks() > 1)
-    return {BodyBackend::multigrid, line + "multigrid: " + std::to_string(n_ranks()) + " processes"};
+    return {BodyBackend::multigrid, line + "multigrid: " + std::to_string(n_ranks()) + " processes" +
+                                        if_one_is_faster(parameters, symmetry, gigabytes)};
   const ModelSize size = model_size(parameters, symmetry);
   const Estimate condensed = usual_estimate(parameters, size, symmetry);
   // Where cycles may be jumped, most of them are, as a rule.

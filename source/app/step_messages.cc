@@ -66,7 +66,8 @@ std::string too_few_jumps_text(const std::size_t n_computed, const std::size_t n
 std::string wrong_step_text(const LoadStep &step, const LoadSteps &steps, const std::string &which)
 {
   return name_of(step, steps) + " is solved, but not right: " + which +
-         ".\nThe files of the steps before stay; section Checks has the bounds.";
+         ".\nThe files of the steps before stay" +
+         (which.rfind("Checks/", 0) == 0 ? "; section Checks has the bounds." : ".");
 }
 
 void report_versions_and_warnings(const Parameters &parameters, Log &log)

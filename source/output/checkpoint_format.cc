@@ -120,6 +120,25 @@ std::optional<StepAccuracy> step_accuracy_from(const Json &json)
   return StepAccuracy{accuracy_from(json.at(0)).value(), json.at(1)};
 }
 
+Json zones_json(const ZoneRecord &zones)
+{
+  return {zones.contact,           zones.load,   zones.rim_touches, zones.largest_force,
+          zones.is_stick_resolved, zones.narrow, zones.grown};
+}
+
+ZoneRecord zones_from(const Json &json)
+{
+  ZoneRecord zones;
+  zones.contact = json.at(0); // may be infinite
+  zones.load = json.at(1);
+  zones.rim_touches = json.at(2);
+  zones.largest_force = number_from(json.at(3));
+  zones.is_stick_resolved = json.at(4);
+  zones.narrow = json.at(5);
+  zones.grown = json.at(6);
+  return zones;
+}
+
 Json record_json(const RunRecord &record)
 {
   Json seconds{{"total", record.total_seconds}};
@@ -133,6 +152,8 @@ Json record_json(const RunRecord &record)
           {"energy_defect", record.energy_defect},
           {"wear_of_flattening", record.wear_of_flattening},
           {"slip_of_change", record.slip_of_change},
+          {"motion", {record.flattening, record.pressure_of_modulus, record.slide_of_face}},
+          {"zones", zones_json(record.zones)},
           {"energies", {record.work, record.dissipation, record.missing}},
           {"peaks", {record.peaks.slip, record.peaks.pressure, record.peaks.force_z}},
           {"accuracy", accuracy_json(record.accuracy)},
@@ -151,6 +172,11 @@ RunRecord record_from(const Json &json)
   record.energy_defect = json.at("energy_defect");
   record.wear_of_flattening = json.at("wear_of_flattening");
   record.slip_of_change = json.at("slip_of_change");
+  const Json &motion = json.at("motion");
+  record.flattening = motion.at(0);
+  record.pressure_of_modulus = motion.at(1);
+  record.slide_of_face = motion.at(2);
+  record.zones = zones_from(json.at("zones"));
   const Json &energies = json.at("energies");
   record.work = number_from(energies.at(0));
   record.dissipation = number_from(energies.at(1));

@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/output/summary.h>
 
+#include "motion_warnings.h"
+
 #include <orthocone/base/text.h>
 #include <orthocone/contact/problem/law_errors.h>
 #include <orthocone/parameters/parameters.h>
@@ -45,6 +47,10 @@ void RunRecord::add_step(const unsigned int step, const Totals &before, const To
   consider(energy_defect, checks.energy_defect, step);
   consider(wear_of_flattening, checks.wear_of_flattening, step);
   consider(slip_of_change, checks.slip_of_change, step);
+  consider(flattening, checks.motion.flattening, step);
+  consider(pressure_of_modulus, checks.motion.pressure_of_modulus, step);
+  consider(slide_of_face, checks.motion.slide_of_face, step);
+  zones.add_step(step, totals.force[2], totals.zones);
 }
 
 std::string describe(const CriticalFrictionRecord &critical)
@@ -104,6 +110,9 @@ std::vector<std::string> all_warnings(const Parameters &parameters, const RunRec
                        to_text(std::round(percent * record.energy_defect.first)) +
                        " % of the largest energy; loops and dissipation need more steps in this leg");
   warn_of_fast_wear(record, warnings);
+  warn_of_large_motions(record, warnings);
+  for (std::string &warning : zone_warnings(parameters, record.zones))
+    warnings.push_back(std::move(warning));
   constexpr double most_of_change = 0.1; // docs/theory.md, section 3, "Gaps and friction that varies"
   if (record.slip_of_change.first > most_of_change)
     warnings.push_back("load step " + std::to_string(record.slip_of_change.second) + ": a node slips by " +

@@ -98,6 +98,18 @@ Ranges row_ranges()
   }
   return ranges;
 }
+
+/// Adds the names of the components of the stress, which deal.II does not write.
+std::string with_component_names(std::string text)
+{
+  static const std::string here = "Name=\"stress\" NumberOfComponents=\"9\"";
+  std::string names;
+  for (unsigned int i = 0; i < 9; ++i)
+    names += " ComponentName" + std::to_string(i) + "=\"" + "xyz"[i / 3] + "xyz"[i % 3] + "\"";
+  if (const std::size_t at = text.find(here); at != std::string::npos)
+    text.insert(at + here.size(), names);
+  return text;
+}
 } // namespace
 
 template<int dim>
@@ -121,14 +133,14 @@ std::string volume_vtu(const DisplacementSpace<dim> &space, const Materials &mat
   // The section has rectangles, which Lagrange cells show without loss.
   dealii::DataOutBase::write_vtu(patches, row_names(), row_ranges(),
                                  dim == 2 ? lagrange_vtu_flags(degree) : vtu_flags(), text);
-  return text.str();
+  return with_component_names(text.str());
 }
 
 std::string volume_pvtu(const std::vector<std::string> &pieces)
 {
   std::ostringstream text;
   dealii::DataOutBase::write_pvtu_record(text, pieces, row_names(), row_ranges(), vtu_flags());
-  return text.str();
+  return with_component_names(text.str());
 }
 
 template std::string volume_vtu(const Discretization &, const Materials &, const Eigen::VectorXd &, bool);

@@ -6,15 +6,12 @@
 
 #include <orthocone/base/errors.h>
 #include <orthocone/base/grading.h>
-#include <orthocone/base/numbers.h>
 #include <orthocone/base/text.h>
-#include <orthocone/parameters/expression.h>
 #include <orthocone/parameters/values.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
 namespace orthocone
 {
@@ -100,8 +97,7 @@ double rim_size(const GeometryOptions &geometry, const MeshOptions &mesh)
   return size / (std::min(geometry.sizes[0], geometry.sizes[1]) / 2);
 }
 
-void warn_of_coarse_rim(const GeometryOptions &geometry, const MeshOptions &mesh,
-                        std::vector<std::string> &warnings)
+std::string coarse_rim(const GeometryOptions &geometry, const MeshOptions &mesh)
 {
   constexpr double most = 0.1; // divided by degree^2: that decides how well the singular slip is resolved
   constexpr double percent = 100;
@@ -109,14 +105,13 @@ void warn_of_coarse_rim(const GeometryOptions &geometry, const MeshOptions &mesh
   const auto n_halvings = mesh.refinements + mesh.adaptive + mesh.refined_cells.size();
   const double size = std::ldexp(rim_size(geometry, mesh), -static_cast<int>(n_halvings));
   if (mesh.accuracy != 0 || size <= most * mesh.degree * mesh.degree)
-    return; // with an accuracy the mesh is yet to be chosen
-  warnings.push_back("Mesh: elements of degree " + std::to_string(mesh.degree) + " and " +
-                     to_text(std::round(percent * size)) + " % of " +
-                     (is_box(geometry) ? "half the shorter side" : "the radius") +
-                     " do not resolve the rim; the slip there may be wrong by 20 % and more: take "
-                     "a higher degree, more layers and " +
-                     (is_box(geometry) ? "cells, or Edge grading" : "rings, or Rim grading") +
-                     " and Layer grading < 1");
+    return {}; // with an accuracy the mesh is yet to be chosen
+  return "Mesh: elements of degree " + std::to_string(mesh.degree) + " and " +
+         to_text(std::round(percent * size)) + " % of " +
+         (is_box(geometry) ? "half the shorter side" : "the radius") +
+         " do not resolve the rim; the slip there may be wrong by 20 % and more: take "
+         "a higher degree, more layers and " +
+         (is_box(geometry) ? "cells, or Edge grading" : "rings, or Rim grading") + " and Layer grading < 1";
 }
 
 /// Warns of entries of other shapes that are set.
@@ -188,44 +183,35 @@ void check_shape(const Parameters &parameters)
   check_probes(parameters.geometry, parameters.output.probes);
 }
 
-/// How far the load program moves the top down, mm; nothing where a force presses.
-static std::optional<double> way_down(const LoadOptions &load)
+std::string coarse_rim_warning(const Parameters &parameters)
 {
-  constexpr unsigned int along_z = 2;
-  double depth = 0;
-  for (const auto *const legs : {&load.preload, &load.legs})
-    for (const Leg &leg : *legs)
-    {
-      if (leg.targets[along_z] && leg.targets[along_z]->by_force)
-        return std::nullopt;
-      depth = std::max(depth, -leg.motion(along_z).value_or(0));
-    }
-  return depth;
+  return parameters.geometry.is_from_file() ? "" : coarse_rim(parameters.geometry, parameters.mesh);
 }
 
-/// Whether the gap keeps the rim of a cylinder open: everywhere at the rim it is at least as large as the
-/// motion of the top down.
-static bool rim_stays_open(const Parameters &parameters)
+/// Half the widest and half the narrowest width of the base, mm.
+static std::array<double, 2> half_widths(const GeometryOptions &geometry)
 {
-  constexpr unsigned int n_places = 32;
-  const auto depth = way_down(parameters.load);
-  if (!depth || is_box(parameters.geometry) || !parameters.obstacle.gap_file.empty())
+  if (!is_box(geometry))
+    return {{geometry.radius, geometry.radius}};
+  const auto [least, most] = std::minmax(geometry.sizes[0], geometry.sizes[1]);
+  return {{most / 2, least / 2}};
+}
+
+bool rim_surely_touches(const Parameters &parameters)
+{
+  return parameters.obstacle.is_plane();
+}
+
+bool rim_of_lower_body_touches(const Parameters &parameters)
+{
+  const GeometryOptions &upper = parameters.geometry, &lower = parameters.lower.geometry;
+  if (upper.is_from_file() || lower.is_from_file())
     return false;
-  const Expression gap(parameters.obstacle.gap);
-  for (unsigned int i = 0; i < n_places; ++i)
-  {
-    const double angle = 2 * pi * i / n_places;
-    const double radius = parameters.geometry.radius;
-    if (!(gap.value(radius * std::cos(angle), radius * std::sin(angle)) > *depth))
-      return false;
-  }
-  return true;
+  return rim_surely_touches(parameters) && half_widths(lower)[1] <= half_widths(upper)[0];
 }
 
 void warn_of_shape(const Parameters &parameters, std::vector<std::string> &warnings)
 {
-  if (!parameters.geometry.is_from_file() && !rim_stays_open(parameters))
-    warn_of_coarse_rim(parameters.geometry, parameters.mesh, warnings);
   warn_of_other_shape(parameters, warnings);
 }
 } // namespace orthocone

@@ -21,6 +21,9 @@ void check_quadrature(const MeshOptions &mesh);
 /// Checks conditions between entries that depend on the shape: gradings, probes. Throws InputError.
 void check_shape(const Parameters &parameters);
 
-/// Warns where elements at the rim of the base are too coarse, or an entry belongs to another shape.
+/// Whether the rim of the lower body touches the upper one, whose base is no smaller.
+bool rim_of_lower_body_touches(const Parameters &parameters);
+
+/// Warns where an entry belongs to another shape.
 void warn_of_shape(const Parameters &parameters, std::vector<std::string> &warnings);
 } // namespace orthocone

@@ -12,6 +12,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace orthocone
 {
@@ -39,6 +40,12 @@ std::pair<std::string, double> most_incompressible(const MaterialOptions &materi
     if (region.poisson_ratio > most.second)
       most = {"Material/Regions: a Poisson ratio of " + to_text(region.poisson_ratio), region.poisson_ratio};
   return most;
+}
+
+void warn_of_coarse_rim(const Parameters &parameters, std::vector<std::string> &warnings)
+{
+  if (std::string warning = coarse_rim_warning(parameters); !warning.empty())
+    warnings.push_back(std::move(warning));
 }
 
 void warn_of_locking(const MaterialOptions &material, const MeshOptions &mesh,
@@ -196,6 +203,8 @@ void warn_of_lower_body(const Parameters &parameters, std::vector<std::string> &
     std::vector<std::string> of_lower;
     const Parameters lower = lower_parameters(parameters);
     warn_of_locking(lower.material, lower.mesh, of_lower);
+    if (rim_of_lower_body_touches(parameters))
+      warn_of_coarse_rim(lower, of_lower);
     warn_of_shape(lower, of_lower);
     for (const std::string &warning : of_lower)
       warnings.push_back(with_lower_sections(warning));
@@ -256,6 +265,8 @@ std::vector<std::string> parameter_warnings(const Parameters &parameters)
                             parameters.contact_solver.tolerance, warnings);
   warn_of_loose_period("Stop when periodic", parameters.load.stop_when_periodic, warnings);
   warn_of_loose_period("Jump when periodic", parameters.load.jump_when_periodic, warnings);
+  if (rim_surely_touches(parameters))
+    warn_of_coarse_rim(parameters, warnings);
   warn_of_shape(parameters, warnings);
   warn_of_ignored_half_space(parameters.obstacle, warnings);
   warn_of_lower_body(parameters, warnings);

@@ -125,11 +125,12 @@ StepChecker::StepChecker(const Scene &scene, const CheckOptions &options, const 
 
 void StepChecker::check_equilibrium(const ContactState &state, StepChecks &checks) const
 {
-  const NodeVector elastic =
-      unworn_displacement(state) - gaps_ - body_.moved_with(state.motion) - scene_.given_way(state.force);
+  const NodeVector given_way = scene_.given_way(state.force);
+  const NodeVector elastic = unworn_displacement(state) - gaps_ - body_.moved_with(state.motion) - given_way;
+  checks.motion = motion_checks(scene_, state, elastic, given_way);
   auto mismatch = body_.mismatch(state.force, elastic, options_.equilibrium);
   if (const LowerBody *const lower = scene_.lower())
-    include(mismatch, *lower, state.force, scene_.given_way(state.force), options_.equilibrium);
+    include(mismatch, *lower, state.force, given_way, options_.equilibrium);
   checks.equilibrium =
       std::max(mismatch.unbalanced,
                relative(mismatch.displacement,
@@ -182,6 +183,8 @@ std::optional<std::string> StepChecker::violation(const StepChecks &checks) cons
   if (!checks.is_finite)
     return "forces, displacements or energies are no longer numbers: are lengths in mm, forces in N, moduli "
            "in MPa?";
+  if (auto impossible = orthocone::violation(checks.motion))
+    return impossible;
   struct Check
   {
     const char *name;

@@ -35,13 +35,14 @@ Columns<SolvedStep> first_history_columns()
           {"ux", "mm", "motion of the held face along x", [](const Step &s) { return s.state.motion[0]; }},
           {"uy", "mm", "motion of the held face along y", [](const Step &s) { return s.state.motion[1]; }},
           {"uz", "mm", "motion of the held face along z", [](const Step &s) { return s.state.motion[2]; }},
-          {"force_x", "N", "force of the plane on the body along x",
+          {"force_x", "N", "force of the counterface on the body along x; the held face carries -force_x",
            [](const Step &s) { return s.totals.force[0]; }},
-          {"force_y", "N", "force of the plane on the body along y",
+          {"force_y", "N", "force of the counterface on the body along y; the held face carries -force_y",
            [](const Step &s) { return s.totals.force[1]; }},
-          {"force_z", "N", "force of the plane on the body along z",
+          {"force_z", "N", "force of the counterface on the body along z, > 0 where it is pressed",
            [](const Step &s) { return s.totals.force[2]; }},
-          {"max_slip", "mm", "largest slip of a node", [](const Step &s) { return s.totals.max_slip; }},
+          {"max_slip", "mm", "largest slip of a node in contact",
+           [](const Step &s) { return s.totals.max_slip; }},
           {"max_accumulated_slip", "mm", "largest length of a node's path of slip",
            [](const Step &s) { return s.totals.max_accumulated_slip; }},
           {"min_pressure", "MPa", "least pressure of a node",
@@ -84,6 +85,24 @@ Columns<SolvedStep> later_history_columns()
       {"max_wear_depth", "mm", "largest worn depth of a node",
        [](const Step &s) { return s.totals.max_wear_depth; }}};
 }
+
+/// Force and moment on the held face, with the signs of the load program, and the size of the contact.
+Columns<SolvedStep> columns_of_held_face_and_contact()
+{
+  constexpr const char *on_face = "moment on the held face, about its centre, as Mx, My and Mz of the legs";
+  // Zero has no sign.
+  return {{"contact_area", "mm^2", "sum of the areas of the nodes in contact",
+           [](const Step &s) { return s.totals.contact_area; }},
+          {"held_force_x", "N", "force on the held face along x, as Fx of the legs",
+           [](const Step &s) { return 0. - s.totals.force[0]; }},
+          {"held_force_y", "N", "force on the held face along y, as Fy of the legs",
+           [](const Step &s) { return 0. - s.totals.force[1]; }},
+          {"held_force_z", "N", "force on the held face along z, as Fz of the legs: -force_z",
+           [](const Step &s) { return 0. - s.totals.force[2]; }},
+          {"held_moment_x", "N mm", on_face, [](const Step &s) { return 0. - s.totals.moment[0]; }},
+          {"held_moment_y", "N mm", on_face, [](const Step &s) { return 0. - s.totals.moment[1]; }},
+          {"held_moment_z", "N mm", on_face, [](const Step &s) { return 0. - s.totals.moment[2]; }}};
+}
 } // namespace
 
 const Columns<SolvedStep> &history_columns()
@@ -91,8 +110,8 @@ const Columns<SolvedStep> &history_columns()
   static const Columns<SolvedStep> columns = []
   {
     Columns<SolvedStep> all = first_history_columns();
-    const Columns<SolvedStep> later = later_history_columns();
-    all.insert(all.end(), later.begin(), later.end());
+    for (const Columns<SolvedStep> &later : {later_history_columns(), columns_of_held_face_and_contact()})
+      all.insert(all.end(), later.begin(), later.end());
     return all;
   }();
   return columns;
@@ -137,8 +156,10 @@ const Columns<ProbedStep> &probe_columns()
   static const Columns<ProbedStep> columns{
       {"step", "", "number of the load step, from 1", [](const Probed &p) { return p.state.step; }},
       {"uz", "mm", "motion of the held face along z", [](const Probed &p) { return p.state.motion[2]; }},
-      {"slip_x", "mm", "slip along x", [](const Probed &p) { return p.fields.slip[0]; }},
-      {"slip_y", "mm", "slip along y", [](const Probed &p) { return p.fields.slip[1]; }},
+      {"slip_x", "mm", "slip along x; 0 where the node is open",
+       [](const Probed &p) { return p.fields.slip[0]; }},
+      {"slip_y", "mm", "slip along y; 0 where the node is open",
+       [](const Probed &p) { return p.fields.slip[1]; }},
       {"accumulated_slip", "mm", "length of the path of the slip",
        [](const Probed &p) { return p.fields.accumulated_slip; }},
       {"force_n", "N", "force of the plane on the node along the normal",
@@ -165,7 +186,8 @@ const Columns<CycleRow> &cycle_columns()
       {"peak_force_z", "N", "force where the total force is largest",
        [](const Cycle &c) { return c.peak_force_z; }},
       {"force_z", "N", "force at the end of the cycle", [](const Cycle &c) { return c.force_z; }},
-      {"max_slip", "mm", "largest slip of a node in the cycle", [](const Cycle &c) { return c.max_slip; }},
+      {"max_slip", "mm", "largest slip of a node in contact in the cycle",
+       [](const Cycle &c) { return c.max_slip; }},
       {"max_accumulated_slip", "mm", "largest length of a node's path of slip since the start",
        [](const Cycle &c) { return c.max_accumulated_slip; }},
       {"accumulated_slip", "mm", "largest length of a node's path of slip in the cycles of the row",

@@ -63,6 +63,7 @@ Totals compute_totals(const ContactFieldEvaluator &evaluator, const ContactState
     totals.max_accumulated_slip = std::max(totals.max_accumulated_slip, fields.accumulated_slip);
     totals.min_pressure = std::min(totals.min_pressure, fields.pressure);
     totals.max_pressure = std::max(totals.max_pressure, fields.pressure);
+    totals.contact_area += fields.status == NodeStatus::open ? 0 : n_copies * place.area;
     count_status(fields.status, symmetry.n_counted(surface, place), totals);
     totals.worn_volume += n_copies * fields.wear_depth * place.area;
     totals.max_wear_depth = std::max(totals.max_wear_depth, fields.wear_depth);
@@ -70,6 +71,7 @@ Totals compute_totals(const ContactFieldEvaluator &evaluator, const ContactState
   }
   leave_out_what_cancels(symmetry, totals);
   totals.stick_area = evaluator.stick_area(state);
+  totals.zones = evaluator.zones(state);
   NodeVector moved;
   evaluator.compliance().vmult(moved, state.force);
   totals.elastic_energy = 0.5 * n_copies * state.force.dot(moved);

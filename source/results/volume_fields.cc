@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/results/volume_fields.h>
 
+#include <deal.II/base/symmetric_tensor.h>
+
 #include <cmath>
 
 namespace orthocone
@@ -12,14 +14,30 @@ double von_mises_stress(const PointFields &point)
 {
   return std::sqrt(1.5) * deviator(point.stress).norm();
 }
+
+/// The i-th of the principal stresses; the first one is the largest.
+template<unsigned int i>
+double principal_stress(const PointFields &point)
+{
+  return dealii::eigenvalues(point.stress)[i];
+}
+
+double volume(const PointFields &point)
+{
+  return point.volume;
+}
 } // namespace
 
 const std::vector<VolumeField> &volume_field_list()
 {
   static const std::vector<VolumeField> fields{
       {"displacement", "mm", "displacement from the undeformed body", &PointFields::displacement},
-      {"stress", "MPa", "Cauchy stress in global axes", &PointFields::stress},
-      {"von_mises_stress", "MPa", "sqrt(3/2) times the norm of the deviator", von_mises_stress}};
+      {"stress", "MPa", "Cauchy stress in global axes: xx, xy, xz, yx, ..., zz", &PointFields::stress},
+      {"von_mises_stress", "MPa", "sqrt(3/2) times the norm of the deviator", von_mises_stress},
+      {"principal_stress_1", "MPa", "largest principal stress, tension is > 0", principal_stress<0>},
+      {"principal_stress_2", "MPa", "middle principal stress", principal_stress<1>},
+      {"principal_stress_3", "MPa", "smallest principal stress", principal_stress<2>},
+      {"region", "", "number of the physical volume of the mesh file; 0 where there is none", volume}};
   return fields;
 }
 

@@ -89,6 +89,17 @@ void at_common_parts(const CutFace &own, const CutFace &other, const Use &use)
           use(common, part.sign * of_other.sign);
 }
 
+/// Area of a face that others cover, mm^2.
+double covered_area(const CutFace &face, const std::vector<CutFace> &others)
+{
+  double area = 0;
+  for (const CutFace &below : others)
+    at_common_parts(face, below,
+                    [&](const PlanePolygon &common, const double sign)
+                    { area += sign * signed_area(common); });
+  return area;
+}
+
 /// Takes a face of which `area` is covered into account.
 void look_at(const CutFace &face, const double area, SurfaceCover &cover)
 {
@@ -227,15 +238,20 @@ SurfaceCover surface_cover(const ContactSurface &surface, const ContactSurface &
   const std::vector<CutFace> others = cut_faces(other);
   SurfaceCover cover;
   for (const CutFace &face : cut_faces(surface))
-  {
-    double area = 0;
-    for (const CutFace &below : others)
-      at_common_parts(face, below,
-                      [&](const PlanePolygon &common, const double sign)
-                      { area += sign * signed_area(common); });
-    look_at(face, area, cover);
-  }
+    look_at(face, covered_area(face, others), cover);
   return cover;
+}
+
+double covered_share(const ContactSurface &surface, const ContactSurface &other)
+{
+  const std::vector<CutFace> others = cut_faces(other);
+  double covered = 0, area = 0;
+  for (const CutFace &face : cut_faces(surface))
+  {
+    covered += covered_area(face, others);
+    area += face.area;
+  }
+  return area > 0 ? covered / area : 1;
 }
 
 MortarMap mortar_map(const ContactSurface &surface, const ContactSurface &other)

@@ -15,7 +15,7 @@ MOMENTS = ("moment_x", "moment_y", "moment_z")
 FORCES = ("force_x", "force_y", "force_z", *MOMENTS, "min_pressure", "max_pressure", "dissipation", "total_dissipation",
           "elastic_energy")
 LENGTHS = {**dict.fromkeys(("ux", "uy", "uz", "max_slip", "max_accumulated_slip"), 1),
-           **dict.fromkeys(("force_x", "force_y", "force_z", "stick_area"), 2),
+           **dict.fromkeys(("force_x", "force_y", "force_z", "stick_area", "contact_area"), 2),
            **dict.fromkeys(("dissipation", "total_dissipation", "elastic_energy", *MOMENTS), 3)}
 TURNED = {"ux": "uy", "uy": "ux", "force_x": "force_y", "force_y": "force_x", "moment_x": "moment_y",
           "moment_y": "moment_x"}
@@ -41,9 +41,10 @@ def differences(rows, others, factors, names, without, bound):
     for key in rows[0]:
         if key in SOLVER | set(without):
             continue
-        factor, other = factors.get(key, 1), names.get(key, key)
+        of_face = key.removeprefix("held_")  # the held face has the forces of the plane, with the other sign
+        factor, other = factors.get(of_face, 1), key[:-len(of_face)] + names.get(of_face, of_face)
         partners = {"force": ("force_x", "force_y", "force_z"), "moment": (*MOMENTS, "force_z")}.get(
-            key.split("_")[0], (other,))
+            of_face.split("_")[0], (other,))
         scale = abs(factor) * max(abs(row[name]) for row in others for name in partners)
         worst = max(abs(row[key] - factor * line[other]) for row, line in zip(rows, others))
         if worst > bound * scale:

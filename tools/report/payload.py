@@ -56,9 +56,9 @@ def cycle_part(data):
 
 
 def comparable_part(data, name, frames=()):
-    """What the charts show of every run."""
+    """What the charts show of every run. Forces on the held face are those of the plane with the other sign."""
     names = [name for name, values in data.history.items()
-             if isinstance(values, np.ndarray) and name not in ("step", "cycle", "phase")]
+             if isinstance(values, np.ndarray) and name not in ("step", "cycle", "phase") and not name.startswith("held_")]
     steps = sorted({*chosen_steps(data, len(names), "Charts"), *frames})
     blocks = [block for block in data.blocks if block.part_of(steps)]
     ledger = [name for name in data.energy if name not in ("step", "scale")]

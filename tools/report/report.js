@@ -21,9 +21,11 @@ function drawHistories() {
   drawRotations(grid, table);
   overSteps(grid, "Largest slip", table, "mm", [["max_slip", "slip"], ["max_accumulated_slip", "accumulated slip"]]);
   overSteps(grid, "Pressure", table, "MPa", [["max_pressure", "largest"], ["min_pressure", "smallest"]]);
-  const share = ({history: h, area}) =>
-    ({step: h.step, share: (h.stick_area || []).map(size => size === null ? null : 100 * size / area)});
-  overSteps(grid, "Share of the contact surface that sticks", share, "%", [["share", "stick area"]]);
+  const shares = ({history: h, area}) => {
+    const of = column => (column || []).map(size => size === null ? null : 100 * size / area);
+    return {step: h.step, touches: of(h.contact_area), sticks: of(h.stick_area)};
+  };
+  overSteps(grid, "Shares of the contact surface", shares, "%", [["touches", "contact area"], ["sticks", "stick area"]]);
   overSteps(grid, "Nodes by status", table, "", [["n_stick", "stick"], ["n_slip", "slip"], ["n_open", "open", "soft"]],
             {name: "nodes"});
   overSteps(grid, "Dissipation", table, "N mm",

@@ -38,7 +38,7 @@ struct CheckpointError : std::runtime_error
 };
 
 /// Version of the bytes; another one is refused.
-constexpr unsigned int checkpoint_format = 12;
+constexpr unsigned int checkpoint_format = 13;
 
 /// Checksum of the gaps and of the mesh in the files that the parameters name; 0 if they name none. Throws as
 /// read_gap_file() and read_gmsh_file() do.

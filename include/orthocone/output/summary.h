@@ -6,6 +6,7 @@
 #include <orthocone/base/phases.h>
 #include <orthocone/base/threads.h>
 #include <orthocone/contact/solvers/contact_solver.h>
+#include <orthocone/output/zone_record.h>
 #include <orthocone/results/cycles.h>
 #include <orthocone/results/step_checks.h>
 #include <orthocone/scene/load_program.h>
@@ -50,11 +51,15 @@ struct RunRecord
   Verdict verdict = Verdict::converged; ///< of the last step that was tried
   double largest_energy = 0;            ///< StepChecks::energy, N mm
   Peaks peaks{};
-  std::pair<double, unsigned int> energy_defect{0, 0};      ///< the largest, and its step
-  std::pair<double, unsigned int> wear_of_flattening{0, 0}; ///< StepChecks::wear_of_flattening, and its step
-  std::pair<double, unsigned int> slip_of_change{0, 0};     ///< StepChecks::slip_of_change, and its step
-  double work = 0;                                          ///< of the upper face in all computed steps, N mm
-  double dissipation = 0;                                   ///< in all computed steps, N mm
+  std::pair<double, unsigned int> energy_defect{0, 0};       ///< the largest, and its step
+  std::pair<double, unsigned int> wear_of_flattening{0, 0};  ///< StepChecks::wear_of_flattening, and its step
+  std::pair<double, unsigned int> slip_of_change{0, 0};      ///< StepChecks::slip_of_change, and its step
+  std::pair<double, unsigned int> flattening{0, 0};          ///< MotionChecks::flattening, and its step
+  std::pair<double, unsigned int> pressure_of_modulus{0, 0}; ///< MotionChecks::pressure_of_modulus, likewise
+  std::pair<double, unsigned int> slide_of_face{0, 0};       ///< MotionChecks::slide_of_face, likewise
+  ZoneRecord zones{};
+  double work = 0;        ///< of the upper face in all computed steps, N mm
+  double dissipation = 0; ///< in all computed steps, N mm
   double missing = 0; ///< sum of |work - change of elastic energy - dissipation| of all computed steps, N mm
   std::optional<AccuracyEstimate> accuracy{}; ///< where Mesh/Accuracy chose the mesh
   std::optional<StepAccuracy> steps{};        ///< where Load program/Accuracy divided the steps

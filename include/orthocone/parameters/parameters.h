@@ -45,6 +45,13 @@ Parameters with_section(const Parameters &parameters, const std::string &section
 /// in a sentence each.
 std::vector<std::string> parameter_warnings(const Parameters &parameters);
 
+/// The warning of elements that are too coarse at the rim of the base; empty where they are not, or nothing
+/// is known of the rim's mesh.
+std::string coarse_rim_warning(const Parameters &parameters);
+
+/// Whether the rim of the base touches the obstacle if anything does. Elsewhere the steps show what it does.
+bool rim_surely_touches(const Parameters &parameters);
+
 /// Checks conditions between entries: for instance that probes are on the contact surface. Throws InputError,
 /// whose sentence does not name the parameter file, and FileError for a mesh file that cannot be read.
 void check_parameters(const Parameters &parameters);

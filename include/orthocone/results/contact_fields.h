@@ -3,6 +3,7 @@
 #pragma once
 
 #include <orthocone/march/contact_state.h>
+#include <orthocone/results/contact_zones.h>
 #include <orthocone/results/held_face.h>
 #include <orthocone/results/stick_area.h>
 #include <orthocone/scene/scene.h>
@@ -16,7 +17,7 @@ namespace orthocone
 struct ContactFields
 {
   Eigen::Vector3d displacement = Eigen::Vector3d::Zero();      ///< mm
-  Eigen::Vector3d slip = Eigen::Vector3d::Zero();              ///< mm, tangential
+  Eigen::Vector3d slip = Eigen::Vector3d::Zero();              ///< mm, tangential; zero where it is open
   double accumulated_slip = 0;                                 ///< mm
   double gap = 0;                                              ///< mm, > 0 open
   double pressure = 0;                                         ///< MPa
@@ -67,6 +68,9 @@ public:
   /// Area that sticks in the whole body, mm^2.
   double stick_area(const ContactState &state) const;
 
+  /// How wide contact, stick and load are in the whole body.
+  ZoneWidths zones(const ContactState &state) const;
+
   /// BodyUnknowns::arm().
   Eigen::Vector3d arm(const unsigned int node) const { return unknowns_.arm(surface_.nodes[node]); }
 
@@ -75,6 +79,8 @@ public:
   const Compliance &compliance() const { return compliance_; }
 
 private:
+  double load_width(const ContactState &state) const;
+
   const BodyUnknowns &unknowns_;
   const ContactSurface &surface_;
   const ModelSymmetry &symmetry_;
@@ -84,5 +90,6 @@ private:
   const NodeVector &gaps_;
   Eigen::VectorXd shares_; ///< ModelSymmetry::force_shares()
   StickArea stick_area_;
+  ContactZones zones_;
 };
 } // namespace orthocone

@@ -4,6 +4,7 @@
 
 #include <orthocone/contact/solvers/contact_solver.h>
 #include <orthocone/march/contact_state.h>
+#include <orthocone/results/motion_checks.h>
 #include <orthocone/results/totals.h>
 #include <orthocone/scene/scene.h>
 
@@ -26,8 +27,9 @@ struct StepChecks
       0; ///< largest slip in contact relative to the length over which gap and friction change
   double wear_of_flattening = 0; ///< largest depth worn in the step relative to what the normal force of the
                                  ///< node flattens the body by
-  bool is_finite = true;         ///< all numbers of the state are
-  Eigen::VectorXd volume{};      ///< K^-1 r of the free unknowns, by which equilibrium is judged, mm
+  MotionChecks motion{};
+  bool is_finite = true;    ///< all numbers of the state are
+  Eigen::VectorXd volume{}; ///< K^-1 r of the free unknowns, by which equilibrium is judged, mm
 };
 
 /// A state and the totals of the whole body in it.

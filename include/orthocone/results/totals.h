@@ -11,14 +11,16 @@ struct Totals
 {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< of the plane on the body (x, y, z), N
   Eigen::Vector3d moment = Eigen::Vector3d::Zero(); ///< its moment about the centre of the held face, N mm
-  double max_slip = 0;                              ///< mm
+  double max_slip = 0;                              ///< of the nodes in contact, mm
   double max_accumulated_slip = 0;                  ///< mm
   double min_pressure = 0;                          ///< MPa
   double max_pressure = 0;                          ///< MPa
   unsigned int n_open = 0;
   unsigned int n_stick = 0;
   unsigned int n_slip = 0;
-  double stick_area = 0;        ///< mm^2; its border runs through the cells (StickArea)
+  double stick_area = 0;   ///< mm^2; its border runs through the cells (StickArea)
+  double contact_area = 0; ///< mm^2
+  ZoneWidths zones{};
   double total_dissipation = 0; ///< N mm
   double elastic_energy = 0;    ///< N mm
   double worn_volume = 0;       ///< mm^3

@@ -24,6 +24,9 @@ struct SurfaceCover
 /// The cover of `surface` by `other`, without the work of a map. The surfaces are as for mortar_map().
 SurfaceCover surface_cover(const ContactSurface &surface, const ContactSurface &other);
 
+/// Part of the area of `surface` that lies on `other`, 0 to 1; 1 where `surface` has no faces.
+double covered_share(const ContactSurface &surface, const ContactSurface &other);
+
 /// How the nodes of one contact surface see another one, whose faces need not match theirs.
 struct MortarMap
 {

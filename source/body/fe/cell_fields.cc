@@ -100,6 +100,7 @@ std::vector<PointFields> CellFields<dim>::in(const typename DisplacementSpace<di
     const Strain strain = strain_at(values_, q, nodal);
     fields[q].place = in_space(values_.quadrature_point(q));
     fields[q].displacement = displacement_at(values_, q, nodal);
+    fields[q].volume = cell->material_id();
     fields[q].stress =
         materials_.of(cell->material_id()).stress(strain, is_projected ? changes[q] : trace(strain));
   }

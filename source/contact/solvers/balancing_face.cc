@@ -51,6 +51,22 @@ bool is_pressed_on(const ContactStep &step, const VectorXd &unknowns)
       return true;
   return false;
 }
+/// Whether a node sticks that the face would move if it followed what is out of balance. One at the centre of
+/// a face that turns sticks, too, but does not hold it.
+bool is_held(const ContactStep &step, const VectorXd &unknowns, const std::vector<NodeStatus> &statuses)
+{
+  constexpr double still = 0.1; // of the largest motion of a node
+  const NodeVector way = step.face().columns() * step.imbalance(unknowns);
+  double largest = 0, of_stuck = 0;
+  for (Index node = 0; node < step.n_nodes(); ++node)
+  {
+    const double moved = way.segment<3>(3 * node).norm();
+    largest = std::max(largest, moved);
+    if (statuses[static_cast<std::size_t>(node)] == NodeStatus::stick)
+      of_stuck = std::max(of_stuck, moved);
+  }
+  return of_stuck > still * largest;
+}
 } // namespace
 
 bool nothing_holds(const ContactStep &step, const VectorXd &unknowns)
@@ -60,7 +76,7 @@ bool nothing_holds(const ContactStep &step, const VectorXd &unknowns)
   const auto statuses = step.statuses(unknowns, step.displacement(unknowns));
   const auto some_are = [&](const NodeStatus which)
   { return std::find(statuses.begin(), statuses.end(), which) != statuses.end(); };
-  if (some_are(NodeStatus::stick))
+  if (is_held(step, unknowns, statuses))
     return false;
   return some_are(NodeStatus::slip) || !is_pressed_on(step, unknowns);
 }

@@ -35,9 +35,9 @@ private:
   Eigen::VectorXd imbalance_;
 };
 
-/// Whether forces drive the face, are out of balance, and meet no resistance: no node sticks, and if all are
-/// open the face moves off. An iteration that does not converge then has a load at the limit of what friction
-/// carries, or beyond.
+/// Whether forces drive the face, are out of balance, and meet no resistance: no node sticks
+/// that it would move, and if all are open the face moves off. An iteration that does not converge then has a
+/// load at the limit of what friction carries, or beyond.
 bool nothing_holds(const ContactStep &step, const Eigen::VectorXd &unknowns);
 
 /// Finds, from looks at an iteration every few sweeps, that there is no equilibrium: no node sticks, and what

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 #include "balancing_face.h"
+#include "load_limit.h"
 #include "solvers.h"
 
 #include <algorithm>
@@ -39,6 +40,8 @@ SolverReport make_report(const ContactStep &step, const Eigen::VectorXd &unknown
     report.verdict = Verdict::unbalanced;
   else if (report.verdict == Verdict::converged && !report.converged)
     report.verdict = Verdict::diverged;
+  if (!report.converged && report.verdict != Verdict::unbalanced && is_beyond_every_force(step))
+    report.verdict = Verdict::unbalanced;
   report.trace = std::move(trace);
   double worst = -1;
   for (Eigen::Index node = 0; node < step.n_nodes(); ++node)

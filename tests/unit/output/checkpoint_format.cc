@@ -215,11 +215,21 @@ TEST(Checkpoint, KeepsWhatSearchesAndThreadsAre)
 {
   Checkpoint before = checkpoint_after(1);
   before.record.threads = {3, "--threads"};
+  before.record.flattening = {0.06, 4};
+  before.record.slide_of_face = {1.5, 5};
+  before.record.zones.contact = std::numeric_limits<double>::infinity();
+  before.record.zones.is_stick_resolved = true;
+  before.record.zones.narrow = {3, 6};
   EXPECT_NE(before.state.work, 0);
   const Checkpoint after = decode(encode(before));
   EXPECT_EQ(after.state.work, before.state.work);
   EXPECT_EQ(after.chosen, before.chosen);
   EXPECT_EQ(after.record.threads.number, 3u);
+  EXPECT_EQ(after.record.flattening, before.record.flattening);
+  EXPECT_EQ(after.record.slide_of_face, before.record.slide_of_face);
+  EXPECT_EQ(after.record.zones.contact, before.record.zones.contact);
+  EXPECT_TRUE(after.record.zones.is_stick_resolved);
+  EXPECT_EQ(after.record.zones.narrow, before.record.zones.narrow);
   EXPECT_EQ(after.record.accuracy->errors, before.record.accuracy->errors);
   EXPECT_EQ(after.record.accuracy->steps_share, before.record.accuracy->steps_share);
   EXPECT_EQ(after.record.steps->estimate.wanted, 2);

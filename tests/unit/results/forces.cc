@@ -131,6 +131,30 @@ TEST(Forces, HaveNoEquilibriumBeyondGrossSliding)
   EXPECT_NEAR(solver.carried_share(before, steps[1]), 0.5, 0.02);
 }
 
+// Friction carries mu F = 0.3e5 N along x, and no moment above mu F R: whatever the pressure, no node is
+// farther from the axis. A little above, iterations hardly move.
+TEST(Forces, JustBeyondWhatFrictionCarriesHaveNoEquilibrium)
+{
+  constexpr double pressing = -1e5, carried = 0.3e5;
+  const double radius = full_scene().geometry.radius;
+  for (const auto &[component, load] :
+       {std::pair(x, 1.0003 * carried), std::pair(x, 1.7 * carried), std::pair(rz, 1.01 * carried * radius),
+        std::pair(rz, 0.9 * carried * radius)})
+  {
+    Parameters parameters = full_scene();
+    parameters.friction.mu = {{0.3, 0.3}};
+    parameters.friction.slip_potential = std::nullopt;
+    parameters.load.legs = {leg_of({{z, force, pressing}}, 1), leg_of({{component, force, load}}, 1)};
+    const TestScene scene(parameters);
+    StepSolver solver(scene.scene);
+    ContactState state = scene.state;
+    const auto steps = LoadProgram(parameters.load).steps();
+    ASSERT_TRUE(solver.solve(state, steps[0]).converged);
+    solver.accept(scene.state, state, steps[0]);
+    EXPECT_EQ(solver.solve(state, steps[1]).verdict, Verdict::unbalanced) << component << " " << load;
+  }
+}
+
 TEST(Forces, ThatPullHaveNoEquilibrium)
 {
   Parameters parameters = full_scene();

@@ -62,6 +62,8 @@ TEST(Tables, HistoryTellsRotationsInDegreesAndThePlaceInTheProgram)
   EXPECT_EQ(cells.at("rx"), "0");
   EXPECT_EQ(cells.at("rz"), "90");
   EXPECT_EQ(cells.at("moment_y"), "2");
+  EXPECT_EQ(cells.at("held_moment_y"), "-2"); // as the legs give it
+  EXPECT_EQ(cells.at("held_force_x"), "0");
   EXPECT_EQ(cells.at("dissipation"), "3");
   EXPECT_EQ(cells.at("method"), "uzawa");
   EXPECT_EQ(cells.at("cycle"), "2");

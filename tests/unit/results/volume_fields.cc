@@ -25,7 +25,7 @@ TEST(VolumeFields, HaveNamesUnitsAndMeaningsOfTheirOwn)
   for (const VolumeField &field : volume_field_list())
   {
     EXPECT_TRUE(names.insert(field.name).second) << field.name;
-    EXPECT_NE(std::string(field.unit), "") << field.name;
+    EXPECT_EQ(std::string(field.unit).empty(), std::string(field.name) == "region") << field.name;
     EXPECT_NE(std::string(field.how), "") << field.name;
   }
 }
@@ -43,6 +43,17 @@ TEST(VolumeFields, KnowTheEquivalentStressOfSimpleStates)
   EXPECT_NEAR(equivalent.value(tension)[0], 3, 1e-14);
   EXPECT_NEAR(equivalent.value(pressure)[0], 0, 1e-14);
   EXPECT_NEAR(equivalent.value(shear)[0], 2 * std::sqrt(3), 1e-14);
+}
+
+// A shear of 2 MPa is a tension and a pressure of 2 MPa.
+TEST(VolumeFields, HaveThePrincipalStressesInOrder)
+{
+  PointFields point;
+  point.stress[1][2] = 2;
+  point.stress[0][0] = 1;
+  for (const auto &[name, value] : {std::pair("principal_stress_1", 2.), std::pair("principal_stress_2", 1.),
+                                    std::pair("principal_stress_3", -2.)})
+    EXPECT_NEAR(field_named(name).value(point)[0], value, 1e-14);
 }
 
 TEST(VolumeFields, HaveTheirComponentsInOrder)

@@ -19,6 +19,7 @@ struct PointFields
   Eigen::Vector3d place = Eigen::Vector3d::Zero();        ///< mm
   Eigen::Vector3d displacement = Eigen::Vector3d::Zero(); ///< mm
   Stress stress{};                                        ///< MPa
+  unsigned int volume = 0; ///< number of the physical volume of a mesh file; 0 otherwise
 };
 
 /// Fields of a displacement, at the same points in one cell after the other.

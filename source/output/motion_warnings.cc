@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "motion_warnings.h"
+
+#include <orthocone/base/text.h>
+
+#include <cmath>
+
+namespace orthocone
+{
+void warn_of_large_motions(const RunRecord &record, std::vector<std::string> &warnings)
+{
+  constexpr double small = 0.05, percent = 100; // strains that linear elasticity is good for
+  const auto begin = [](const unsigned int step) { return "load step " + std::to_string(step) + ": "; };
+  if (record.flattening.first > small)
+    warnings.push_back(begin(record.flattening.second) + "the contact is displaced by " +
+                       to_text(std::round(percent * record.flattening.first)) +
+                       " % of the body's height against its held face; the program computes with small "
+                       "strains, good to about 5 %");
+  else if (constexpr double hertzian = 0.1; record.pressure_of_modulus.first > hertzian)
+    // Pressure of Hertz that is a tenth of the modulus belongs to a contact a quarter as wide as the sphere.
+    warnings.push_back(begin(record.pressure_of_modulus.second) + "the mean pressure of the contact is " +
+                       to_text(std::round(percent * record.pressure_of_modulus.first)) +
+                       " % of Young's modulus; the program computes with small strains, good to about 10 % "
+                       "(5 % of strain)");
+  if (record.slide_of_face.first > 1)
+    warnings.push_back(begin(record.slide_of_face.second) + "the body slides by " +
+                       to_text(std::round(10 * record.slide_of_face.first) / 10) +
+                       " faces of the lower body's mesh, but the two bodies see each other where they lay at "
+                       "the start; slides are good to about one face (Lower mesh)");
+}
+} // namespace orthocone

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/results/motion_checks.h>
+
+#include <orthocone/base/numbers.h>
+#include <orthocone/base/text.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace orthocone
+{
+using Eigen::Index;
+
+namespace
+{
+bool touches(const ContactState &state, const std::size_t node)
+{
+  return state.status[node] != NodeStatus::open;
+}
+
+/// Takes displacements (3 n, mm) of a body of this height (mm) into account.
+void check_strain(const ContactState &state, const NodeVector &displacement, const double height,
+                  MotionChecks &checks)
+{
+  for (Index node = 0; node < state.n_nodes(); ++node)
+    if (touches(state, static_cast<std::size_t>(node)))
+    {
+      checks.flattening = std::max(checks.flattening, displacement.segment<3>(3 * node).norm() / height);
+      checks.crushing = std::max(checks.crushing, std::abs(displacement[3 * node]) / height);
+    }
+}
+
+double largest_slip_in_contact(const ContactState &state)
+{
+  double largest = 0;
+  for (Index node = 0; node < state.n_nodes(); ++node)
+    if (touches(state, static_cast<std::size_t>(node)))
+      largest = std::max(largest, state.displacement.segment<2>(3 * node + 1).norm());
+  return largest;
+}
+
+double mean_pressure(const ContactSurface &surface, const ContactState &state)
+{
+  double force = 0, area = 0;
+  for (std::size_t node = 0; node < surface.nodes.size(); ++node)
+    if (touches(state, node))
+    {
+      force += state.force[3 * static_cast<Index>(node)];
+      area += surface.nodes[node].area;
+    }
+  return relative(force, area);
+}
+
+/// Mean size of the faces of a contact surface, mm.
+double mean_size(const ContactSurface &surface)
+{
+  double area = 0;
+  for (const ContactNode &node : surface.nodes)
+    area += node.area;
+  return std::sqrt(area / static_cast<double>(surface.faces.size()));
+}
+
+/// The faces of the surface that touch, where the slip of their nodes has brought them.
+ContactSurface touching_part(const Scene &scene, const ContactState &state)
+{
+  ContactSurface part = scene.surface();
+  for (std::size_t node = 0; node < part.nodes.size(); ++node)
+  {
+    const Eigen::Vector2d slip =
+        scene.axes().to_global(node, state.displacement.segment<2>(3 * static_cast<Index>(node) + 1));
+    for (const unsigned int d : {0, 1})
+      part.nodes[node].position[d] += slip[d];
+  }
+  const auto is_open = [&](const std::vector<unsigned int> &face)
+  {
+    return std::none_of(face.begin(), face.end(),
+                        [&](const unsigned int node) { return touches(state, node); });
+  };
+  part.faces.erase(std::remove_if(part.faces.begin(), part.faces.end(), is_open), part.faces.end());
+  return part;
+}
+
+/// The lower body is met where it lay at the start (docs/theory.md, section 2, "A second elastic body
+/// below"): that place is known to the size of a face.
+void check_slide(const Scene &scene, const ContactState &state, MotionChecks &checks)
+{
+  const ContactSurface &own = scene.lower()->body().surface();
+  checks.slide_of_face = largest_slip_in_contact(state) / mean_size(own);
+  if (checks.slide_of_face > 1)
+    checks.cover = covered_share(touching_part(scene, state), own);
+}
+} // namespace
+
+MotionChecks motion_checks(const Scene &scene, const ContactState &state, const NodeVector &elastic,
+                           const NodeVector &given_way)
+{
+  MotionChecks checks;
+  check_strain(state, elastic, scene.body().unknowns().held_centre()[2], checks);
+  checks.pressure_of_modulus =
+      mean_pressure(scene.surface(), state) / scene.contact_material().isotropic().young_modulus;
+  if (const LowerBody *const lower = scene.lower())
+  {
+    check_strain(state, given_way, lower->body().unknowns().held_centre()[2], checks);
+    check_slide(scene, state, checks);
+  }
+  return checks;
+}
+
+std::optional<std::string> violation(const MotionChecks &checks)
+{
+  constexpr double flat = 1, least_cover = 0.9, percent = 100; // SurfaceCover::is_enough()
+  if (checks.crushing >= flat)
+    return "the contact is pressed by " + to_text(std::round(percent * checks.crushing)) +
+           " % of the body's height towards its held face, which no body survives: are the gap, the motion "
+           "and the force meant in mm and N?";
+  if (checks.cover < least_cover)
+    return "the body has slid so far that only " + to_text(std::round(percent * checks.cover)) +
+           " % of the contact lie on the lower body, and 90 % must: let it slide less far, or take a larger "
+           "lower body";
+  return std::nullopt;
+}
+} // namespace orthocone
