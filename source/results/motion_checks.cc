@@ -19,6 +19,12 @@ bool touches(const ContactState &state, const std::size_t node)
   return state.status[node] != NodeStatus::open;
 }
 
+/// Height of a body (mm). The centre of a held face that is very wide has lost its digits.
+double height(const GeometryOptions &geometry, const ElasticBody &body)
+{
+  return geometry.is_from_file() ? body.unknowns().held_centre()[2] : geometry.held_height();
+}
+
 /// Takes displacements (3 n, mm) of a body of this height (mm) into account.
 void check_strain(const ContactState &state, const NodeVector &displacement, const double height,
                   MotionChecks &checks)
@@ -96,12 +102,12 @@ MotionChecks motion_checks(const Scene &scene, const ContactState &state, const 
                            const NodeVector &given_way)
 {
   MotionChecks checks;
-  check_strain(state, elastic, scene.body().unknowns().held_centre()[2], checks);
+  check_strain(state, elastic, height(scene.parameters().geometry, scene.body()), checks);
   checks.pressure_of_modulus =
       mean_pressure(scene.surface(), state) / scene.contact_material().isotropic().young_modulus;
   if (const LowerBody *const lower = scene.lower())
   {
-    check_strain(state, given_way, lower->body().unknowns().held_centre()[2], checks);
+    check_strain(state, given_way, height(scene.parameters().lower.geometry, lower->body()), checks);
     check_slide(scene, state, checks);
   }
   return checks;
@@ -112,8 +118,8 @@ std::optional<std::string> violation(const MotionChecks &checks)
   constexpr double flat = 1, least_cover = 0.9, percent = 100; // SurfaceCover::is_enough()
   if (checks.crushing >= flat)
     return "the contact is pressed by " + to_text(std::round(percent * checks.crushing)) +
-           " % of the body's height towards its held face, which no body survives: are the gap, the motion "
-           "and the force meant in mm and N?";
+           " % of the body's height towards its held face, which no body survives: gaps and motions "
+           "are in mm, forces in N";
   if (checks.cover < least_cover)
     return "the body has slid so far that only " + to_text(std::round(percent * checks.cover)) +
            " % of the contact lie on the lower body, and 90 % must: let it slide less far, or take a larger "
