@@ -8,6 +8,7 @@ directions is no friction. p are the semi-axes of the slip ellipse, in the same 
 p = mu, the associated slip rule. Arrays that are no numbers, or have another shape, raise ValueError."""
 import dataclasses
 import enum
+import warnings
 
 import numpy as np
 
@@ -29,7 +30,7 @@ class Report:
     residual: of the natural map, relative to the forces. worst_node: the one with the largest part of it. verdict:
     converged, slow, rounding, cycling or diverged. law_errors: {penetration, complementarity, friction_cone, slip_rule:
     number}, the law in its own terms, relative. trace: (k, 4), a row for each residual that the solver has evaluated:
-    iterations, residual, norm of the forces (N), seconds."""
+    iterations, residual, norm of the forces (N), seconds. notes: sentences on what rounding in W had to be overlooked."""
     converged: bool
     iterations: int
     residual: float
@@ -37,6 +38,7 @@ class Report:
     verdict: str
     law_errors: dict
     trace: np.ndarray
+    notes: tuple = ()
 
 
 @dataclasses.dataclass(frozen=True)
@@ -72,6 +74,9 @@ def solve(W, q, mu, p=None, *, method="newton", tolerance=1e-10, maximum_iterati
     semi-axes of the slip ellipse; None is p = mu. method: a word of methods(). tolerance: of Report.residual.
     maximum_iterations: for the whole problem. start: (n, 3) or (3 n,), N, the forces to start from.
 
+    Where rounding has left W a little unsymmetric or indefinite, as single precision does, its symmetric part is taken.
+    Report.notes and a warning say so.
+
     W is used where it is, if it is contiguous and float64. `newton` and `plain-newton` make a copy in single precision, or
     of 16 bits where it is large, for their linear systems. Up to 200 nodes a factorization of a copy checks W before all
     else. A W with directions in which nodes cannot move is copied, too. If W is singular, forces may not exist, and need
@@ -91,6 +96,8 @@ def solve(W, q, mu, p=None, *, method="newton", tolerance=1e-10, maximum_iterati
     force, displacement, status, report = _contact.solve(W, q, _laws(mu, p, n), start, method, tolerance,
                                                          int(maximum_iterations))
     solution = Solution(force, displacement, status[:, 0].astype(int), Report(**report))
+    for note in solution.report.notes:
+        warnings.warn(note, stacklevel=2)
     if not solution.report.converged:
         raise NotConverged(f"{method}: {solution.report.verdict}, residual {solution.report.residual:.2g} after "
                            f"{solution.report.iterations} iterations, tolerance {tolerance:g}", solution)

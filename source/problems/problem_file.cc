@@ -6,6 +6,7 @@
 #include "hdf5_file.h"
 
 #include <cmath>
+#include <stdexcept>
 
 namespace orthocone
 {
@@ -125,19 +126,20 @@ void check_agreement(const Hdf5File &file, const FclibScale &scale)
 }
 
 /// Makes W exactly symmetric if it is symmetric up to rounding. Throws FileError if it is not.
-void make_symmetric(const Hdf5File &file, MatrixXd &w)
+void make_symmetric(const Hdf5File &file, ContactProblem &problem)
 {
-  constexpr double rounding = 1e-8;
-  const VectorXd scale = w.diagonal().cwiseAbs().cwiseSqrt();
-  const double least = rounding * rounding * scale.maxCoeff() * scale.maxCoeff();
-  for (Index j = 0; j < w.cols(); ++j)
-    for (Index i = 0; i < j; ++i)
-    {
-      if (std::abs(w(i, j) - w(j, i)) > std::max(least, rounding * scale[i] * scale[j]))
-        file.fail(local +
-                  "/W is not symmetric, and there is no group orthocone with the law that makes it so");
-      w(i, j) = w(j, i) = (w(i, j) + w(j, i)) / 2;
-    }
+  const DenseView w(problem.w.data(), problem.w.rows(), problem.w.cols());
+  try
+  {
+    problem.mirrored = mirror_difference(w);
+  }
+  catch (const std::invalid_argument &error)
+  {
+    file.fail(
+        std::string(error.what()) +
+        ". (A slip rule that is not associated makes it so, too: then the group orthocone has the law)");
+  }
+  problem.w = symmetric_part(w);
 }
 
 /// Reads u = W r + V l + q with V^T r + R l + s = 0, and eliminates l where R resists (docs/theory.md,
@@ -227,7 +229,7 @@ ContactProblem read_problem(const std::string &name)
       scale.displacement.cwiseInverse().asDiagonal() * problem.w * scale.force.cwiseInverse().asDiagonal();
   problem.q = problem.q.cwiseQuotient(scale.displacement).eval();
   problem.face = scale.displacement.cwiseInverse().asDiagonal() * problem.face;
-  make_symmetric(file, problem.w);
+  make_symmetric(file, problem);
   return problem;
 }
 

@@ -14,6 +14,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iomanip>
+#include <memory>
 #include <new>
 #include <optional>
 #include <sstream>
@@ -99,7 +100,8 @@ Values values_of(const SolveOptions &options, const ContactProblem &problem, con
                 {"penetration", short_text(report.law.penetration)},
                 {"complementarity", short_text(report.law.complementarity)},
                 {"friction_cone", short_text(report.law.friction_cone)},
-                {"slip_rule", short_text(report.law.slip_rule)}};
+                {"slip_rule", short_text(report.law.slip_rule)},
+                {"w_asymmetry", short_text(problem.mirrored.largest)}};
   if (answer.stored)
   {
     values.emplace_back("stored_u_error", short_text(answer.stored->displacement));
@@ -118,20 +120,22 @@ void print_contradictions(const StoredErrors &stored, std::ostream &out)
     out << "The stored multipliers (solution/l) do not obey the constraints.\n";
 }
 
-void print(const SolveOptions &options, const ContactProblem &problem, const Answer &answer,
-           std::ostream &out)
+void print(const SolveOptions &options, const ContactProblem &problem, const GivenCompliance &given,
+           const Answer &answer, std::ostream &out)
 {
   const Values values = values_of(options, problem, answer);
   if (options.is_csv)
     return print_csv(values, out);
   for (const auto &[name, value] : values)
     out << std::left << std::setw(17) << name << value << '\n';
+  for (const std::string &note : given.notes())
+    out << note << '\n';
   if (answer.stored)
     print_contradictions(*answer.stored, out);
 }
 
 /// W as it may be used. Forces in the file may press where a node cannot move: they are judged by W itself.
-DenseCompliance compliance_of(const SolveOptions &options, const ContactProblem &problem)
+GivenCompliance compliance_of(const SolveOptions &options, const ContactProblem &problem)
 {
   const DenseView w(problem.w.data(), problem.w.rows(), problem.w.cols());
   try
@@ -139,9 +143,9 @@ DenseCompliance compliance_of(const SolveOptions &options, const ContactProblem 
     if (problem.face.cols() > 0 && !immobile_directions(w).empty())
       throw std::invalid_argument("W has zeros on its diagonal beside constraints: not known here");
     if (!options.is_stored)
-      return given_compliance(w, problem.q);
-    check_compliance(w);
-    return DenseCompliance(w);
+      return given_compliance(w, problem.q, problem.mirrored);
+    const double indefiniteness = check_compliance(w, problem.mirrored);
+    return {std::make_unique<DenseCompliance>(w), problem.mirrored.largest, indefiniteness};
   }
   catch (const std::invalid_argument &error)
   {
@@ -184,12 +188,12 @@ ExitCode solve(const SolveOptions &options, std::ostream &out)
   ContactProblem problem = read_problem(options.file);
   set_laws(options, problem.laws);
   const BlasThreads threads(problem.q.size());
-  const DenseCompliance compliance = compliance_of(options, problem);
+  const GivenCompliance given = compliance_of(options, problem);
   Answer found;
   std::vector<double> seconds;
   for (unsigned int i = 0; i < options.n_repeats; ++i)
   {
-    found = answer(options, problem, compliance);
+    found = answer(options, problem, *given.compliance);
     seconds.push_back(found.seconds);
   }
   const auto middle = seconds.begin() + static_cast<std::ptrdiff_t>(seconds.size() / 2);
@@ -197,7 +201,7 @@ ExitCode solve(const SolveOptions &options, std::ostream &out)
   found.seconds = *middle;
   if (options.is_stored)
     found.stored = stored_errors(options.file);
-  print(options, problem, found, out);
+  print(options, problem, given, found, out);
   if (!options.write.empty())
     write_problem(problem, found.solution, options.write);
   return found.report.converged ? ExitCode::done : ExitCode::unsolved_step;

@@ -9,6 +9,7 @@
 
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
+#include <pybind11/stl.h>
 
 namespace py = pybind11;
 
@@ -21,7 +22,7 @@ using Laws = std::vector<OrthotropicFriction>;
 
 DenseView matrix_view(const py::array_t<double> &w)
 {
-  return {w.data(), w.shape(0), w.shape(1)}; // symmetric: either order of its entries is the same
+  return {w.data(), w.shape(0), w.shape(1)}; // only its symmetric part counts, the same in either order
 }
 
 Eigen::Map<const Eigen::VectorXd> vector_view(const Array &array)
@@ -137,11 +138,13 @@ py::tuple solve(const py::array_t<double> &w, const Array &q, const Array &laws,
   Eigen::VectorXd force = vector_view(start);
   Eigen::VectorXd displacement, status(force.size() / 3);
   SolverReport report;
+  std::vector<std::string> notes;
   const DenseView view = matrix_view(w);
   {
     const py::gil_scoped_release release;
-    const DenseCompliance compliance = given_compliance(view, vector_view(q));
-    const ContactSystem system(compliance, to_laws(laws));
+    const GivenCompliance given = given_compliance(view, vector_view(q));
+    notes = given.notes();
+    const ContactSystem system(*given.compliance, to_laws(laws));
     const ContactStep step(system, vector_view(q));
     report = make_contact_solver(system, options)->solve(step, force);
     displacement = step.displacement(force);
@@ -149,8 +152,10 @@ py::tuple solve(const py::array_t<double> &w, const Array &q, const Array &laws,
     for (Index node = 0; node < step.n_nodes(); ++node)
       status[node] = static_cast<int>(statuses[node]);
   }
+  py::dict of_report = to_dict(report);
+  of_report["notes"] = py::tuple(py::cast(notes));
   return py::make_tuple(to_rows(std::move(force), 3), to_rows(std::move(displacement), 3),
-                        to_rows(std::move(status), 1), to_dict(report));
+                        to_rows(std::move(status), 1), of_report);
 }
 } // namespace
 

@@ -203,6 +203,27 @@ class SolveTest(unittest.TestCase):
             with self.subTest(words), self.assertRaisesRegex(ValueError, words):
                 solve(W, q, 0.3, **options)
 
+    def test_rounded_matrix(self):
+        """A rigid block whose W another program computed in single precision is solved as its symmetric part is, in either
+        order of the entries, and not without a word. More than rounding is refused."""
+        x, y = (c.ravel() for c in np.meshgrid([-1, 1], [-1, 0.5]))
+        H = np.zeros((12, 6))
+        H[0::3, 0], H[0::3, 3], H[0::3, 4] = 1, y, -x
+        H[1::3, 1], H[1::3, 4], H[1::3, 5] = 1, -0.4, -y
+        H[2::3, 2], H[2::3, 3], H[2::3, 5] = 1, 0.4, x
+        W, q = H @ np.diag([1, 1, 1, 3, 3, 2]) @ H.T, H @ [-1, 0.1, 0.05, 0.1, 0.02, 0.1]
+        tilted = W + 5e-5 * np.random.default_rng(1).uniform(-1, 1, W.shape)
+        for matrix in (tilted, np.asfortranarray(tilted)):
+            with self.assertWarnsRegex(UserWarning, "symmetric part"):
+                rounded = solve(matrix, q, 0.4)
+            self.assertRegex(rounded.report.notes[0], "W is not symmetric: .* symmetric part")
+            d = q + ((tilted + tilted.T) / 2) @ rounded.force.ravel()
+            np.testing.assert_allclose(rounded.displacement.ravel(), d, atol=1e-12)
+            np.testing.assert_allclose(H.T @ rounded.force.ravel(), H.T @ solve(W, q, 0.4).force.ravel(), atol=1e-3)
+        self.assertEqual(solve(W, q, 0.4).report.notes, ())
+        with self.assertRaisesRegex(ValueError, r"not symmetric: mirror images of nodes .* give \(W \+ W\^T\)/2"):
+            solve(W + 0.02 * np.triu(W), q, 0.4)
+
     def test_matrix_is_not_copied(self):
         """The largest memory of a process that solves, beyond that of a small problem. Newton's methods make a copy in
         single precision, half as large as the matrix."""

@@ -119,6 +119,22 @@ class ProblemTest(unittest.TestCase):
         row = self.row("problem", "--write", self.folder / "written")
         self.assertLess(float(row["fclib_error"]), 1e-8)
 
+    def test_rounded_matrix(self):
+        """Rounding of single precision is borne and named, in the text and in the table."""
+        W, q = rigid_block(3)
+        tilted = W + 5e-5 * np.random.default_rng(1).uniform(-1, 1, W.shape)
+        fclib_files.write(self.folder / "tilted", tilted, q, np.full(9, 0.4))
+        fclib_files.write(self.folder / "symmetric", W, q, np.full(9, 0.4))
+        asymmetry = float(self.row("tilted", "--write", self.folder / "written")["w_asymmetry"])
+        self.assertGreater(asymmetry, 1e-6)
+        self.assertLess(asymmetry, 1e-4)
+        self.assertEqual(float(self.row("symmetric")["w_asymmetry"]), 0)
+        read = fclib_files.Read(self.folder / "written")
+        np.testing.assert_allclose(read.W, (tilted + tilted.T) / 2, rtol=1e-15)
+        self.assertLess(read.error, 1e-8)
+        self.assertRegex(self.solve("tilted").stdout, r"\nW is not symmetric: .* symmetric part is taken\.\n")
+        self.assertNotIn("symmetric", self.solve("symmetric").stdout)
+
     def test_rigid_body_between_walls(self):
         """They are too close for it. Forces that grow without bound are no solution."""
         H = np.zeros((6, 3))
@@ -231,7 +247,7 @@ class ProblemTest(unittest.TestCase):
         for name, expression in (("none", "cannot be opened: No such file"), ("text", "is not an HDF5 file"),
                                  ("cut", "truncated or damaged"), ("foreign", "there is no problem of FCLIB"),
                                  ("nameless", "there is no array"), ("plane", "2 dimensions; allowed are 3"),
-                                 ("tilted", "W is not symmetric"), ("negative", "friction of node 0 is"),
+                                 ("tilted", r"W is not symmetric: .* give \(W \+ W\^T\)/2"), ("negative", "friction of node 0 is"),
                                  ("hollow", "on its diagonal; allowed"),
                                  ("indefinite", "W is indefinite: there are forces"), ("nan", "q has entries that are no numbers"),
                                  ("singular", "R is singular"), ("double", "the laws of the group orthocone make it"),

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <orthocone/contact/law/friction_law.h>
+#include <orthocone/surface/mirror_images.h>
 
 #include <Eigen/Dense>
 
@@ -21,6 +22,7 @@ struct ContactProblem
   Eigen::MatrixXd face;                  ///< 3 n x m: FreeFace's motions; no columns: no face is free
   Eigen::VectorXd balance{};             ///< m: what face^T r must be, N
   std::string title{};
+  MirrorDifference mirrored{}; ///< of the W in the file, whose symmetric part w is
 };
 
 /// Forces and displacements that solve a problem.

@@ -12,8 +12,9 @@
 namespace orthocone
 {
 /// Reads a local three-dimensional problem. Equality constraints that resist (R in FCLIB) are eliminated;
-/// those that do not are a free face. Throws FileError if this is no such file, if it is inconsistent, or if
-/// its W is not symmetric and the file lacks the law that makes it symmetric.
+/// those that do not are a free face. Of a W that is not quite symmetric the symmetric part is taken. Throws
+/// FileError if this is no such file, if it is inconsistent, or if its W is not symmetric beyond rounding
+/// (mirror_difference()), and the file lacks the law that makes it symmetric.
 ContactProblem read_problem(const std::string &file);
 
 /// The solution in a file, in the problem's own scale; nothing if the file has none. It has the motions of a
