@@ -58,7 +58,7 @@ void Log::start_steps(const unsigned int n_done, const LoadSteps &steps)
 {
   n_done_ = n_done;
   n_steps_ = steps.size();
-  motion_text_ = MotionText(steps);
+  motion_text_ = MotionText(steps.different());
   watch_ = Stopwatch();
 }
 

@@ -40,11 +40,10 @@ bool is_driven(const LoadStep &step, const unsigned int component)
 }
 } // namespace
 
-MotionText::MotionText(const LoadSteps &steps)
+MotionText::MotionText(const std::vector<LoadStep> &steps)
 {
-  const std::vector<LoadStep> &different = steps.different();
   for (unsigned int component = 0; component < n_rigid_components; ++component)
-    if (std::any_of(different.begin(), different.end(),
+    if (std::any_of(steps.begin(), steps.end(),
                     [&](const LoadStep &step) { return is_driven(step, component); }))
       moving_.push_back(component);
 }

@@ -14,7 +14,7 @@ namespace orthocone
 class MotionText
 {
 public:
-  explicit MotionText(const LoadSteps &steps = {});
+  explicit MotionText(const std::vector<LoadStep> &steps = {});
 
   /// The text of a step, with `between` between name and value.
   std::string operator()(const LoadStep &step, const std::string &between = " ") const;

@@ -178,8 +178,7 @@ TEST(Forces, AreNotBlamedByMethodsForStudy)
     parameters.load.legs = {leg_of({{z, force, -1e5}}, 1)};
     const TestScene scene(parameters);
     ContactState state = scene.state;
-    const SolverReport report =
-        StepSolver(scene.scene).solve(state, LoadProgram(parameters.load).steps().front());
+    const SolverReport report = StepSolver(scene.scene).solve(state, LoadProgram(parameters.load).steps()[0]);
     EXPECT_TRUE(report.converged || report.verdict != Verdict::unbalanced) << method;
   }
 }
