@@ -90,8 +90,8 @@ class SizeTest(unittest.TestCase):
     def test_tests_lie_where_their_sources_do(self):
         """Those of whole scenes and of laws in headers are named after what they show."""
         of_topics = {
-            "body/backends/curved_held_face", "body/fe/rates", "body/shapes/bad_mesh_files", "contact/law/frictionless", "contact/law/projection",
-            "contact/law/slip_rule", "contact/solvers/elastic_layer", "contact/solvers/failures", "multigrid/hanging_nodes",
+            "body/backends/curved_held_face", "body/fe/projected_pressure", "body/fe/rates", "body/shapes/bad_mesh_files",
+            "contact/law/frictionless", "contact/law/projection", "contact/law/slip_rule", "contact/solvers/elastic_layer", "contact/solvers/failures", "multigrid/hanging_nodes",
             "results/axisymmetric", "results/forces", "results/gaps", "results/half_space",
             "results/imported", "results/lower_body", "results/path_dependence", "results/physics", "results/symmetry",
             "results/wear"}
