@@ -5,6 +5,8 @@
 #include <orthocone/base/errors.h>
 #include <orthocone/base/text.h>
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <cstdlib>
 #include <map>
@@ -47,12 +49,38 @@ public:
     return value;
   }
 
+  /// A whole number within bounds, both allowed.
+  long whole_between(const long least, const long most)
+  {
+    const char *const from = next();
+    const long value = whole();
+    if (value < least || value > most)
+      fail_at(from, "a whole number from " + std::to_string(least) + " to " + std::to_string(most));
+    return value;
+  }
+
+  /// The number of a node or an element.
+  long number_of_thing() { return whole_between(1, largest_number); }
+
+  /// The number of an entity, or of a physical group, which may have a sign.
+  long number_of_group() { return whole_between(-largest_number, largest_number); }
+
+  long dimension() { return whole_between(0, 3); }
+
+  /// Passes the least and the largest number of nodes or elements.
+  void skip_range()
+  {
+    whole_between(0, largest_number);
+    whole_between(0, largest_number);
+  }
+
+  /// How many things follow: never more than there are letters.
   std::size_t count()
   {
     const char *const from = next();
     const long value = whole();
-    if (value < 0)
-      fail_at(from, "a number of things");
+    if (value < 0 || static_cast<std::size_t>(value) > text_.size())
+      fail_at(from, "a number of things that the section has");
     return static_cast<std::size_t>(value);
   }
 
@@ -95,6 +123,9 @@ private:
                        " has less than it says: the file is cut off or damaged; write it anew with gmsh");
     return text_.c_str() + place_;
   }
+
+  /// Gmsh's numbers are int, and a reader that finds a larger one in its stream may never end.
+  static constexpr long largest_number = 2147483647;
 
   std::string path_;
   std::string section_;

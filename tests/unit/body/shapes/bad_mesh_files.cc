@@ -66,6 +66,11 @@ TEST(BadMeshFile, BrokenTextsAreRefused)
   expect_rejected(broken_sections());
 }
 
+TEST(BadMeshFile, NumbersOfWhatIsNotThereAreRefused)
+{
+  expect_rejected(wrong_numbers());
+}
+
 TEST(BadMeshFile, BrokenMeshesAreRefused)
 {
   // deal.II's assertions would end a debug build where its reader refuses what does not fit together.

@@ -157,6 +157,32 @@ inline std::vector<Row> broken_sections()
   };
 }
 
+/// Elements of nodes that are not there, of a group that nobody asks for, and numbers that no int holds.
+inline std::vector<Row> wrong_numbers()
+{
+  const auto face_of = [](const std::string &node)
+  {
+    const std::string good = good_mesh().text(), last = "\n32 3 2 ";
+    const std::string rest = good.substr(good.find(last) + 1);
+    return replaced(good, rest.substr(0, rest.find('\n')), "32 3 2 99 1 1 2 3 " + node);
+  };
+  const std::string missing = ", which is not in section $Nodes: the file is damaged", large = "2147483648";
+  const std::string bound = " to 2147483647";
+  std::vector<Row> rows;
+  for (const char *const node : {"28", "0", "-1", "2147483648", "99999999999999999999"})
+    rows.push_back({node, face_of(node), missing});
+  rows.push_back({"4.1: no such node", replaced(good_41, "1 1 2 3 4\n", "1 1 2 3 9\n"), "node 9" + missing});
+  rows.push_back({"4.1: large node", replaced(good_41, "\n8\n0 0 0", "\n" + large + "\n0 0 0"), bound});
+  rows.push_back({"4.1: large entity", replaced(good_41, "3 1 0 8", "3 4294967297 0 8"), bound});
+  rows.push_back(
+      {"4.1: large entity of a face", replaced(good_41, "2 1 3 1\n", "2 " + large + " 3 1\n"), bound});
+  rows.push_back({"4.1: large element", replaced(good_41, "1 1 2 3 4\n", large + " 1 2 3 4\n"), bound});
+  rows.push_back({"4.1: large group", replaced(good_41, "2 0 1 1 0\n", "2 0 1 " + large + " 0\n"), bound});
+  rows.push_back({"4.1: elements too few", replaced(good_41, "\n3 3 1 3\n", "\n3 9 1 3\n"),
+                  "has 3 elements: allowed are the 9"});
+  return rows;
+}
+
 /// Elements that the program does not take.
 inline std::vector<Row> broken_meshes()
 {
