@@ -160,6 +160,7 @@ void QuasiStaticProblem::end_cycle(const CycleRow &row, ContactState &state)
     jumped.max_accumulated_slip = totals_.max_accumulated_slip;
     jumped.worn_volume = totals_.worn_volume;
     jumped.max_wear_depth = totals_.max_wear_depth;
+    record_.add_jump(jumped);
     output_.write(jumped);
     log_.line(describe_jump(jumped, cycles_.memory(), parameters_.load.jump_when_periodic));
   }

@@ -2,10 +2,9 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/march/contact_state.h>
 
-#include <orthocone/base/numbers.h>
+#include <orthocone/march/touching.h>
 
 #include <algorithm>
-#include <cmath>
 
 namespace orthocone
 {
@@ -27,13 +26,6 @@ ContactState::ContactState(const NodeVector &gaps)
 
 namespace
 {
-/// Share of the step in which a node that ends with a gap touched the plane, if its normal force fell
-/// linearly from `before` to the force that would pull the gap shut (docs/theory.md, section 4).
-double share_in_contact(const double before, const double gap, const double compliance)
-{
-  return before > 0 ? before / (before + std::max(gap, 0.) / compliance) : 0;
-}
-
 /// To be called with the status at the end of a step, and the slip at its beginning still in the state.
 void remember_stick(ContactState &state, const Index node, const Vector2d &change)
 {
@@ -73,34 +65,29 @@ double slip_since_stick(const ContactState &state, const Index node)
 void advance(ContactState &state, const ContactStep &step, const VectorXd &opening, const VectorXd &unknowns,
              const RigidMotion &motion, const WearLaw &wear)
 {
-  state.found_depth = state.wear_depth;
+  const ContactState before = state;
   // The displacement is (gap, change of slip), relative to the last step.
   const NodeVector d = step.displacement(unknowns);
-  const NodeVector force = unknowns.head(d.size());
-  const std::vector<NodeStatus> statuses = step.statuses(unknowns, d);
+  state.force = unknowns.head(d.size());
+  state.status = step.statuses(unknowns, d);
+  state.found_depth = before.wear_depth;
+  state.motion = motion;
   for (Index node = 0; node < state.n_nodes(); ++node)
   {
     const Vector2d change = d.segment<2>(3 * node + 1);
-    const bool was_open = state.status[node] == NodeStatus::open;
-    state.status[node] = statuses[node];
-    const bool is_open = state.status[node] == NodeStatus::open;
-    if (!was_open || !is_open)
-      state.accumulated_slip[node] += change.norm();
-    const double share = is_open ? share_in_contact(state.force[3 * node], d[3 * node], opening[node]) : 1;
-    // A node that sticks has no slip: what the solver's tolerance leaves may have any direction.
-    if (state.status[node] != NodeStatus::stick)
-    {
-      const double dissipated =
-          share * dissipation(state.force.segment<2>(3 * node + 1), force.segment<2>(3 * node + 1), change);
-      state.dissipated_energy[node] += dissipated;
-      const double normal_force = share * 0.5 * (state.force[3 * node] + force[3 * node]);
-      state.wear_depth[node] += wear.depth(node, {normal_force, change.norm(), dissipated});
-    }
     remember_stick(state, node, change);
     state.displacement[3 * node] = d[3 * node];
     state.displacement.segment<2>(3 * node + 1) += change;
+    const double share = share_in_contact(before, state, node, opening[node]);
+    state.accumulated_slip[node] += share * change.norm();
+    // A node that sticks has no slip: what the solver's tolerance leaves may have any direction.
+    if (state.status[node] == NodeStatus::stick)
+      continue;
+    const double dissipated = share * dissipation(before.force.segment<2>(3 * node + 1),
+                                                  state.force.segment<2>(3 * node + 1), change);
+    const double normal_force = share * 0.5 * (before.force[3 * node] + state.force[3 * node]);
+    state.dissipated_energy[node] += dissipated;
+    state.wear_depth[node] += wear.depth(node, {normal_force, change.norm(), dissipated});
   }
-  state.force = force;
-  state.motion = motion;
 }
 } // namespace orthocone

@@ -4,6 +4,7 @@
 
 #include <orthocone/body/node_compliance.h>
 #include <orthocone/march/coarser_march.h>
+#include <orthocone/march/touching.h>
 
 #include <algorithm>
 #include <utility>
@@ -201,10 +202,12 @@ void StepSolver::accept_unknowns(ContactState &state, const Attempt &attempt, co
       motion[i] = state.motion[i]; // zero where symmetry holds the component
   for (std::size_t j = 0; j < attempt.components.size(); ++j)
     motion[attempt.components[j]] = motions[static_cast<Index>(j)];
-  const Wrench before = scene_.held_wrench(state.force);
-  const RigidMotion way{motion.components - state.motion.components};
+  const ContactState before = state;
+  const RigidMotion way{motion.components - before.motion.components};
   advance(state, attempt.problem, opening_, unknowns, motion, wear_);
-  state.work += 0.5 * (before.work(way) + scene_.held_wrench(state.force).work(way));
+  state.work +=
+      0.5 * (scene_.held_wrench(before.force).work(way) + scene_.held_wrench(state.force).work(way)) +
+      scene_.symmetry().n_copies() * work_without_contact(before, state, opening_);
 }
 
 SolverReport StepSolver::solve_to(ContactState &state, const Attempt &attempt, VectorXd unknowns,

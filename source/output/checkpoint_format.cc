@@ -28,7 +28,8 @@ Json row_json(const CycleRow &row)
 {
   return {{"cycle", row.cycle},       {"peak_force_z", row.peak_force_z},
           {"max_slip", row.max_slip}, {"last_step", row.last_step},
-          {"work", row.work},         {"iterations", row.iterations}};
+          {"work", row.work},         {"into_wear", row.into_wear},
+          {"missing", row.missing},   {"iterations", row.iterations}};
 }
 
 /// The values that add up in a cycle; the rest of the row is known only at its end.
@@ -40,6 +41,8 @@ CycleRow row_from(const Json &json)
   row.peak_force_z = number_from(json.at("peak_force_z"));
   row.max_slip = number_from(json.at("max_slip"));
   row.work = number_from(json.at("work"));
+  row.into_wear = number_from(json.at("into_wear"));
+  row.missing = number_from(json.at("missing"));
   row.iterations = count_from(json.at("iterations"));
   return row;
 }
@@ -154,7 +157,7 @@ Json record_json(const RunRecord &record)
           {"slip_of_change", record.slip_of_change},
           {"motion", {record.flattening, record.pressure_of_modulus, record.slide_of_face}},
           {"zones", zones_json(record.zones)},
-          {"energies", {record.work, record.dissipation, record.missing}},
+          {"energies", {record.work, record.dissipation, record.missing, record.into_wear, record.stored}},
           {"peaks", {record.peaks.slip, record.peaks.pressure, record.peaks.force_z}},
           {"accuracy", accuracy_json(record.accuracy)},
           {"step_accuracy", steps_json(record.steps)},
@@ -181,6 +184,8 @@ RunRecord record_from(const Json &json)
   record.work = number_from(energies.at(0));
   record.dissipation = number_from(energies.at(1));
   record.missing = number_from(energies.at(2));
+  record.into_wear = number_from(energies.at(3));
+  record.stored = number_from(energies.at(4));
   const Json &peaks = json.at("peaks");
   record.peaks = {peaks.at(0), peaks.at(1), peaks.at(2)};
   record.accuracy = accuracy_from(json.at("accuracy"));

@@ -162,7 +162,10 @@ OrderedJson energy_json(const RunRecord &record)
 {
   return {{"work_Nmm", record.work},
           {"dissipation_Nmm", record.dissipation},
+          {"stored_Nmm", record.stored},
+          {"into_wear_Nmm", record.into_wear},
           {"missing_Nmm", record.missing},
+          {"missing_percent_of_largest_energy", 100 * relative(record.missing, record.energy_scale())},
           {"missing_percent_of_dissipation", 100 * relative(record.missing, record.dissipation)}};
 }
 

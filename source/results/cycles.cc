@@ -120,6 +120,8 @@ std::optional<CycleRow> CycleWatch::add_step(const LoadStep &step, const Contact
   }
   row.max_slip = std::max(row.max_slip, totals.max_slip);
   row.work += solved.checks.work;
+  row.into_wear += solved.checks.into_wear;
+  row.missing += solved.checks.energy_defect * solved.checks.energy;
   row.iterations += solved.report.iterations;
   if (step.phase + 1 < n_steps_)
     return std::nullopt;
@@ -189,6 +191,8 @@ CycleRow CycleWatch::jump_cycles(ContactState &state, const unsigned int n)
   row.last_step = state.step;
   row.accumulated_slip *= n;
   row.work *= n;
+  row.into_wear *= n;
+  row.missing *= n;
   row.iterations = 0;
   return row;
 }

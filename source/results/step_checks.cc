@@ -5,6 +5,7 @@
 #include <orthocone/base/numbers.h>
 #include <orthocone/base/text.h>
 #include <orthocone/body/node_compliance.h>
+#include <orthocone/march/touching.h>
 #include <orthocone/scene/load_program.h>
 
 #include <algorithm>
@@ -93,6 +94,7 @@ double work_into_wear(const ContactState &before, const ContactState &after)
             (after.found_depth[node] - before.found_depth[node]);
   return work;
 }
+
 /// Includes the lower body under the same forces, and the part of its displacements in the gap and slip.
 void include(BodyMismatch &mismatch, const LowerBody &lower, const NodeVector &force,
              const NodeVector &given_way, const double bound)
@@ -163,7 +165,9 @@ StepChecks StepChecker::check(const Situation &before, const Situation &after, c
   const double work_first = work_of(before.totals, before.state.motion, after.state.motion);
   const double work_last = work_of(after.totals, before.state.motion, after.state.motion);
   const double in_one = 0.5 * (work_first + work_last);
-  checks.work = report.n_parts > 1 ? after.state.work - before.state.work : in_one;
+  checks.work = report.n_parts > 1
+                    ? after.state.work - before.state.work
+                    : in_one + n_copies_ * work_without_contact(before.state, after.state, opening_);
   // Dissipation must not be in the scale, because it is large if it is wrong.
   checks.energy =
       std::max({largest_energy, after.totals.elastic_energy, std::abs(work_first), std::abs(work_last)});
@@ -171,9 +175,9 @@ StepChecks StepChecker::check(const Situation &before, const Situation &after, c
   if (report.n_parts == 1)
     identity = std::max(identity, n_copies_ * impossible_dissipation(before.state, after.state));
   checks.energy_identity = relative(identity, checks.energy);
+  checks.into_wear = n_copies_ * work_into_wear(before.state, after.state);
   const double defect = checks.work - (after.totals.elastic_energy - before.totals.elastic_energy) -
-                        (after.totals.total_dissipation - before.totals.total_dissipation) -
-                        n_copies_ * work_into_wear(before.state, after.state);
+                        (after.totals.total_dissipation - before.totals.total_dissipation) - checks.into_wear;
   checks.energy_defect = relative(std::abs(defect), checks.energy);
   return checks;
 }

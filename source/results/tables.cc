@@ -131,10 +131,14 @@ const Columns<SolvedStep> &checks_columns()
        [](const Step &s) { return s.checks.law.friction_cone; }},
       {"slip_rule", "", "slip in another direction than the rule's, relative",
        [](const Step &s) { return s.checks.law.slip_rule; }},
-      {"work", "N mm", "work of the held face in the step", [](const Step &s) { return s.checks.work; }},
+      {"work", "N mm",
+       "work of the held face, of all its forces and moments, in the step: dissipation + change of "
+       "elastic_energy + what leaves with worn material, but for energy_defect",
+       [](const Step &s) { return s.checks.work; }},
       {"energy_identity", "", "error of what holds for any forces, relative",
        [](const Step &s) { return s.checks.energy_identity; }},
-      {"energy_defect", "", "what the step leaves of the energy balance, relative",
+      {"energy_defect", "",
+       "what the step leaves of the energy balance, relative to the largest energy so far",
        [](const Step &s) { return s.checks.energy_defect; }}};
   return columns;
 }
@@ -196,7 +200,9 @@ const Columns<CycleRow> &cycle_columns()
        [](const Cycle &c) { return c.dissipation; }},
       {"total_dissipation", "N mm", "energy that friction has dissipated since the start",
        [](const Cycle &c) { return c.total_dissipation; }},
-      {"work", "N mm", "work of the held face in the cycles of the row",
+      {"work", "N mm",
+       "work of the held face, of all its forces and moments, in the cycles of the row: dissipation + "
+       "change of elastic_energy + what leaves with worn material",
        [](const Cycle &c) { return c.work; }},
       {"change", "", "largest difference of the states at both ends, relative",
        [](const Cycle &c) { return c.change; }},

@@ -158,6 +158,12 @@ class PeriodicTest(CyclesTest):
                 summary = self.summary("jumped")
                 self.assertEqual(summary["steps"]["solved"], len(steps))
                 self.assertEqual(summary["cycles"]["jumped_steps"], CYCLES * STEPS - len(steps))
+                # One definition of the energies of a run: that of all cycles, whether computed or jumped.
+                energy = summary["energy"]
+                self.assertAlmostEqual(energy["dissipation_Nmm"] / last["total_dissipation"], 1, delta=1e-9)
+                self.assertAlmostEqual(energy["work_Nmm"] / sum(row["work"] for row in rows), 1, delta=1e-9)
+                rest = energy["work_Nmm"] - energy["dissipation_Nmm"] - energy["stored_Nmm"]
+                self.assertLessEqual(abs(rest), energy["missing_Nmm"] * (1 + 1e-6) + 1e-6)
                 # A jump is no step: nothing of it is in the energy balance of the next one.
                 self.assertLess(max(row["energy_defect"] for row in self.numbers("jumped", "checks.csv")[-STEPS:]), 0.05)
                 self.assertIn("; jumps ", self.text("jumped", "log.txt"))

@@ -162,7 +162,7 @@ def ledger(data):
     if np.any(np.diff(data.steps, prepend=0) > 1):
         source += "; cycles that were jumped are not among the rows"
     hint = (f"Work: {source}. Defect = work \u2212 change of elastic energy \u2212 dissipation; it falls with smaller "
-            "steps. Largest energy: stored or dissipated.")
+            "steps, but for the work that leaves with worn material. Largest energy: stored or dissipated.")
     return table(head, rows, "ledger") + note + element("p", hint, "hint")
 
 
@@ -206,7 +206,8 @@ def run_list(runs):
 FRETTING = """<section id="fretting" aria-labelledby="fretting-title">
   <h2 id="fretting-title">Fretting loop</h2>
   <p class="hint">Q and M: tangential force and moment of the top on the body, over its motion. The area of a loop is the
-    work that this motion takes in a cycle.</p>
+    work of this one component in a cycle. It is what friction dissipates where no other component does work, the cycle
+    ends as it began, and nothing wears.</p>
   <div class="grid" id="fretting-loops"></div>
 </section>"""
 WEAR = """<section id="wear" aria-labelledby="wear-title">

@@ -28,11 +28,11 @@ struct ContactState
 
   unsigned int step = 0;
   RigidMotion motion{};    ///< of the held face
-  double work = 0;         ///< of the face, by the trapezoidal rule over all solved parts of steps, N mm
+  double work = 0;         ///< of the face over all solved parts of steps (docs/theory.md, section 4), N mm
   FaceState leg_begin{};   ///< the face when the present leg began
   NodeVector force;        ///< of the plane on the body, N
   NodeVector displacement; ///< relative to the plane (gap, slip), mm
-  Eigen::VectorXd accumulated_slip;  ///< path length of the slip in steps that begin or end in contact, mm
+  Eigen::VectorXd accumulated_slip;  ///< path length of the slip in contact, mm
   Eigen::VectorXd dissipated_energy; ///< N mm
   Eigen::VectorXd wear_depth;        ///< worn off since the start, mm
   Eigen::VectorXd found_depth;       ///< worn before the last step: `displacement` is relative to it, mm
@@ -53,8 +53,9 @@ double dissipation(const Eigen::Vector2d &before, const Eigen::Vector2d &after,
                    const Eigen::Vector2d &change);
 
 /// Enters the solution of a step into the state: displacement, status, accumulated slip, wear, and
-/// dissipation. This is the work of the mean friction force, or of the final one where the slip reverses or
-/// the node lifts off (docs/theory.md, section 4). `opening` is node_compliance() of all nodes.
+/// dissipation. This is the work of the mean friction force, or of the final one where the slip reverses. A
+/// node that closes or lifts off within the step counts for the share in which it touches (docs/theory.md,
+/// section 4). The work of the face is not entered. `opening` is node_compliance() of all nodes.
 void advance(ContactState &state, const ContactStep &step, const Eigen::VectorXd &opening,
              const Eigen::VectorXd &unknowns, const RigidMotion &motion, const WearLaw &wear = {});
 } // namespace orthocone

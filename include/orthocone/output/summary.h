@@ -45,6 +45,12 @@ struct RunRecord
   void add_step(unsigned int step, const Totals &before, const Totals &totals, const SolverReport &report,
                 const StepChecks &checks);
 
+  /// Adds cycles that are jumped.
+  void add_jump(const CycleRow &jumped);
+
+  /// The largest energy that flowed: stored, done in a step, or dissipated in all, N mm.
+  double energy_scale() const;
+
   unsigned int n_iterations = 0;
   unsigned long n_v_cycles = 0; ///< ElasticBody::n_v_cycles() of this run and of those before the checkpoint
   double largest_residual = 0;
@@ -58,9 +64,12 @@ struct RunRecord
   std::pair<double, unsigned int> pressure_of_modulus{0, 0}; ///< MotionChecks::pressure_of_modulus, likewise
   std::pair<double, unsigned int> slide_of_face{0, 0};       ///< MotionChecks::slide_of_face, likewise
   ZoneRecord zones{};
-  double work = 0;        ///< of the upper face in all computed steps, N mm
-  double dissipation = 0; ///< in all computed steps, N mm
-  double missing = 0; ///< sum of |work - change of elastic energy - dissipation| of all computed steps, N mm
+  // Energies of all steps, those of jumped cycles included (docs/theory.md, section 4), N mm.
+  double work = 0;        ///< of the upper face
+  double dissipation = 0; ///< by friction
+  double into_wear = 0;   ///< that left the body with worn material
+  double stored = 0;      ///< elastic energy at the end
+  double missing = 0;     ///< sum of |work - change of elastic energy - dissipation - into_wear| of the steps
   std::optional<AccuracyEstimate> accuracy{}; ///< where Mesh/Accuracy chose the mesh
   std::optional<StepAccuracy> steps{};        ///< where Load program/Accuracy divided the steps
   CriticalFrictionRecord critical_friction{}; ///< of the model, not kept in checkpoints

@@ -39,6 +39,8 @@ struct CycleRow
   double dissipation = 0;          ///< in the cycles of the row, N mm
   double total_dissipation = 0;    ///< at the end, since the start of the run, N mm
   double work = 0;                 ///< of the upper face in the cycles of the row, N mm
+  double into_wear = 0;            ///< the part of it that leaves the body with worn material, N mm
+  double missing = 0;              ///< what the steps leave of the energy balance, N mm
   double change = 0;               ///< change_of_state() of the (last computed) cycle
   unsigned int iterations = 0;     ///< of the contact solver
   double worn_volume = 0;          ///< at the end, mm^3

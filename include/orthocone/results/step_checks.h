@@ -19,10 +19,12 @@ struct StepChecks
 {
   double equilibrium = 0; ///< of the body under the final forces, and with the contact displacements
   LawErrors law;          ///< of the contact law
-  double work = 0;   ///< of the held face, by the trapezoidal rule over the solved parts of the step, N mm
-  double energy = 0; ///< largest so far: stored, or work in a step with a force at either end, N mm
+  double work = 0; ///< of the held face over the solved parts of the step (docs/theory.md, section 4), N mm
+  double into_wear = 0;       ///< the part of it that leaves the body with worn material, N mm
+  double energy = 0;          ///< largest so far: stored, or work in a step with a force at either end, N mm
   double energy_identity = 0; ///< error of an identity of all forces, and impossible dissipation
-  double energy_defect = 0;   ///< work - change of elastic energy - dissipation, relative to `energy`
+  double energy_defect =
+      0; ///< work - change of elastic energy - dissipation - into_wear, relative to `energy`
   double slip_of_change =
       0; ///< largest slip in contact relative to the length over which gap and friction change
   double wear_of_flattening = 0; ///< largest depth worn in the step relative to what the normal force of the
