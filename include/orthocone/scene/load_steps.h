@@ -46,6 +46,8 @@ public:
 
   /// Step `i`, counted from 0.
   LoadStep operator[](std::size_t i) const;
+  LoadStep front() const { return (*this)[0]; }
+  LoadStep back() const { return (*this)[size_ - 1]; }
 
   Iterator begin() const { return {*this, 0}; }
   Iterator end() const { return {*this, size_}; }
