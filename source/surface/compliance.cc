@@ -4,6 +4,8 @@
 
 #include "dense_conditions.h"
 
+#include <orthocone/surface/exact_compliance.h>
+
 #include <stdexcept>
 #include <utility>
 
@@ -35,6 +37,18 @@ std::vector<Eigen::VectorXd> Compliance::settle(const NodeVector &) const
 }
 
 void Compliance::restore(const std::vector<Eigen::VectorXd> &) const {}
+
+Eigen::Vector3d Compliance::displacement_at(const Eigen::Index node, const NodeVector &force) const
+{
+  NodeVector displacement;
+  vmult(displacement, force);
+  return displacement.segment<3>(3 * node);
+}
+
+std::unique_ptr<Compliance> Compliance::on_springs(double) const
+{
+  return nullptr;
+}
 
 double Compliance::softness() const
 {
@@ -104,6 +118,19 @@ void DenseCompliance::vmult(NodeVector &displacement, const NodeVector &force) c
 Eigen::Matrix3d DenseCompliance::diagonal_block(const Eigen::Index node) const
 {
   return matrix_.block<3, 3>(3 * node, 3 * node);
+}
+
+/// W is symmetric, and its columns are contiguous.
+Eigen::Vector3d DenseCompliance::displacement_at(const Eigen::Index node, const NodeVector &force) const
+{
+  return matrix_.middleCols<3>(3 * node).transpose() * force;
+}
+
+std::unique_ptr<Compliance> DenseCompliance::on_springs(const double softness) const
+{
+  Eigen::MatrixXd matrix = matrix_;
+  matrix.diagonal().array() += softness;
+  return std::make_unique<ExactCompliance>(std::move(matrix));
 }
 
 std::unique_ptr<ConditionSolver> DenseCompliance::condition_solver(const double softness) const

@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/surface/given_compliance.h>
 
+#include <orthocone/surface/sparse_compliance.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -194,7 +196,7 @@ GivenCompliance given_compliance(const DenseView &w, const NodeVector &q, const 
   const MirrorDifference here = mirror_difference(w);
   if (here.largest > 0)
   {
-    auto own = std::make_unique<DenseCompliance>(symmetric_part(w));
+    auto own = compliance_of_matrix(symmetric_part(w));
     GivenCompliance given = given_compliance(*own->dense(), q, here);
     if (given.compliance->dense()->data() == own->dense()->data())
       given.compliance = std::move(own);
@@ -204,7 +206,7 @@ GivenCompliance given_compliance(const DenseView &w, const NodeVector &q, const 
   const std::vector<Index> directions = immobile_directions(w);
   if (directions.empty())
   {
-    given.compliance = std::make_unique<DenseCompliance>(w);
+    given.compliance = compliance_of_matrix(w);
     return given;
   }
   check_immobile(directions, q);
@@ -216,7 +218,7 @@ GivenCompliance given_compliance(const DenseView &w, const NodeVector &q, const 
     const double of_node = w.diagonal().segment<3>(i - i % 3).maxCoeff();
     own(i, i) = of_node > nothing_of(w) ? of_node : w.diagonal().maxCoeff();
   }
-  given.compliance = std::make_unique<DenseCompliance>(std::move(own));
+  given.compliance = compliance_of_matrix(std::move(own));
   return given;
 }
 } // namespace orthocone

@@ -19,6 +19,12 @@ class _Local(ctypes.Structure):
                 ("mu", _DOUBLE), ("q", _DOUBLE), ("s", _DOUBLE), ("spacedim", ctypes.c_int), ("info", ctypes.c_void_p)]
 
 
+class _Global(ctypes.Structure):
+    _fields_ = [("M", ctypes.POINTER(_Matrix)), ("H", ctypes.POINTER(_Matrix)), ("G", ctypes.POINTER(_Matrix)),
+                ("mu", _DOUBLE), ("f", _DOUBLE), ("b", _DOUBLE), ("w", _DOUBLE), ("spacedim", ctypes.c_int),
+                ("info", ctypes.c_void_p)]
+
+
 class _Solution(ctypes.Structure):
     _fields_ = [("v", _DOUBLE), ("u", _DOUBLE), ("r", _DOUBLE), ("l", _DOUBLE)]
 
@@ -65,6 +71,16 @@ def write(path, W, q, mu, kind="columns", V=None, R=None, s=None, spacedim=3, ro
     local = _Local(*[None if matrix is None else ctypes.pointer(matrix) for matrix in matrices], _pointer(mu),
                    _pointer(np.ravel(q)), None if s is None else _pointer(s), spacedim, None)
     written = library().fclib_write_local(ctypes.byref(local), str(path).encode())
+    _KEPT.clear()
+    if written != 1:
+        raise OSError(f"FCLIB does not write {path}")
+
+
+def write_global(path, M, H, f, w, mu, kind="columns", G=None, b=None):
+    """A global problem M v = H r + G l + f, u = H^T v + w, G^T v + b = 0, by FCLIB."""
+    matrices = [None if values is None else ctypes.pointer(_matrix(values, kind)) for values in (M, H, G)]
+    problem = _Global(*matrices, *[None if values is None else _pointer(values) for values in (mu, f, b, w)], 3, None)
+    written = library().fclib_write_global(ctypes.byref(problem), str(path).encode())
     _KEPT.clear()
     if written != 1:
         raise OSError(f"FCLIB does not write {path}")

@@ -58,6 +58,16 @@ public:
   /// W itself where the backend has it, else null.
   virtual const DenseView *dense() const { return nullptr; }
 
+  /// The three entries of W force that belong to one node, mm.
+  virtual Eigen::Vector3d displacement_at(Eigen::Index node, const NodeVector &force) const;
+
+  /// Whether most nodes do not feel each other, so that a sweep over all costs little beside a factorization.
+  virtual bool is_sparse() const { return false; }
+
+  /// The compliance of the same body whose contact nodes hang on springs of this softness (mm/N), W +
+  /// softness I. Its conditions are solved exactly. Null where W is not known.
+  virtual std::unique_ptr<Compliance> on_springs(double softness) const;
+
   /// A solver of linearized contact laws where the backend has one, else null. `softness` is softness(). The
   /// solver must not outlive the compliance.
   virtual std::unique_ptr<ConditionSolver> condition_solver(double softness) const;
@@ -90,6 +100,8 @@ public:
   void vmult(NodeVector &displacement, const NodeVector &force) const override;
   Eigen::Matrix3d diagonal_block(Eigen::Index node) const override;
   const DenseView *dense() const override { return &matrix_; }
+  Eigen::Vector3d displacement_at(Eigen::Index node, const NodeVector &force) const override;
+  std::unique_ptr<Compliance> on_springs(double softness) const override;
   std::unique_ptr<ConditionSolver> condition_solver(double softness) const override;
 
 private:

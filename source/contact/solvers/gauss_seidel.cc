@@ -36,14 +36,13 @@ void GaussSeidel::sweep(const ContactStep &step, Eigen::VectorXd &unknowns, cons
     sweep_with_face(step, unknowns, relaxation);
     return;
   }
-  const DenseView &w = *system_.compliance().dense();
+  const Compliance &compliance = system_.compliance();
   for (Index node = 0; node < step.n_nodes(); ++node)
   {
     const OneNodeProblem &one = nodes_[node];
     const Vector3d old = unknowns.segment<3>(3 * node);
-    // W is symmetric, and its columns are contiguous.
-    const Vector3d others = step.q().segment<3>(3 * node) + w.middleCols<3>(3 * node).transpose() * unknowns -
-                            one.compliance * old;
+    const Vector3d others =
+        step.q().segment<3>(3 * node) + compliance.displacement_at(node, unknowns) - one.compliance * old;
     unknowns.segment<3>(3 * node) = relaxed(one, others, old, relaxation);
   }
 }

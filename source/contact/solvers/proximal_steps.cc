@@ -2,8 +2,6 @@
 // Copyright (C) 2026 the orthocone authors
 #include "proximal_steps.h"
 
-#include <orthocone/surface/exact_compliance.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -32,13 +30,13 @@ struct SystemWithSpring
 {
   SystemWithSpring(const ContactSystem &system, const std::vector<OrthotropicFriction> &laws,
                    const double alpha)
-      : compliance(*system.compliance().dense() +
-                   alpha * MatrixXd::Identity(3 * system.n_nodes(), 3 * system.n_nodes())),
-        with_spring(compliance, laws)
+      : compliance(system.compliance().on_springs(alpha)),
+        with_spring(*compliance, laws)
   {
   }
 
-  ExactCompliance compliance; // Newton's steps must be exact where a small spring alone holds forces
+  // Newton's steps must be exact where a small spring alone holds forces.
+  std::unique_ptr<Compliance> compliance;
   ContactSystem with_spring;
 };
 } // namespace

@@ -134,11 +134,13 @@ void SemismoothNewton::iterate_in_full(NewtonProgress &progress) const
 }
 
 /// Proximal steps, unless sweeps do, which is so for few bodies or good starts. With a hundred nodes all of
-/// the sweeps cost as much as four of Newton's steps. They end where twice as many would not do.
+/// the sweeps cost as much as four of Newton's steps, and with a sparse W five times as many do. They end
+/// where twice as many would not do.
 void SemismoothNewton::solve_singular(NewtonProgress &progress) const
 {
-  constexpr unsigned int most_sweeps = 400, interval = 20;
+  constexpr unsigned int interval = 20;
   const ContactStep &step = progress.step;
+  const unsigned int most_sweeps = step.system().compliance().is_sparse() ? 2000 : 400;
   VectorXd swept = progress.unknowns, improved = progress.unknowns;
   bool is_promising = true;
   for (unsigned int n = interval;

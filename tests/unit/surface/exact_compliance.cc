@@ -2,69 +2,15 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/surface/exact_compliance.h>
 
-#include <gtest/gtest.h>
+#include "some_conditions.h"
 
-#include <array>
+#include <gtest/gtest.h>
 
 namespace orthocone::test
 {
 using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
-
-namespace
-{
-/// Open, slipping and stuck nodes with relations at random.
-ContactConditions some_conditions(const Index n_nodes, const Index n_motions)
-{
-  ContactConditions conditions;
-  for (Index i = 0; i < n_nodes; ++i)
-  {
-    NodeCondition node;
-    node.n_unknowns = std::array<Index, 3>{{3, 2, 0}}[i % 3];
-    node.basis = Eigen::Matrix3d::Random().colwise().normalized();
-    node.rows = node.basis + 0.2 * Eigen::Matrix3d::Random();
-    node.diagonal = node.n_unknowns == 2 ? Eigen::Vector3d(0, 0.7, 0) : Eigen::Vector3d(0, 0, 0);
-    node.right_side.setRandom();
-    if (node.n_unknowns < 3)
-      node.fixed.setRandom();
-    conditions.nodes.push_back(node);
-  }
-  if (n_motions > 0)
-    conditions.face =
-        Eigen::HouseholderQR<MatrixXd>(MatrixXd::Random(3 * n_nodes, n_motions)).householderQ() *
-        MatrixXd::Identity(3 * n_nodes, n_motions);
-  conditions.face_right_side = VectorXd::Random(n_motions);
-  return conditions;
-}
-
-/// Largest error of a change in its conditions, N.
-double error_of(const ContactConditions &conditions, const MatrixXd &w, const ContactChange &change)
-{
-  NodeVector displacement = w * change.force;
-  double error = 0;
-  if (conditions.face.cols() > 0)
-  {
-    displacement += conditions.face * change.face;
-    error = (conditions.face.transpose() * change.force - conditions.face_right_side).norm();
-  }
-  Index place = 0;
-  for (const NodeCondition &node : conditions.nodes)
-  {
-    const Index n = node.n_unknowns;
-    const Eigen::Vector3d force = change.force.segment<3>(place) - node.fixed;
-    const MatrixXd basis = node.basis.leftCols(n);
-    const VectorXd x = n == 0 ? VectorXd(0) : VectorXd(basis.colPivHouseholderQr().solve(force));
-    error = std::max(error, (force - basis * x).norm());
-    if (n > 0)
-      error = std::max(error, (node.rows.leftCols(n).transpose() * displacement.segment<3>(place) +
-                               node.diagonal.head(n).cwiseProduct(x) - node.right_side.head(n))
-                                  .norm());
-    place += 3;
-  }
-  return error;
-}
-} // namespace
 
 /// W holds some directions a million times less than others: single precision would know nothing of them.
 TEST(ExactCompliance, SolvesConditionsToRounding)
