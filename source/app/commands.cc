@@ -6,6 +6,7 @@
 #include "shareable.h"
 
 #include <orthocone/base/memory.h>
+#include <orthocone/base/message.h>
 #include <orthocone/base/text.h>
 #include <orthocone/body/shapes/body_mesh.h>
 #include <orthocone/output/step_problem.h>
@@ -18,7 +19,8 @@ namespace orthocone
 int fail(const ExitCode code, const std::string &message)
 {
   leave_word_to_first_rank();
-  std::cerr << "orthocone: " + message + "\n"; // in one piece, or words of mpirun may get in between
+  std::cerr << shown_message("orthocone: " + message) +
+                   "\n"; // in one piece, or words of mpirun may get in between
   return static_cast<int>(code);
 }
 

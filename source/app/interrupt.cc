@@ -37,7 +37,7 @@ void on_signal(int)
     ::_exit(static_cast<int>(ExitCode::interrupted));
   }
   was_interrupted = 1;
-  print_signal_text("\northocone: stops after this step; the same signal again stops at once\n");
+  print_signal_text("\northocone: stops after this iteration; the same signal again stops at once\n");
   errno = error;
 }
 } // namespace

@@ -9,8 +9,8 @@ namespace orthocone
 /// failed write. A screen that is gone (SIGPIPE) is no reason to stop.
 void catch_signals();
 
-/// From here on the first of these signals asks the program to stop after the present step; a second one ends
-/// it at once.
+/// From here on the first of these signals asks the program to stop after the present iteration; a second one
+/// ends it at once.
 void let_steps_finish();
 
 /// Whether a signal asked to stop.

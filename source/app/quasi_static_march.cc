@@ -47,12 +47,18 @@ bool QuasiStaticProblem::goes_on(const LoadStep &)
     outcome_ = {ExitCode::unsolved_step, too_few_jumps_text(n_computed, steps_.size() - state_.step)};
     return false;
   }
-  if (!any_rank(stop_is_requested()))
+  if (!is_to_stop())
     return true;
   outcome_ = {ExitCode::interrupted, "interrupted after load step " + std::to_string(state_.step) + " of " +
                                          std::to_string(steps_.size()) +
                                          "; the same command with --resume goes on"};
   return false;
+}
+
+/// A signal stops a step between two iterations; --resume begins with the whole step.
+bool QuasiStaticProblem::is_to_stop()
+{
+  return any_rank(stop_is_requested());
 }
 
 void QuasiStaticProblem::failed(const LoadStep &step, const SolverReport &report, const double seconds)

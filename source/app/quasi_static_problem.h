@@ -41,6 +41,7 @@ private:
   void begin(const std::optional<Checkpoint> &checkpoint);
   Outcome march_on();
   bool goes_on(const LoadStep &next) override;
+  bool is_to_stop() override;
   bool accepts(const MarchedStep &marched) override;
   void accepted(ContactState &state) override;
   void failed(const LoadStep &step, const SolverReport &report, double seconds) override;

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
+#include <orthocone/base/message.h>
 #include <orthocone/base/text.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace orthocone
 {
@@ -83,6 +85,16 @@ std::string ending(const std::string &text, const std::size_t most)
     ++first;
   return text.substr(first);
 }
+
+/// A line of a message, without its middle where it is too long.
+std::string fitted_line(const std::string &line)
+{
+  constexpr std::size_t most = 600, most_behind = 250;
+  constexpr const char *gap = " [...] ";
+  const std::string text = escaped(line);
+  const std::size_t most_before = most - most_behind - std::string(gap).size();
+  return text.size() <= most ? text : beginning(text, most_before) + gap + ending(text, most_behind);
+}
 } // namespace
 
 std::string shown(const std::string &text)
@@ -93,5 +105,14 @@ std::string shown(const std::string &text)
 std::string shown_path(const std::string &path)
 {
   return path.size() <= most_bytes ? escaped(path) : "..." + escaped(ending(path, most_bytes));
+}
+
+std::string shown_message(const std::string &text)
+{
+  std::istringstream stream(text);
+  std::string shown;
+  for (std::string line; std::getline(stream, line);)
+    shown += (shown.empty() ? "" : "\n") + fitted_line(line);
+  return shown;
 }
 } // namespace orthocone

@@ -2,12 +2,30 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/march/march.h>
 
+#include <orthocone/base/stop_point.h>
 #include <orthocone/base/stopwatch.h>
 
+#include <optional>
 #include <utility>
 
 namespace orthocone
 {
+/// Solves a step; nothing where the observer gives it up.
+static std::optional<SolverReport> solve_unless_stopped(StepSolver &solver, ContactState &state,
+                                                        const LoadStep &step, MarchObserver &observer)
+{
+  const Stoppable stoppable([&] { return observer.is_to_stop(); });
+  try
+  {
+    return solver.solve(state, step);
+  }
+  catch (const Stopped &)
+  {
+    solver.reject();
+    return std::nullopt;
+  }
+}
+
 MarchEnd march(const LoadSteps &steps, StepSolver &solver, ContactState &state, MarchObserver &observer)
 {
   while (state.step < steps.size())
@@ -17,13 +35,18 @@ MarchEnd march(const LoadSteps &steps, StepSolver &solver, ContactState &state, 
       return MarchEnd::stopped;
     ContactState next = state;
     double seconds = 0;
-    const SolverReport report = timed(seconds, [&] { return solver.solve(next, step); });
-    if (!report.converged)
+    const auto report = timed(seconds, [&] { return solve_unless_stopped(solver, next, step, observer); });
+    if (!report)
     {
-      observer.failed(step, report, seconds);
+      observer.goes_on(step); // says why it did not
+      return MarchEnd::stopped;
+    }
+    if (!report->converged)
+    {
+      observer.failed(step, *report, seconds);
       return MarchEnd::unsolved;
     }
-    if (!observer.accepts({step, state, next, report, seconds}))
+    if (!observer.accepts({step, state, next, *report, seconds}))
     {
       solver.reject();
       return MarchEnd::refused;

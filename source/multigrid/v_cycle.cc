@@ -5,6 +5,7 @@
 #include "replicated_coarse.h"
 
 #include <orthocone/base/ranks.h>
+#include <orthocone/base/stop_point.h>
 #include <orthocone/body/materials/lame.h>
 
 #include <deal.II/lac/affine_constraints.h>
@@ -222,6 +223,7 @@ Eigen::VectorXd VCycle::prolonged(const Eigen::VectorXd &coarser) const
 /// The cycle is in units of the forces, because single precision has a small range.
 void VCycle::vmult(BodyVector<double> &displacement, const BodyVector<double> &forces) const
 {
+  stop_point();
   ++n_cycles_;
   const double size = forces.l2_norm();
   displacement = 0;

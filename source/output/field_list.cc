@@ -34,6 +34,15 @@ std::string written_file(const RunFolder &folder, const std::string &kind, const
   return folder.has(of_pieces) ? of_pieces : field_file(kind, step);
 }
 
+/// The text of a list without the comment in which deal.II says when it was written: a resumed run ends with
+/// the same bytes.
+std::string without_date(const std::string &list)
+{
+  const std::string end = "-->\n";
+  const std::size_t from = list.find("<!--"), to = list.find(end);
+  return from < to && to != std::string::npos ? list.substr(0, from) + list.substr(to + end.size()) : list;
+}
+
 /// The file and the pieces that it names.
 std::vector<std::string> with_pieces(const RunFolder &folder, const std::string &file)
 {
@@ -143,7 +152,7 @@ void FieldList::write_list()
   const Stopwatch watch;
   std::ostringstream text;
   dealii::DataOutBase::write_pvd_record(text, files_);
-  folder_.write(name_ + ".pvd", text.str());
+  folder_.write(name_ + ".pvd", without_date(text.str()));
   is_up_to_date_ = true;
   least_seconds_ = std::max(usual_seconds, least_pause * watch.seconds());
   since_writing_ = Stopwatch();

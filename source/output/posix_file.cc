@@ -3,6 +3,7 @@
 #include "posix_file.h"
 
 #include <orthocone/base/errors.h>
+#include <orthocone/base/input_file.h>
 #include <orthocone/base/text.h>
 
 #include <fcntl.h>
@@ -13,8 +14,6 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
-#include <sstream>
 #include <vector>
 
 namespace orthocone::posix
@@ -28,14 +27,14 @@ constexpr mode_t readable_by_all = 0666; // reduced by the user's umask
   throw FileError(shown_path(file.string()) + ": " + task + " (" + std::strerror(cause) + ")");
 }
 
-/// An open file that is closed at the end of its scope.
+/// An open file that is closed at the end of its scope. Opening does not wait for the reader of a pipe.
 class Descriptor
 {
 public:
   Descriptor(const std::filesystem::path &file, const int flags, const char *const task)
       : file_(file),
         task_(task),
-        descriptor_(::open(file.c_str(), flags | O_CLOEXEC, readable_by_all))
+        descriptor_(::open(file.c_str(), flags | O_NONBLOCK | O_NOCTTY | O_CLOEXEC, readable_by_all))
   {
     if (descriptor_ < 0)
       fail(file_, task_, errno);
@@ -45,6 +44,24 @@ public:
   Descriptor &operator=(const Descriptor &) = delete;
 
   int number() const { return descriptor_; }
+
+  /// The size of an ordinary file (bytes). Throws FileError for any other one: a pipe would never be done.
+  std::uintmax_t ordinary_size() const
+  {
+    struct stat status
+    {
+    };
+    if (::fstat(descriptor_, &status) != 0)
+      fail(file_, task_, errno);
+    if (!S_ISREG(status.st_mode))
+      throw FileError(shown_path(file_.string()) + ": " + task_ + " (it is no ordinary file)");
+    return static_cast<std::uintmax_t>(status.st_size);
+  }
+
+  bool cut(const std::uintmax_t size) const
+  {
+    return ::ftruncate(descriptor_, static_cast<off_t>(size)) == 0;
+  }
 
   void write_all(const std::string &content) const
   {
@@ -82,18 +99,27 @@ void write(const std::filesystem::path &file, const std::string &content)
   descriptor.close();
 }
 
+/// Cuts a table back to where a line that is not complete began.
+static void cut_half_line(const std::filesystem::path &file, const std::uintmax_t size)
+{
+  try
+  {
+    cut(file, size);
+  }
+  catch (const FileError &error)
+  {
+    throw FileError(std::string(error.what()) + ", so that half a line stays at its end");
+  }
+}
+
 std::uintmax_t append(const std::filesystem::path &file, const std::string &content,
                       const std::optional<std::uintmax_t> size)
 {
   if (size && ::access(file.c_str(), F_OK) != 0)
     throw FileError(shown_path(file.string()) + ": was removed during the run");
   Descriptor descriptor(file, O_WRONLY | O_APPEND | O_NOFOLLOW | (size ? 0 : O_CREAT), "cannot be written");
-  struct stat before
-  {
-  };
-  if (::fstat(descriptor.number(), &before) != 0)
-    fail(file, "cannot be written", errno);
-  if (size && static_cast<std::uintmax_t>(before.st_size) != *size)
+  const std::uintmax_t before = descriptor.ordinary_size();
+  if (size && before != *size)
     throw FileError(shown_path(file.string()) + ": was changed during the run by something else");
   try
   {
@@ -102,41 +128,53 @@ std::uintmax_t append(const std::filesystem::path &file, const std::string &cont
   }
   catch (const FileError &)
   {
-    if (::truncate(file.c_str(), before.st_size) != 0)
-      throw FileError(shown_path(file.string()) + ": ends with half a line, which cannot be removed (" +
-                      std::strerror(errno) + ")");
+    cut_half_line(file, before);
     throw;
   }
-  return static_cast<std::uintmax_t>(before.st_size) + content.size();
+  return before + content.size();
 }
 
-std::string read(const std::filesystem::path &file)
+namespace
 {
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
-  std::ostringstream content;
-  content << stream.rdbuf();
-  if (!stream)
-    fail(file, "cannot be read", errno != 0 ? errno : EIO);
-  return content.str();
+/// A file that a run may have written, open for reading. Whoever made the folder may have put a link, a pipe
+/// or a device in its place.
+class OrdinaryFile : public InputFile
+{
+public:
+  explicit OrdinaryFile(const std::filesystem::path &file)
+      : InputFile(file, shown_path(file.string()), Links::refused)
+  {
+    if (is_folder())
+      fail(file, "cannot be read", EISDIR);
+    if (!is_ordinary())
+      throw FileError(shown_path(file.string()) + ": cannot be read (it is no ordinary file)");
+  }
+};
+} // namespace
+
+std::string read(const std::filesystem::path &file, const std::size_t most)
+{
+  OrdinaryFile opened(file);
+  if (opened.size() > most)
+    throw FileError(shown_path(file.string()) + ": is larger than any that a run writes");
+  return opened.read(most);
 }
 
 bool read_pieces(const std::filesystem::path &file, const std::uintmax_t size,
                  const std::function<void(const char *piece, std::size_t n)> &use)
 {
   constexpr std::uintmax_t most = 1 << 16;
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary);
+  OrdinaryFile opened(file);
   std::vector<char> piece(std::min(most, size));
   std::uintmax_t left = size;
-  while (left > 0 &&
-         stream.read(piece.data(), static_cast<std::streamsize>(std::min(most, left))).gcount() > 0)
+  while (left > 0)
   {
-    use(piece.data(), static_cast<std::size_t>(stream.gcount()));
-    left -= static_cast<std::uintmax_t>(stream.gcount());
+    const std::size_t n = opened.read(piece.data(), std::min(most, left));
+    if (n == 0)
+      break;
+    use(piece.data(), n);
+    left -= n;
   }
-  if (!stream.is_open() || stream.bad())
-    fail(file, "cannot be read", errno != 0 ? errno : EIO);
   return left == 0;
 }
 
@@ -149,14 +187,9 @@ std::string head(const std::filesystem::path &file, const std::size_t size)
 
 std::string tail(const std::filesystem::path &file, const std::size_t size)
 {
-  errno = 0;
-  std::ifstream stream(file, std::ios::binary | std::ios::ate);
-  const auto end = static_cast<std::streamoff>(stream.tellg());
-  const auto n = std::min(end, static_cast<std::streamoff>(size));
-  std::string text(std::max<std::streamoff>(n, 0), '\0');
-  if (!stream.seekg(end - n) || !stream.read(text.data(), n))
-    fail(file, "cannot be read", errno != 0 ? errno : EIO);
-  return text;
+  OrdinaryFile opened(file);
+  opened.go_to(opened.size() - std::min<std::uintmax_t>(opened.size(), size));
+  return opened.read(size);
 }
 
 void rename(const std::filesystem::path &from, const std::filesystem::path &to)
@@ -167,7 +200,9 @@ void rename(const std::filesystem::path &from, const std::filesystem::path &to)
 
 void cut(const std::filesystem::path &file, const std::uintmax_t size)
 {
-  if (::truncate(file.c_str(), static_cast<off_t>(size)) != 0)
+  const Descriptor descriptor(file, O_WRONLY | O_NOFOLLOW, "cannot be written");
+  descriptor.ordinary_size();
+  if (!descriptor.cut(size))
     fail(file, "cannot be written", errno);
 }
 
@@ -191,7 +226,8 @@ void synchronize(const std::filesystem::path &file)
 /// folders.
 static FolderLock lock_file(const std::filesystem::path &file)
 {
-  const int descriptor = ::open(file.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, readable_by_all);
+  const int descriptor =
+      ::open(file.c_str(), O_RDWR | O_CREAT | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC, readable_by_all);
   if (descriptor < 0)
     fail(file, "cannot be written", errno);
   if (::flock(descriptor, LOCK_EX | LOCK_NB) == 0 || errno != EWOULDBLOCK)

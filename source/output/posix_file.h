@@ -24,9 +24,11 @@ void write(const std::filesystem::path &file, const std::string &content);
 std::uintmax_t append(const std::filesystem::path &file, const std::string &content,
                       std::optional<std::uintmax_t> size);
 
-std::string read(const std::filesystem::path &file);
+/// Content of a file of a run folder, which must be an ordinary one of `most` bytes at most. A symbolic link
+/// is not followed.
+std::string read(const std::filesystem::path &file, std::size_t most);
 
-/// Passes the first `size` bytes to `use`, in pieces. Returns whether the file has so many.
+/// Passes the first `size` bytes of such a file to `use`, in pieces. Returns whether the file has so many.
 bool read_pieces(const std::filesystem::path &file, std::uintmax_t size,
                  const std::function<void(const char *piece, std::size_t n)> &use);
 
@@ -38,6 +40,7 @@ std::string tail(const std::filesystem::path &file, std::size_t size);
 
 void rename(const std::filesystem::path &from, const std::filesystem::path &to);
 
+/// Cuts an ordinary file. A symbolic link is not followed.
 void cut(const std::filesystem::path &file, std::uintmax_t size);
 
 /// The identity of a file or folder; a default one where it does not exist.

@@ -10,6 +10,13 @@ namespace
 {
 constexpr const char *placeholders = "*#";
 
+/// Whether a text may be a part of a plain name: nothing in it leads to another folder, or ends the name for
+/// the system.
+bool is_plain(const std::string &text)
+{
+  return text.find('/') == std::string::npos && text.find('\0') == std::string::npos;
+}
+
 bool is_step_number(const std::string &text)
 {
   constexpr std::size_t least_digits = 4;
@@ -54,9 +61,10 @@ std::string without_part(const std::string &name)
 
 const std::vector<RunFile> &run_files()
 {
+  constexpr std::uintmax_t gigabyte = 1000000000;
   static const std::vector<RunFile> files{
       {"orthocone-run.txt", FileKind::marker, "marks the folder, names parameter file and tables of probes"},
-      {"checkpoint/state", FileKind::checkpoint, "the state from which --resume goes on"},
+      {"checkpoint/state", FileKind::checkpoint, "the state from which --resume goes on", 4 * gigabyte},
       {"checks.csv", FileKind::table, "what the checks of each step say"},
       {"cycles.csv", FileKind::table, "one row a cycle"},
       {"history.csv", FileKind::table, "one row a step"},
@@ -85,7 +93,8 @@ bool RunFile::fits(const std::string &name) const
   if (!has_placeholder(pattern))
     return name == pattern;
   const std::optional<std::string> text = filled_in(pattern, name);
-  return text && (std::string(pattern).find('#') == std::string::npos || is_step_number(*text));
+  return text && is_plain(*text) &&
+         (std::string(pattern).find('#') == std::string::npos || is_step_number(*text));
 }
 
 const RunFile *run_file(const std::string &name)

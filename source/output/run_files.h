@@ -5,6 +5,7 @@
 // nothing else.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <vector>
@@ -22,11 +23,12 @@ enum class FileKind
 
 struct RunFile
 {
-  /// A name; "*" stands for any text, "#" for the number of a step (4 to 9 digits), "*" behind it for that of
-  /// a process.
+  /// A name; "*" stands for any text without '/', "#" for the number of a step (4 to 9 digits), "*" behind it
+  /// for that of a process.
   const char *pattern;
   FileKind kind;
   const char *what;
+  std::uintmax_t most_bytes = 100000000; ///< of those that are read as a whole
 
   bool fits(const std::string &name) const;
 };
@@ -34,7 +36,9 @@ struct RunFile
 /// All files that a run writes.
 const std::vector<RunFile> &run_files();
 
-/// The entry of a file, or of the file that a name with ".part" will become; null for other files.
+/// The entry of a file, or of the file that a name with ".part" will become; null for other files. This alone
+/// decides what is a name of ours, whoever states it: a marker, a checkpoint, a list of pieces. Such a name
+/// leads nowhere else, because it is plain or `checkpoint/state`.
 const RunFile *run_file(const std::string &name);
 
 /// Names of the files of a kind whose names do not vary.

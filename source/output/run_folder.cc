@@ -23,6 +23,7 @@ RunFolder::RunFolder(const std::optional<fs::path> &path)
   if (!path)
     return;
   std::error_code code;
+  run_folder::require_not_of_system(path_);
   if (fs::exists(path_, code) && !fs::is_directory(path_, code))
     fail(path_, "cannot be the run folder",
          "a file of this name is in its place; --output DIR takes another one");
@@ -71,12 +72,25 @@ static void require_listed(const std::string &name)
     throw std::logic_error(name + ": is not in the list of the files of a run");
 }
 
+/// Where a file of a run lies. Throws FileError for any other name, whoever states it, and for a link to
+/// another folder where a folder of the run belongs.
+fs::path RunFolder::place_of(const std::string &name) const
+{
+  const fs::path place = path_ / name;
+  if (run_folder::run_file(name) == nullptr)
+    fail(path_, "cannot be used", "it names '" + shown(name) + "' as a file of a run, which it is not");
+  std::error_code code;
+  if (const fs::path folder = place.parent_path(); folder != path_ && fs::is_symlink(folder, code))
+    fail(folder, "cannot be used", "it is a symbolic link in place of a folder");
+  return place;
+}
+
 /// Writes the new content beside the file; nothing is left if this fails.
 fs::path RunFolder::write_part(const std::string &name, const std::string &content, const bool durably) const
 {
   require_listed(name);
   require_same_folder();
-  const fs::path part = path_ / (name + ".part");
+  const fs::path part = place_of(name + ".part");
   std::error_code code;
   fs::create_directories(part.parent_path(), code);
   if (code)
@@ -100,7 +114,7 @@ void RunFolder::replace(const std::string &name, const std::string &content, con
   const fs::path part = write_part(name, content, durably);
   try
   {
-    posix::rename(part, path_ / name);
+    posix::rename(part, place_of(name));
   }
   catch (const FileError &)
   {
@@ -124,7 +138,7 @@ void RunFolder::write_durably(const std::string &name, const std::string &conten
     return;
   for (const std::string &file : not_on_disk_)
     if (has(file))
-      posix::synchronize(path_ / file);
+      posix::synchronize(place_of(file));
   not_on_disk_.clear();
   posix::synchronize(path_);
   replace(name, content, true);
@@ -137,7 +151,7 @@ fs::path RunFolder::place_for(const std::string &name) const
   require_listed(name);
   require_same_folder();
   not_on_disk_.insert(name);
-  return path_ / name;
+  return place_of(name);
 }
 
 void RunFolder::append(const std::string &name, const std::string &content) const
@@ -150,30 +164,31 @@ void RunFolder::append(const std::string &name, const std::string &content) cons
   if (known == growing_.end())
   {
     // In a resumed run log.txt exists.
-    const auto size = posix::append(path_ / name, content, std::nullopt);
+    const auto size = posix::append(place_of(name), content, std::nullopt);
     known = growing_.emplace(name, Growing()).first;
     known->second.size = size;
   }
   else
-    known->second.size = posix::append(path_ / name, content, known->second.size);
+    known->second.size = posix::append(place_of(name), content, known->second.size);
   known->second.crc.process_bytes(content.data(), content.size());
   not_on_disk_.insert(name);
 }
 
 std::string RunFolder::read(const std::string &name) const
 {
-  return posix::read(path_ / name);
+  const fs::path place = place_of(name);
+  return posix::read(place, run_folder::run_file(name)->most_bytes);
 }
 
 bool RunFolder::has(const std::string &name) const
 {
   std::error_code code;
-  return !is_nowhere() && fs::exists(path_ / name, code);
+  return !is_nowhere() && run_folder::run_file(name) != nullptr && fs::exists(place_of(name), code);
 }
 
 bool RunFolder::ends_with(const std::string &name, const std::string &end) const
 {
-  return posix::tail(path_ / name, end.size()) == end;
+  return posix::tail(place_of(name), end.size()) == end;
 }
 
 void RunFolder::remove(const std::string &name) const
@@ -182,9 +197,10 @@ void RunFolder::remove(const std::string &name) const
     return;
   require_same_folder();
   std::error_code code;
-  fs::remove(path_ / name, code);
+  const fs::path place = place_of(name);
+  fs::remove(place, code);
   if (code)
-    fail(path_ / name, "cannot be removed", code.message());
+    fail(place, "cannot be removed", code.message());
 }
 
 static bool is_table(const std::string &name)
@@ -209,10 +225,13 @@ void RunFolder::require_tables(const TableMarks &marks) const
     return;
   for (const auto &[name, mark] : marks)
   {
+    if (!is_table(name))
+      fail(path_, "cannot be continued",
+           "its checkpoint names '" + shown(name) + "' as a table, which no run writes");
     if (!has(name))
       fail(path_ / name, "cannot be continued", "it is missing");
     boost::crc_32_type crc;
-    if (!posix::read_pieces(path_ / name, mark.size,
+    if (!posix::read_pieces(place_of(name), mark.size,
                             [&](const char *const piece, const std::size_t n)
                             { crc.process_bytes(piece, n); }))
       fail(path_ / name, "cannot be continued", "it is shorter than when the checkpoint was written");
@@ -235,7 +254,7 @@ void RunFolder::cut_tables(const TableMarks &marks) const
       growing_.erase(name);
     }
     else
-      posix::cut(path_ / name, kept->second.size);
+      posix::cut(place_of(name), kept->second.size);
 }
 
 std::string RunFolder::path(const std::string &name) const

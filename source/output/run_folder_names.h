@@ -14,6 +14,10 @@ namespace orthocone::run_folder
 /// Throws FileError: "FILE: TASK (CAUSE)".
 [[noreturn]] void fail(const std::filesystem::path &file, const std::string &task, const std::string &cause);
 
+/// Throws FileError for a folder of the system, such as / or /etc, which the superuser could fill with
+/// results.
+void require_not_of_system(const std::filesystem::path &folder);
+
 /// Names in a folder, sorted; none where there is no folder.
 std::vector<std::string> names_in(const std::filesystem::path &folder);
 } // namespace orthocone::run_folder

@@ -11,10 +11,24 @@
 #include <algorithm>
 #include <cstring>
 #include <iterator>
+#include <set>
+#include <system_error>
 
 namespace orthocone
 {
 namespace fs = std::filesystem;
+
+namespace
+{
+/// The mark of a run's folder: a name and a first line that nobody else writes. `parameters.prm` would not
+/// do, as users of deal.II call their own files so.
+constexpr const char *marker = "orthocone-run.txt";
+constexpr const char *marker_line = "orthocone run folder: parameter file and tables of probes";
+constexpr const char *identity = "parameters.prm";
+constexpr const char *checkpoint_folder = "checkpoint";
+constexpr const char *checkpoint_file = "checkpoint/state";
+constexpr const char *checkpoint_start = "orthocone-checkpoint ";
+} // namespace
 
 namespace run_folder
 {
@@ -32,6 +46,36 @@ std::vector<std::string> names_in(const fs::path &folder)
   std::sort(names.begin(), names.end());
   return names;
 }
+
+namespace
+{
+/// The folders below which only the system writes (Filesystem Hierarchy Standard).
+bool is_of_system(const std::string &top)
+{
+  static const std::set<std::string> names{"bin",   "boot",   "dev",  "etc",  "lib", "lib32",
+                                           "lib64", "libx32", "proc", "sbin", "sys", "usr"};
+  return names.count(top) > 0;
+}
+} // namespace
+
+void require_not_of_system(const fs::path &folder)
+{
+  std::error_code code;
+  fs::path place = fs::weakly_canonical(folder, code);
+  if (code)
+    place = fs::absolute(folder, code).lexically_normal();
+  const fs::path inner = place.relative_path();
+  const auto refuse = [&](const char *const why)
+  { fail(folder, "cannot be the run folder", std::string(why) + "; --output DIR takes another one"); };
+  if (inner.empty())
+    refuse("it is the root of the file system");
+  const auto depth = std::distance(inner.begin(), inner.end());
+  const bool is_shared_memory = depth > 2 && *inner.begin() == "dev" && *std::next(inner.begin()) == "shm";
+  if (is_of_system(inner.begin()->string()) && !is_shared_memory)
+    refuse("it belongs to the system");
+  if (depth == 1 && !names_in(place).empty() && !fs::exists(fs::symlink_status(place / marker, code)))
+    refuse("it belongs to all, holds other files, and no run has marked it");
+}
 } // namespace run_folder
 
 using run_folder::fail;
@@ -42,15 +86,6 @@ using run_folder::RunFile;
 
 namespace
 {
-/// The mark of a run's folder: a name and a first line that nobody else writes. `parameters.prm` would not
-/// do, as users of deal.II call their own files so.
-constexpr const char *marker = "orthocone-run.txt";
-constexpr const char *marker_line = "orthocone run folder: parameter file and tables of probes";
-constexpr const char *identity = "parameters.prm";
-constexpr const char *checkpoint_folder = "checkpoint";
-constexpr const char *checkpoint_file = "checkpoint/state";
-constexpr const char *checkpoint_start = "orthocone-checkpoint ";
-
 bool is_of_kind(const std::string &name, const FileKind kind)
 {
   const RunFile *const file = run_file(name);
@@ -75,7 +110,7 @@ bool RunFolder::is_of_a_run() const
 {
   // Runs of earlier versions left no marker, but a checkpoint.
   const auto starts_with = [&](const char *const name, const std::string &beginning)
-  { return has(name) && posix::head(path_ / name, beginning.size()) == beginning; };
+  { return has(name) && posix::head(place_of(name), beginning.size()) == beginning; };
   return starts_with(marker, marker_line) || starts_with(checkpoint_file, checkpoint_start);
 }
 
@@ -122,7 +157,7 @@ std::vector<std::string> RunFolder::files() const
       names.push_back(name);
   for (const std::string &table : own_tables())
     for (const std::string &name : {table, table + ".part"})
-      if (fs::exists(fs::symlink_status(path_ / name)))
+      if (fs::exists(fs::symlink_status(place_of(name))))
         names.push_back(name);
   for (const std::string &name : names_in(path_))
     if (is_of_kind(name, FileKind::file))
@@ -138,7 +173,8 @@ void RunFolder::require_own(const std::vector<std::string> &probes) const
   const bool is_own = is_of_a_run();
   if (!is_own)
     foreign = files();
-  if (has(checkpoint_folder) && !fs::is_directory(path_ / checkpoint_folder))
+  if (const auto status = fs::symlink_status(path_ / checkpoint_folder);
+      fs::exists(status) && !fs::is_directory(status))
     foreign.emplace_back(checkpoint_folder);
   if (foreign.empty() && has(marker) && !is_own)
     foreign.emplace_back(marker);
@@ -161,7 +197,7 @@ std::optional<std::string> RunFolder::start_anew(const std::string &parameters,
   const std::vector<std::string> old = files();
   // Before anything is removed, everything must be removable, and there must be room for the new parameters.
   for (const std::string &file : old)
-    if (fs::is_directory(path_ / file))
+    if (fs::is_directory(fs::symlink_status(place_of(file))))
       fail(path_ / file, "cannot be replaced", "a folder of this name is in its place");
   const std::vector<std::string> before = marked_lines();
   if (!has(marker))
@@ -171,7 +207,7 @@ std::optional<std::string> RunFolder::start_anew(const std::string &parameters,
     if (begins_with(name, checkpoint_folder))
       remove(name);
   // From here on the folder belongs to the new run, which has no checkpoint yet.
-  posix::rename(part, path_ / identity);
+  posix::rename(part, place_of(identity));
   for (const std::string &name : old)
     if (name != identity)
       remove(name);

@@ -4,6 +4,7 @@
 #include "hdf5_file.h"
 
 #include <orthocone/base/errors.h>
+#include <orthocone/base/text.h>
 #include <orthocone/problems/problem_file.h>
 
 extern "C"
@@ -11,10 +12,12 @@ extern "C"
 #include <fclib.h>
 }
 
+#include <fcntl.h>
+#include <unistd.h>
+
 #include <cerrno>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <limits>
 #include <stdexcept>
 
@@ -132,14 +135,35 @@ void write_extension(const std::vector<OrthotropicFriction> &laws,
 
 [[noreturn]] void fail(const std::string &file, const std::string &why)
 {
-  throw FileError("'" + file + "' cannot be written: " + why);
+  throw FileError("'" + shown_path(file) + "' cannot be written: " + why);
+}
+
+/// Makes an empty file of its own: what has the name goes, and a link is not followed. Whether it can be
+/// made.
+bool make_file(const std::string &name)
+{
+  std::error_code code;
+  std::filesystem::remove(name, code);
+  const int descriptor = ::open(name.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666);
+  return descriptor >= 0 && ::close(descriptor) == 0;
+}
+
+/// A device or a pipe would be replaced by a file.
+void require_replaceable(const std::string &file)
+{
+  std::error_code code;
+  const auto status = std::filesystem::status(file, code);
+  if (std::filesystem::is_directory(status))
+    fail(file, "it is a folder");
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    fail(file, "it is no ordinary file");
 }
 
 /// FCLIB ends the program where it cannot write. So it is called only where a file can be made and has room.
 void check_room(const std::string &part, const std::string &file, const double n_values)
 {
   constexpr double bytes_of_value = sizeof(double) + sizeof(int), bytes_of_names = 1e5;
-  if (!std::ofstream(part))
+  if (!make_file(part))
     fail(file, std::strerror(errno));
   std::error_code error;
   const auto space = std::filesystem::space(part, error);
@@ -157,6 +181,7 @@ void write_problem(const ContactProblem &problem, const std::optional<ProblemSol
 {
   const std::string part = file + ".part";
   const auto n = static_cast<double>(problem.q.size());
+  require_replaceable(file);
   if (problem.q.size() > most_rows)
     fail(file, "FCLIB counts no more than 2^31 entries of W");
   check_room(part, file, n * (n + static_cast<double>(problem.face.cols()) + 4));

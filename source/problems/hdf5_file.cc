@@ -3,12 +3,12 @@
 #include "hdf5_file.h"
 
 #include <orthocone/base/errors.h>
+#include <orthocone/base/input_file.h>
+#include <orthocone/base/text.h>
 
 #include <hdf5.h>
 
-#include <cerrno>
-#include <cstring>
-#include <fstream>
+#include <algorithm>
 #include <utility>
 
 namespace orthocone
@@ -40,6 +40,16 @@ private:
   herr_t (*close_)(hid_t);
 };
 
+/// Whether a damaged file demands more memory than it has numbers. `n` is the size that it states.
+bool claims_too_much(const hid_t array, const hid_t type, const hsize_t n, const hsize_t file_size)
+{
+  constexpr hsize_t most_compressed = 1100; // times: zlib's bound, of which zeros come near
+  const Handle plan(H5Dget_create_plist(array), H5Pclose);
+  const hsize_t stored = H5Dget_storage_size(array);
+  const hsize_t of_a_byte = H5Pget_nfilters(plan.id()) > 0 ? most_compressed : 1;
+  return stored > file_size || n > of_a_byte * stored / std::max<hsize_t>(H5Tget_size(type), 1);
+}
+
 /// Reads all numbers of an array into the memory that `make_room` returns for their number.
 template<typename MakeRoom>
 void read_array(const Hdf5File &file, const hid_t id, const std::string &path, const hid_t type,
@@ -55,9 +65,10 @@ void read_array(const Hdf5File &file, const hid_t id, const std::string &path, c
   if (H5Tget_class(stored.id()) != wanted || n < 0)
     file.fail(path +
               (wanted == H5T_INTEGER ? " does not hold integers" : " does not hold floating-point numbers"));
-  // The size in a damaged file must not demand more memory than the file has numbers.
   if (n > 0 && H5Dget_storage_size(array.id()) == 0)
     file.fail(path + " has no values");
+  if (claims_too_much(array.id(), stored.id(), static_cast<hsize_t>(n), file.size()))
+    file.fail(path + " states " + std::to_string(n) + " values, which the file does not have");
   if (H5Dread(array.id(), type, H5S_ALL, H5S_ALL, H5P_DEFAULT, make_room(n)) < 0)
     file.fail(path + " cannot be read");
 }
@@ -67,8 +78,10 @@ Hdf5File::Hdf5File(std::string name, const Access access)
     : name_(std::move(name))
 {
   H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr); // the program words its own messages
-  if (!std::ifstream(name_))
-    fail(std::string("cannot be opened: ") + std::strerror(errno));
+  const InputFile file(name_, shown_path(name_));
+  if (!file.is_ordinary())
+    fail("is no ordinary file");
+  size_ = file.size();
   if (H5Fis_hdf5(name_.c_str()) <= 0)
     fail("is not an HDF5 file");
   id_ = H5Fopen(name_.c_str(), access == Access::read ? H5F_ACC_RDONLY : H5F_ACC_RDWR, H5P_DEFAULT);
@@ -162,6 +175,7 @@ void Hdf5File::write(const std::string &path, const Eigen::VectorXd &values)
 
 void Hdf5File::fail(const std::string &what) const
 {
-  throw FileError(name_ + (what.rfind("is ", 0) == 0 || what.rfind("cannot", 0) == 0 ? " " : ": ") + what);
+  throw FileError(shown_path(name_) +
+                  (what.rfind("is ", 0) == 0 || what.rfind("cannot", 0) == 0 ? " " : ": ") + what);
 }
 } // namespace orthocone

@@ -4,6 +4,7 @@
 
 #include <Eigen/Dense>
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -43,10 +44,14 @@ public:
   /// Closes the file. Before this the content may not be on the disk.
   void close();
 
+  /// Bytes of the file when it was opened.
+  std::uintmax_t size() const { return size_; }
+
   [[noreturn]] void fail(const std::string &what) const;
 
 private:
   std::string name_;
   long long id_ = -1;
+  std::uintmax_t size_ = 0;
 };
 } // namespace orthocone

@@ -3,6 +3,9 @@
 #include "local_form.h"
 #include "stored_matrix.h"
 
+#include <orthocone/base/memory.h>
+#include <orthocone/base/text.h>
+
 #include <cmath>
 
 namespace orthocone
@@ -14,6 +17,17 @@ using Eigen::VectorXd;
 namespace
 {
 const std::string local_group = "/fclib_local", global_group = "/fclib_global";
+
+/// W is kept with all its entries, also where the file has few of them.
+void require_room(const Hdf5File &file, const Index n_rows)
+{
+  constexpr double gigabyte = 1e9;
+  const double wanted = static_cast<double>(n_rows) * static_cast<double>(n_rows) * sizeof(double) / gigabyte;
+  const MemoryLimit limit = memory_limit();
+  if (wanted > limit.gigabytes)
+    file.fail("W has " + std::to_string(n_rows) + " rows, which take " + to_text(std::round(wanted)) +
+              " GB, and " + limit.source + " " + to_text(std::round(limit.gigabytes)) + " GB");
+}
 
 LocalForm read_local(const Hdf5File &file)
 {
@@ -95,6 +109,7 @@ Index number_of_rows(const Hdf5File &file)
 
 LocalForm read_local_form(const Hdf5File &file)
 {
+  require_room(file, number_of_rows(file));
   return problem_group(file) == local_group ? read_local(file) : reduce_global(file);
 }
 } // namespace orthocone

@@ -4,7 +4,9 @@
 #include "solve_options.h"
 
 #include <orthocone/base/errors.h>
+#include <orthocone/base/message.h>
 #include <orthocone/base/stopwatch.h>
+#include <orthocone/base/text.h>
 #include <orthocone/base/threads.h>
 #include <orthocone/contact/solvers/contact_method.h>
 #include <orthocone/contact/solvers/contact_solver.h>
@@ -51,7 +53,8 @@ FreeFace face_of(const ContactProblem &problem)
   }
   catch (const std::invalid_argument &)
   {
-    throw FileError(problem.title + ": the constraints (fclib_local/V) are not independent of each other");
+    throw FileError(shown_path(problem.title) +
+                    ": the constraints (fclib_local/V) are not independent of each other");
   }
 }
 
@@ -149,7 +152,7 @@ GivenCompliance compliance_of(const SolveOptions &options, const ContactProblem 
   }
   catch (const std::invalid_argument &error)
   {
-    throw FileError(problem.title + ": " + error.what());
+    throw FileError(shown_path(problem.title) + ": " + error.what());
   }
 }
 
@@ -158,9 +161,9 @@ Eigen::VectorXd stored_unknowns(const std::string &file, const ContactStep &step
 {
   const auto stored = read_solution(file);
   if (!stored)
-    throw FileError(file + ": there is no solution in it (group solution)");
+    throw FileError(shown_path(file) + ": there is no solution in it (group solution)");
   if (stored->motions.size() != step.face().n())
-    throw FileError(file + ": solution/l has " + std::to_string(stored->motions.size()) +
+    throw FileError(shown_path(file) + ": solution/l has " + std::to_string(stored->motions.size()) +
                     " values where there are " + std::to_string(step.face().n()) + " constraints");
   Eigen::VectorXd unknowns(step.n_unknowns());
   unknowns << stored->force, step.face().unknowns(stored->motions);
@@ -219,7 +222,7 @@ int solve_command(const std::vector<std::string> &arguments, std::ostream &out, 
 {
   const auto failed = [&](const std::string &message, const ExitCode code)
   {
-    errors << "orthocone-solve: " + message + "\n";
+    errors << shown_message("orthocone-solve: " + message) + "\n";
     return static_cast<int>(code);
   };
   try

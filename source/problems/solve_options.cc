@@ -3,6 +3,7 @@
 #include "solve_options.h"
 
 #include <orthocone/base/errors.h>
+#include <orthocone/base/text.h>
 #include <orthocone/contact/solvers/contact_method.h>
 
 #include <sstream>
@@ -33,7 +34,7 @@ double number(const std::string &option, const std::string &text, const double l
   if (!(in >> value) || !in.eof() || !(value > least && value < below))
   {
     std::ostringstream message;
-    message << option << " = '" << text << "': allowed is " << least << " < number < " << below;
+    message << option << " = '" << shown(text) << "': allowed is " << least << " < number < " << below;
     throw InputError(message.str());
   }
   return value;
@@ -43,7 +44,7 @@ Pair two_numbers(const std::string &option, const std::string &text)
 {
   const std::size_t comma = text.find(',');
   if (comma == std::string::npos)
-    throw InputError(option + " = '" + text + "': allowed are two numbers > 0, such as 0.3,0.15");
+    throw InputError(option + " = '" + shown(text) + "': allowed are two numbers > 0, such as 0.3,0.15");
   return {number(option, text.substr(0, comma), 0, 1e6), number(option, text.substr(comma + 1), 0, 1e6)};
 }
 
@@ -64,7 +65,7 @@ void take(SolveOptions &options, const std::string &option, const std::string &v
   else if (option == "--write")
     options.write = value;
   else
-    throw InputError("there is no option '" + option + "'; --help lists them");
+    throw InputError("there is no option '" + shown(option) + "'; --help lists them");
 }
 } // namespace
 
@@ -81,7 +82,8 @@ SolveOptions read_solve_options(const std::vector<std::string> &arguments)
     else if (arguments[i].rfind("--", 0) != 0)
     {
       if (!options.file.empty())
-        throw InputError("one file at a time: '" + options.file + "' and '" + arguments[i] + "'");
+        throw InputError("one file at a time: '" + shown_path(options.file) + "' and '" +
+                         shown_path(arguments[i]) + "'");
       options.file = arguments[i];
     }
     else if (const std::size_t sign = arguments[i].find('='); sign != std::string::npos)
@@ -92,11 +94,11 @@ SolveOptions read_solve_options(const std::vector<std::string> &arguments)
       ++i;
     }
     else
-      throw InputError("option '" + arguments[i] + "' wants a value; --help lists them");
+      throw InputError("option '" + shown(arguments[i]) + "' wants a value; --help lists them");
   if (options.file.empty() && !options.is_help)
     throw InputError("which file? --help says more");
   if (find_contact_method(options.solver.method) == nullptr)
-    throw InputError("--method = '" + options.solver.method + "': --help lists the methods");
+    throw InputError("--method = '" + shown(options.solver.method) + "': --help lists the methods");
   return options;
 }
 } // namespace orthocone

@@ -79,7 +79,7 @@ def usual_table(program):
 
 
 def signalled(signals, bench):
-    """Signals while a run is paused: it finishes the step, and goes on to the same bytes."""
+    """Signals while a run is paused: it stops, and goes on to the same bytes."""
     process = paused(bench)
     for number in signals:
         process.send_signal(number)

@@ -3,6 +3,9 @@
 """orthocone-solve: problems that FCLIB's library writes are solved, and those written are what it says of them.
 
 Usage: test_problems.py PROGRAM [unittest options]"""
+import os
+import pathlib
+import subprocess
 import sys
 import unittest
 
@@ -195,7 +198,7 @@ class ProblemTest(ProblemCase):
         fclib_files.write(self.folder / "nan", W, q * np.nan, mu)
         fclib_files.write(self.folder / "singular", W, q, mu, V=np.ones((12, 2)), R=np.ones((2, 2)), s=np.ones(2))
         fclib_files.write(self.folder / "twice", W, q, mu, V=np.ones((12, 2)), R=np.zeros((2, 2)), s=np.ones(2))
-        for name, expression in (("none", "cannot be opened: No such file"), ("text", "is not an HDF5 file"),
+        for name, expression in (("none", r"cannot be read \(No such file"), ("text", "is not an HDF5 file"),
                                  ("cut", "truncated or damaged"), ("foreign", "there is no problem of FCLIB"),
                                  ("nameless", "there is no array"), ("plane", "2 dimensions; allowed are 3"),
                                  ("tilted", r"W is not symmetric: .* give \(W \+ W\^T\)/2"), ("negative", "friction of node 0 is"),
@@ -205,6 +208,44 @@ class ProblemTest(ProblemCase):
                                  ("twice", "not independent of each other"), ("good", "there is no solution in it")):
             with self.subTest(name):
                 self.assert_error(self.solve(name, *["--stored"] * (name == "good")), FILE_ERROR, expression)
+
+    def test_special_files(self):
+        """A pipe nobody writes into, devices, folders and names that a terminal would obey."""
+        W, q = row_of_nodes(2)
+        fclib_files.write(self.folder / "good", W, q, np.full(2, 0.3))
+        os.mkfifo(self.folder / "pipe")
+        for name in ("pipe", "/dev/zero", "."):
+            self.assert_error(self.solve(name), FILE_ERROR, "is no ordinary file")
+        for name, expression in (("/dev/full", "it is no ordinary file"), (self.folder / "pipe", "it is no ordinary file"),
+                                 (".", "it is a folder"), (self.folder, "it is a folder")):
+            self.assert_error(self.solve("good", "--write", name), FILE_ERROR, expression)
+        self.assertTrue(pathlib.Path("/dev/full").is_char_device() and (self.folder / "pipe").is_fifo())
+        (self.folder / "precious").write_text("precious")
+        (self.folder / "new.part").symlink_to(self.folder / "precious")
+        self.row("good", "--write", self.folder / "new")
+        self.assertEqual((self.folder / "precious").read_text(), "precious")
+        self.assertFalse((self.folder / "new").is_symlink())
+        result = self.solve("a\x1b[31mred\n" + "x" * 5000)
+        self.assert_error(result, FILE_ERROR, "cannot be read")
+        self.assertLess(len(result.stderr), 400)
+        self.assertIn(r"a\x1b[31mred\n.hdf5", self.solve("a\x1b[31mred\n.hdf5").stderr)
+        self.assertLess(len(self.solve("good", "--method=" + "x" * 5000).stderr), 400)
+
+    def test_sizes_that_the_file_does_not_have(self):
+        """One flipped byte makes a number of 3 GB, or 2^33 numbers, of an array of one: no memory is asked for."""
+        W, q = row_of_nodes(2)
+        fclib_files.write(self.folder / "good", W, q, np.full(2, 0.3))
+        whole = (self.folder / "good").read_bytes()
+        one_value = 2 * (1).to_bytes(8, "little")  # in a file by HDF5: size and largest size; the type is behind them
+        place = whole.find(one_value)
+        self.assertGreater(place, 0)
+        while place >= 0:
+            for behind in (4, 31):
+                bad = bytearray(whole)
+                bad[place + behind] = 185
+                (self.folder / "bad").write_bytes(bad)
+                self.assert_error(self.solve("bad"), FILE_ERROR, "which the file does not have|damaged|is no array")
+            place = whole.find(one_value, place + 1)
 
     def test_bytes_at_random(self):
         """Whatever is damaged: an answer or one line, never a crash."""

@@ -74,7 +74,28 @@ class SignalTest(ResumeTest):
     # So many steps that a run is not done before a busy machine lets the test send its signal.
     LONG = ["Mesh/Core cells=6", "Mesh/Degree=1", "Mesh/Model=full", "Load program/Cycles=9"]
 
-    def test_signals_finish_the_step(self):
+    def test_a_step_without_end_is_stopped(self):
+        """Between two iterations, since a scheduler waits for half a minute. Nothing is lost, and nothing of the step is
+        left: another method goes on to the same bytes."""
+        settings = ["Mesh/Core cells=2", "Mesh/Degree=1", EVERY_STEP]
+        self.whole(settings)
+        run = self.start("stopped", settings)
+        while not (self.folder / "stopped/contact-0003.vtu").exists() and run.poll() is None:
+            time.sleep(0.001)
+        run.terminate()
+        run.communicate()
+        endless = ["Contact solver/Method=uzawa", "Contact solver/Maximum iterations=4000000000", "Contact solver/Rho factor=1e-6"]
+        run = self.start("stopped", [*settings, *endless], "--resume")
+        log = self.folder / "stopped/log.txt"
+        while "uzawa" not in log.read_text() and run.poll() is None:
+            time.sleep(0.01)
+        time.sleep(0.5)
+        run.terminate()
+        self.assertRegex(run.communicate(timeout=30)[1], r"orthocone: interrupted after load step \d+ of 45; .*--resume")
+        self.assertEqual(run.returncode, INTERRUPTED)
+        self.assert_resumes("stopped", settings)
+
+    def test_signals_stop_the_run(self):
         settings = self.LONG
         self.whole(settings)
         for number in (signal.SIGINT, signal.SIGTERM):

@@ -3,7 +3,9 @@
 """The run folder: whose files it may replace, and what becomes of files that something else touches.
 
 Usage: test_run_folder.py PROGRAM [unittest options]"""
+import functools
 import os
+import shutil
 import subprocess
 import sys
 import time
@@ -97,6 +99,62 @@ class RunFolderTest(RunTest):
                 self.assertEqual(self.start("case.prm", "--output", "run").returncode, DONE)
                 self.assertEqual((self.folder / "precious").read_text(), "precious")
                 self.assertFalse(path.is_symlink())
+
+    def test_a_folder_from_somebody_else(self):
+        """Whatever its files say: a new run and a resumed one remove, cut and write inside of it, or end with one line."""
+        self.put("case.prm", SCENE)
+        self.put("home/thesis.csv", "mine")
+        self.put("home/state", "mine")
+        for arguments in ((), ("--resume",)):
+            for name, change in self.foreign_changes().items():
+                with self.subTest(name, arguments=arguments):
+                    self.assertEqual(self.start("case.prm", "--output", "run").returncode, DONE)
+                    change(self.folder / "run")
+                    result = self.start("case.prm", "--output", "run", *arguments)
+                    self.assertIn(result.returncode, (DONE, FILE_ERROR), result.stderr)
+                    self.assertLessEqual(result.stderr.count("\n"), 1, result.stderr)
+                    self.assertEqual({file.name: file.read_text() for file in (self.folder / "home").iterdir()},
+                                     {"thesis.csv": "mine", "state": "mine"})
+                    shutil.rmtree(self.folder / "run")
+
+    def foreign_changes(self):
+        """What somebody may have done to a run folder."""
+        home = self.folder / "home"
+
+        def marker(run):
+            with open(run / "orthocone-run.txt", "a", encoding="ascii") as file:
+                file.write(f"probe-x/../../home/thesis.csv\nprobe-{home}/thesis.csv\n../home/thesis.csv\n")
+            (run / "probe-x").mkdir()
+
+        def link(name, target, run):
+            path = run / name
+            if path.is_dir():
+                shutil.rmtree(path)
+            path.unlink(missing_ok=True)
+            path.symlink_to(target)
+
+        def pipe(name, run):
+            (run / name).unlink(missing_ok=True)
+            os.mkfifo(run / name)
+
+        def large(name, run):
+            os.truncate(run / name, 10 ** 13)
+
+        changes = {"names in the marker": marker, "checkpoint elsewhere": lambda run: link("checkpoint", home, run)}
+        for name in ("orthocone-run.txt", "history.csv", "checkpoint/state", "parameters.prm", "summary.json"):
+            changes[name + " a link"] = functools.partial(link, name, home / "thesis.csv")
+            changes[name + " a device"] = functools.partial(link, name, "/dev/zero")
+            changes[name + " a pipe"] = functools.partial(pipe, name)
+        for name in ("orthocone-run.txt", "checkpoint/state", "parameters.prm"):
+            changes[name + " large"] = functools.partial(large, name)
+        return changes
+
+    def test_folders_of_the_system(self):
+        self.put("case.prm", SCENE)
+        for name in ("/", "/proc/self", "/usr/share"):
+            result = self.start("case.prm", "--output", name)
+            self.assertEqual(result.returncode, FILE_ERROR, result.stderr)
+            self.assertRegex(result.stderr, rf"^orthocone: {name}: cannot be the run folder \(it .*; --output DIR takes another one\)\n$")
 
     def run_while(self, name, touch):
         """A run whose folder is touched after its third step."""

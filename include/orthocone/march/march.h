@@ -28,6 +28,11 @@ public:
   /// Whether the march goes on with `next`.
   virtual bool goes_on(const LoadStep & /*next*/) { return true; }
 
+  /// Whether the step that is being solved is to be given up between two iterations. If so, goes_on() is
+  /// asked again and must say no, and the march ends in the state before the step. All processes must say the
+  /// same.
+  virtual bool is_to_stop() { return false; }
+
   /// Whether a solved step is right. If it is not, the march ends with the state before it.
   virtual bool accepts(const MarchedStep & /*solved*/) { return true; }
 
@@ -42,7 +47,7 @@ public:
 enum class MarchEnd
 {
   done,     ///< all steps are accepted
-  stopped,  ///< the observer did not go on
+  stopped,  ///< the observer did not go on, or stopped a step
   unsolved, ///< a step is not solved
   refused,  ///< a step is solved, but not accepted
 };

@@ -36,11 +36,13 @@ using TableMarks = std::map<std::string, TableMark>;
 /// Folder that receives the files of one run. All writing throws FileError, which names file and cause, and
 /// leaves what was written before unchanged. Where several processes share a run, the first one has the
 /// folder. The folders of the others have no path: they are empty, and what is written there is lost.
+/// Nothing that a file of the folder says can name anything outside of it: all names are those of the
+/// manifest (else FileError), and links are not followed.
 class RunFolder
 {
 public:
-  /// Creates the folder if necessary. No other run writes there until this object is destroyed, or the
-  /// process ends in any way. Throws FileError.
+  /// Creates the folder if necessary; a folder of the system is refused. No other run writes there until this
+  /// object is destroyed, or the process ends in any way. Throws FileError.
   explicit RunFolder(const std::optional<std::filesystem::path> &path);
   ~RunFolder();
   RunFolder(const RunFolder &) = delete;
@@ -74,9 +76,11 @@ public:
   /// Appends in one piece. Throws FileError if the file is not as this run has left it.
   void append(const std::string &name, const std::string &content) const;
 
-  /// Content of a file. Throws FileError if it cannot be read.
+  /// Content of a file. Throws FileError if it cannot be read, is no ordinary file or larger than those of a
+  /// run.
   std::string read(const std::string &name) const;
 
+  /// Whether there is this file of a run; false for names that no run writes.
   bool has(const std::string &name) const;
   bool is_nowhere() const { return path_.empty(); }
 
@@ -105,6 +109,7 @@ private:
   };
 
   void lock();
+  std::filesystem::path place_of(const std::string &name) const;
   void require_same_folder() const;
   bool is_of_a_run() const;
   std::vector<std::string> marked_lines() const;

@@ -3,6 +3,7 @@
 #include <orthocone/contact/problem/contact_step.h>
 
 #include <orthocone/base/numbers.h>
+#include <orthocone/base/stop_point.h>
 
 #include <algorithm>
 #include <cmath>
@@ -72,8 +73,10 @@ NodeVector ContactStep::change_of_displacement(const VectorXd &change) const
   return d;
 }
 
+/// Every method asks for it in each of its iterations, and may be stopped here.
 NodeVector ContactStep::displacement(const VectorXd &unknowns) const
 {
+  stop_point();
   NodeVector d = change_of_displacement(unknowns);
   d += q_;
   return d;

@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include "solvers.h"
 
+#include <orthocone/base/stop_point.h>
+
 namespace orthocone
 {
 using Eigen::Index;
@@ -31,6 +33,7 @@ GaussSeidel::GaussSeidel(const ContactSystem &system, const ContactSolverOptions
 
 void GaussSeidel::sweep(const ContactStep &step, Eigen::VectorXd &unknowns, const double relaxation) const
 {
+  stop_point();
   if (step.face().n() > 0)
   {
     sweep_with_face(step, unknowns, relaxation);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
+#include <orthocone/base/message.h>
 #include <orthocone/base/text.h>
 
 #include <gtest/gtest.h>
@@ -33,5 +34,22 @@ TEST(Percentages, AreZeroOrHaveTheirSign)
   EXPECT_EQ(parse_percentage("1.5 %"), 1.5);
   for (const char *const text : {"1.5", "%", "+-1 %", "1 %%"})
     EXPECT_FALSE(parse_percentage(text)) << text;
+}
+
+// Whatever a message quotes, it fits a terminal, and both its ends are there.
+TEST(Messages, AreBoundedAndPrintable)
+{
+  EXPECT_EQ(shown_message("orthocone: a.prm: is empty\nsecond line"),
+            "orthocone: a.prm: is empty\nsecond line");
+  const std::string text =
+      shown_message("orthocone: " + std::string(100000, 'x') + ": allowed is less\nsecond");
+  EXPECT_LE(text.size(), 600 + std::string("\nsecond").size());
+  EXPECT_EQ(text.find("orthocone: xxx"), 0u);
+  EXPECT_NE(text.find("x: allowed is less\nsecond"), std::string::npos);
+  EXPECT_EQ(shown_message("a\x1b[31mb\xff"), "a\\x1b[31mb\\xff");
+  std::string umlauts;
+  for (unsigned int i = 0; i < 1000; ++i)
+    umlauts += "\xc3\xa4";
+  EXPECT_EQ(shown_message(umlauts).find("\\x"), std::string::npos) << "no character is cut";
 }
 } // namespace orthocone::test

@@ -51,6 +51,25 @@ public:
   unsigned int stop_before = 0, wrong_step = 0, jump_from = 0, jump_to = 0;
 };
 
+/// Gives the second step up at one of its iterations.
+class Stopper : public Recorder
+{
+public:
+  bool goes_on(const LoadStep &next) override
+  {
+    is_second = next.number == 2;
+    return Recorder::goes_on(next) && !is_asked;
+  }
+  bool is_to_stop() override
+  {
+    is_asked = is_asked || (is_second && ++n_iterations == stop_at);
+    return is_asked;
+  }
+
+  bool is_second = false, is_asked = false;
+  unsigned int n_iterations = 0, stop_at = 0;
+};
+
 MarchEnd marched(const Parameters &parameters, Recorder &recorder, unsigned int &last_step)
 {
   const Scene scene(parameters, choose_model(parameters));
@@ -94,6 +113,27 @@ TEST(March, GoesOnBehindTheStateThatAnObserverLeaves)
   Parameters parameters = small();
   EXPECT_EQ(marched(parameters, jumper, last), MarchEnd::done);
   EXPECT_EQ(jumper.calls, "next 1, solved 1, accepted 1, next 4, solved 4, accepted 4, ");
+}
+
+// A scheduler kills what does not end soon, and a step, here of four parts, may take an hour.
+TEST(March, StopsBetweenIterationsAndLosesNothing)
+{
+  Parameters parameters = small();
+  parameters.load.legs = {move_to(0, 0, -0.1, 2), move_to(0.02, 0, -0.1, 2)};
+  parameters.load.legs[0].parts = 4;
+  const Scene scene(parameters, choose_model(parameters));
+  const auto steps = LoadProgram(parameters.load).steps();
+  StepSolver whole_solver(scene), solver(scene);
+  ContactState whole(scene.gaps()), state(scene.gaps());
+  Stopper counter, stopper;
+  Recorder others;
+  EXPECT_EQ(march(steps, whole_solver, whole, counter), MarchEnd::done);
+  stopper.stop_at = counter.n_iterations - 1; // in the last part
+  EXPECT_EQ(march(steps, solver, state, stopper), MarchEnd::stopped);
+  EXPECT_EQ(stopper.calls, "next 1, solved 1, accepted 1, next 2, next 2, ");
+  EXPECT_EQ(march(steps, solver, state, others), MarchEnd::done);
+  EXPECT_EQ(state.force, whole.force);
+  EXPECT_EQ(state.displacement, whole.displacement);
 }
 
 TEST(March, EndsAtAStepThatIsNotSolved)

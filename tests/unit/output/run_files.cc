@@ -18,10 +18,16 @@ TEST(RunFiles, KnowWhatARunWrites)
   for (const std::string name : {"history.csv", "probe-P.csv", "probe-a.b.csv", "log.txt", "summary.json",
                                  "contact.pvd", "checkpoint/state", "checkpoint/state.part", "log.txt.part"})
     EXPECT_NE(run_file(name), nullptr) << name;
-  for (const std::string name : {"", "mine.csv", "history.csv2", "a-history.csv", "probe-P.txt", "probe-.cs",
-                                 "contact-001.vtu", "contact-0001.vtu.bak", "contact-00x1.vtu", ".part",
-                                 "contact-1234567890.vtu", "summary_json", "state"})
+  for (const std::string name :
+       {"", "mine.csv", "history.csv2", "a-history.csv", "probe-P.txt", "probe-.cs", "contact-001.vtu",
+        "contact-0001.vtu.bak", "contact-00x1.vtu", ".part", "contact-1234567890.vtu", "summary_json",
+        "state",
+        // names that lead out of the folder, or end early for the system
+        "probe-x/../../thesis.csv", "probe-/../x.csv", "probe-/etc/x.csv", "volume-0001./../../x.vtu",
+        "volume-0001.0/1.vtu", "../history.csv", "checkpoint/../history.csv", "checkpoint/state/../x",
+        "/history.csv", "probe-x.csv/", "./history.csv"})
     EXPECT_EQ(run_file(name), nullptr) << name;
+  EXPECT_EQ(run_file(std::string("probe-x\0.csv", 12)), nullptr);
   EXPECT_EQ(run_file("probe-P.csv")->kind, FileKind::probe_table);
 }
 

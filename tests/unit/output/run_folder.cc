@@ -8,6 +8,11 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+
+#include <filesystem>
+#include <fstream>
+#include <optional>
 #include <stdexcept>
 
 namespace orthocone::test
@@ -71,6 +76,88 @@ TEST(RunFolder, FilesAreReadInPieces)
   EXPECT_NO_THROW(folder.require_tables(marks));
   folder.append("history.csv", "more\n");
   EXPECT_NO_THROW(folder.require_tables(marks)); // they begin with what they were
+}
+
+namespace
+{
+namespace fs = std::filesystem;
+
+void put(const fs::path &file, const std::string &text)
+{
+  fs::create_directories(file.parent_path());
+  std::ofstream(file, std::ios::binary) << text;
+}
+
+constexpr const char *marker = "orthocone run folder: parameter file and tables of probes\na.prm\n";
+} // namespace
+
+// Somebody else may have made the folder: its marker names tables, its checkpoint may be a link.
+TEST(RunFolder, NamesNothingOutsideOfIt)
+{
+  const ScratchFolder scratch;
+  const fs::path thesis = scratch.path / "home/thesis.csv", state = scratch.path / "home/state";
+  put(thesis, "mine");
+  put(state, "mine");
+  const fs::path run = scratch.path / "run";
+  put(run / "orthocone-run.txt", std::string(marker) + "probe-x/../../home/thesis.csv\nprobe-P.csv\n" +
+                                     "../home/thesis.csv\nprobe-" + thesis.string() + "\n");
+  put(run / "probe-x/a", "mine");
+  put(run / "probe-P.csv", "of the run");
+  {
+    const RunFolder folder(run);
+    folder.start_anew("parameters", "b.prm", {});
+    EXPECT_FALSE(folder.has("probe-P.csv"));
+    EXPECT_TRUE(fs::exists(thesis));
+    EXPECT_THROW(folder.read("probe-x/../../home/thesis.csv"), FileError);
+    EXPECT_THROW(folder.remove("probe-x/../../home/thesis.csv"), FileError);
+    EXPECT_THROW(folder.require_tables({{"../home/thesis.csv", {}}}), FileError);
+    EXPECT_THROW(folder.require_tables({{"parameters.prm", {}}}), FileError) << "is no table";
+  }
+  fs::create_directory_symlink(scratch.path / "home", run / "checkpoint");
+  const RunFolder folder(run);
+  EXPECT_THROW(folder.start_anew("parameters", "b.prm", {}), FileError);
+  EXPECT_THROW(folder.write_durably("checkpoint/state", "new"), FileError);
+  EXPECT_THROW(folder.remove("checkpoint/state"), FileError);
+  EXPECT_EQ(posix::head(state, 9), "mine");
+}
+
+TEST(RunFolder, CutsAndReadsNoLinks)
+{
+  const ScratchFolder scratch;
+  const fs::path thesis = scratch.path / "home/thesis.csv";
+  put(thesis, "mine");
+  fs::create_directories(scratch.path / "run");
+  fs::create_symlink(thesis, scratch.path / "run/history.csv");
+  const RunFolder folder(scratch.path / "run");
+  EXPECT_THROW(folder.cut_tables({{"history.csv", {}}}), FileError); // a mark of 0 bytes fits any file
+  EXPECT_THROW(folder.append("history.csv", "row\n"), FileError);
+  EXPECT_THROW(folder.read("history.csv"), FileError);
+  EXPECT_EQ(posix::head(thesis, 9), "mine");
+}
+
+// A pipe would be waited for, a device never ends, and what is too large fills the memory.
+TEST(RunFolder, ReadsAndWritesOrdinaryFilesOnly)
+{
+  const ScratchFolder scratch;
+  fs::create_directories(scratch.path / "checkpoint");
+  for (const char *const name : {"orthocone-run.txt", "history.csv", "log.txt", "checkpoint/state"})
+    ASSERT_EQ(::mkfifo((scratch.path / name).c_str(), 0600), 0);
+  put(scratch.path / "summary.json", "");
+  fs::resize_file(scratch.path / "summary.json", 10000000000);
+  const RunFolder folder(scratch.path);
+  for (const char *const name : {"orthocone-run.txt", "history.csv", "checkpoint/state", "summary.json"})
+    EXPECT_THROW(folder.read(name), FileError) << name;
+  EXPECT_THROW(folder.ends_with("history.csv", "\n"), FileError);
+  EXPECT_THROW(folder.require_tables({{"history.csv", {1, 0}}}), FileError);
+  EXPECT_THROW(folder.append("log.txt", "line\n"), FileError);
+  EXPECT_THROW(folder.require_own({}), FileError);
+}
+
+TEST(RunFolder, IsNoFolderOfTheSystem)
+{
+  for (const char *const name : {"/", "/etc", "/usr/share", "/etc/../etc/x", "/proc/self/fd", "/dev"})
+    EXPECT_THROW(RunFolder folder{std::optional(fs::path(name))}, FileError) << name;
+  EXPECT_FALSE(fs::exists("/etc/x"));
 }
 
 // What the list of files lacks would outlive the run and be taken for a user's file by the next one.
