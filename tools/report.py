@@ -1,4 +1,4 @@
-#!/usr/bin/python3
+#!/usr/bin/python3 -I
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 """Makes one self-contained HTML page of a run: tools/report.py RUN_FOLDER [RUN_FOLDER...] [--output FILE]
@@ -91,6 +91,7 @@ def main():
             check_run_folder(folder)
         text = page.make([run_data.RunData(folder) for folder in options.folders])
         write_whole(output, text)
+        print(f"report: {output}")
     except (OSError, run_data.BadFile) as error:
         print(f"report: {one_line(error)}", file=sys.stderr)
         sys.exit(4)

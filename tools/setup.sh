@@ -60,6 +60,7 @@ install_packages() {
     fi
     as_root=sudo
   fi
+  say "asking for packages; if another apt is running, this waits for it for up to ten minutes"
   $as_root apt-get update -q -o DPkg::Lock::Timeout=600 >&2 || [ -z "$missing" ]
   # shellcheck disable=SC2086
   missing=$missing$(available_of $wanted)

@@ -59,6 +59,9 @@ class NotConverged(RuntimeError):
         super().__init__(message)
         self.solution = solution
 
+    def __reduce__(self):  # by both arguments, or another process cannot make it again, and a pool waits for ever
+        return type(self), (self.args[0], self.solution)
+
 
 def methods():
     """The contact solvers, {word: what it does}; the first one is the one to work with (docs/theory.md, section 3)."""
@@ -151,16 +154,23 @@ def sliding_traction(slip, mu, p=None):
 
 
 def _of_nodes(function, values, n_columns, name, mu, p):
-    values = np.asarray(values, dtype=float)
+    values = _real(values, name)
     rows = _rows(values, n_columns, name)
     result = function(rows, _laws(mu, p, len(rows)))
     return result[0] if values.ndim == 1 else result
 
 
+def _real(values, name):
+    """An array of real numbers, all of which count: NumPy would drop imaginary parts and masks without an error."""
+    if np.iscomplexobj(values):
+        raise ValueError(f"{name} has complex entries: allowed are real ones")
+    if np.ma.is_masked(values):
+        raise ValueError(f"{name} has masked entries: allowed are numbers; leave their nodes out of all arguments")
+    return np.asarray(values, dtype=float)
+
+
 def _matrix(W):
-    if np.iscomplexobj(W):
-        raise ValueError("W has complex entries: allowed are real ones")
-    W = np.asarray(W, dtype=float)
+    W = _real(W, "W")
     if W.ndim != 2 or W.shape[0] != W.shape[1] or W.shape[0] % 3 or not W.size:
         raise ValueError(f"W has the shape {W.shape}: allowed is (3 n, 3 n), n > 0")
     if not (W.flags.c_contiguous or W.flags.f_contiguous):
@@ -169,7 +179,7 @@ def _matrix(W):
 
 
 def _rows(values, n_columns, name, n=None):
-    values = np.asarray(values, dtype=float)
+    values = _real(values, name)
     wanted = "n" if n is None else n
     if values.ndim == 1 and values.size % n_columns == 0:
         values = values.reshape(-1, n_columns)
@@ -181,7 +191,7 @@ def _rows(values, n_columns, name, n=None):
 
 
 def _pairs(values, name, n):
-    values = np.asarray(values, dtype=float)
+    values = _real(values, name)
     if values.ndim and values.shape not in ((2,), (n, 2)):
         raise ValueError(f"{name} has the shape {values.shape}: allowed is a number, (2,) or ({n}, 2)")
     return np.broadcast_to(values, (n, 2))

@@ -3,6 +3,7 @@
 """The Python module: laws and solvers have the properties that mathematics gives them, and bad input is an exception.
 
 Usage: test_module.py PROGRAM [unittest options]"""
+import pickle
 import subprocess
 import sys
 import unittest
@@ -181,6 +182,10 @@ class SolveTest(unittest.TestCase):
         with self.assertRaisesRegex(orthocone.NotConverged, "uzawa: slow, residual .* after 3 iterations") as caught:
             solve(W, q, 0.3, method="uzawa", maximum_iterations=3)
         self.assertEqual(caught.exception.solution.force.shape, (8, 3))
+        # Another process hands it over by pickle, whose default makes exceptions again by their message alone.
+        copy = pickle.loads(pickle.dumps(caught.exception))
+        self.assertEqual((type(copy), str(copy)), (orthocone.NotConverged, str(caught.exception)))
+        np.testing.assert_array_equal(copy.solution.force, caught.exception.solution.force)
         self.assertEqual(caught.exception.solution.report.trace.shape[1], 4)
 
     def test_bad_input(self):
@@ -194,7 +199,10 @@ class SolveTest(unittest.TestCase):
                                  ("q has entries", (W, np.inf * q, 0.3)), ("mu has the shape", (W, q, [1, 2, 3])),
                                  ("mu: allowed", (W, q, -0.3)), ("mu: allowed", (W, q, (0.3, 0))),
                                  ("p: allowed", (W, q, 0.3, 0.)), ("p: allowed", (W, q, 0.3, np.nan)),
-                                 ("could not convert", (W, q, "much"))):
+                                 ("could not convert", (W, q, "much")), ("q has complex", (W, q + 1j, 0.3)),
+                                 ("mu has complex", (W, q, 0.3 + 0j)), ("p has complex", (W, q, 0.3, [0.1, 1j])),
+                                 ("W has complex", (W + 0j, q, 0.3)), ("q has masked", (W, np.ma.masked_less(q, q.max()), 0.3)),
+                                 ("W has masked", (np.ma.masked_equal(W, W[0, 0]), q, 0.3))):
             with self.subTest(words), self.assertRaisesRegex(ValueError, words):
                 solve(*arguments)
         for words, options in (("method = 'best': allowed is newton, ", {"method": "best"}),

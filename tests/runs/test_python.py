@@ -50,6 +50,18 @@ class PythonTest(RunTest):
             result = self.run_with(LAUNCHER, "numpy,meshio", self.script, "a b", "--c")
             self.assertEqual((result.returncode, result.stdout), (7, "['a b', '--c']\n"), result.stderr)
 
+    def test_modules_of_the_current_folder_are_not_run(self):
+        """A numpy.py beside the user's scene is the user's, and so is one of a module that Python itself imports."""
+        for name in ("numpy", "meshio", "string", "re", "sitecustomize", "matplotlib"):
+            (self.folder / f"{name}.py").write_text(f"open({str(self.folder / 'trace')!r}, 'a').write('{name} ')\n")
+        folder = self.folder / "elsewhere"
+        folder.mkdir()
+        (folder / "mine.py").write_text("import sys\nimport numpy\nsys.exit(7)\n")
+        self.assertEqual(self.run_with(LAUNCHER, "numpy,meshio", folder / "mine.py").returncode, 7)
+        self.assertEqual(self.run_with(ROOT / "tools/report.py", "nothing").returncode, 4)
+        self.assertEqual(self.run_with(ROOT / "tools/report.py", "nothing", PYTHONPATH=":").returncode, 4)
+        self.assertFalse((self.folder / "trace").exists())
+
     def test_nothing_serves(self):
         bare = self.fake(BARE)
         result = self.run_with(LAUNCHER, "numpy,meshio", self.script, ORTHOCONE_PYTHON=str(bare))

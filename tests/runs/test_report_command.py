@@ -82,7 +82,8 @@ class CommandTest(unittest.TestCase):
 
     def test_output(self):
         page = self.folder / "page.html"
-        self.assertEqual(report(self.folder, "--output", page).returncode, 0)
+        result = report(self.folder, "--output", page)
+        self.assertEqual((result.returncode, result.stdout), (0, f"report: {page}\n"))
         first = page.read_bytes()
         self.assertEqual(report(self.folder, "--output", page).returncode, 0)
         self.assertEqual(page.read_bytes(), first)

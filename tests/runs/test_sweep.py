@@ -185,6 +185,9 @@ class SweepTest(RunTest):
                             (("--vary", "a=1,,2", "--set", "{a}"), r"words separated by commas"),
                             (("--vary", "a=1,1", "--set", "{a}"), r"each of them once"),
                             (("--vary", "a=1,2", "--set", "{a}{b}"), r"\{b\} is not varied; allowed are a"),
+                            (("--vary", "a=0:1:1000000000", "--set", "{a}"), r"a count from 2 to 100000"),
+                            (("--vary", "a=0:inf:3", "--set", "{a}"), r"FIRST:LAST:NUMBER with two numbers"),
+                            (("--vary", "a=0:1:9999", "--vary", "b=0:1:9999", "--set", "{a}{b}"), r"makes 99980001 runs"),
                             (("--vary", "Mesh/Degree=1,2", "--jobs", "0"), r"--jobs = 0")):
             error = self.sweep(*words, code=2).stderr
             self.assertRegex(error, r"^sweep: .*\n$")
@@ -202,6 +205,26 @@ class SweepTest(RunTest):
         self.sweep("--vary", "Mesh/Degree=1,2")
         error = self.sweep("--vary", "Mesh/Degree=1,2", "--set", "Load program/Cycles=2", code=2).stderr
         self.assertRegex(error, r"^sweep: output/sweep-s: holds a study of other runs .*--output DIR takes another folder\n$")
+
+
+    def test_damaged_and_special_files_are_reported_in_a_line(self):
+        study = self.folder / "output/sweep-s/sweep.json"
+        self.sweep("--vary", "Mesh/Degree=1,2")
+        whole = study.read_text()
+        for text in ("", "{", whole[:-20], "[]", "1", "{}", whole.replace('"set": []', '"set": 3'), "\0" * 9, "[" * 100000):
+            with self.subTest(text[:20]):
+                study.write_text(text)
+                error = self.sweep("--vary", "Mesh/Degree=1,2", code=2).stderr
+                self.assertRegex(error, r"^sweep: output/sweep-s/sweep.json: is damaged, .* --output DIR takes another folder\n$")
+                self.assertEqual(study.read_text(), text)
+        study.unlink()
+        os.mkfifo(study)
+        self.assertRegex(self.sweep("--vary", "Mesh/Degree=1,2", code=2).stderr, r"^sweep: .*sweep.json: is no ordinary file")
+        (self.folder / "s.prm").unlink()
+        for make in (os.mkfifo, lambda path: path.symlink_to("/dev/zero"), os.mkdir):
+            make(self.folder / "s.prm")
+            self.assertRegex(self.sweep("--vary", "Mesh/Degree=1,2", code=2).stderr, r"^sweep: s.prm: is no ordinary file; .*\n$")
+            os.rmdir(self.folder / "s.prm") if make is os.mkdir else (self.folder / "s.prm").unlink()
 
 
 if __name__ == "__main__":

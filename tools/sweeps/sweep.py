@@ -6,6 +6,7 @@ import argparse
 import hashlib
 import itertools
 import json
+import math
 import os
 import pathlib
 import re
@@ -17,6 +18,7 @@ import sweep_runs  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 MOST_RUNS = 100000
+MOST_BYTES, MOST_DEEP = 500_000_000, 20  # of a file that is read, and of includes
 FILE_ENTRIES = ("Obstacle/Gap file", "Geometry/Mesh file", "Lower geometry/Mesh file")
 
 
@@ -32,9 +34,9 @@ def values_of(text):
             first, last, number = float(parts[0]), float(parts[1]), int(parts[2])
         except ValueError:
             number = 0
-        if number < 2:
-            raise WrongInput(f"--vary: '{text}': allowed is FIRST:LAST:NUMBER with two numbers and a count from 2 on, or "
-                             "words separated by commas")
+        if not 2 <= number <= MOST_RUNS or not math.isfinite(first) or not math.isfinite(last):
+            raise WrongInput(f"--vary: '{text}': allowed is FIRST:LAST:NUMBER with two numbers and a count from 2 to "
+                             f"{MOST_RUNS}, or words separated by commas")
         return [f"{first + (last - first) * i / (number - 1):.10g}" for i in range(number)]
     words = [word.strip() for word in text.split(",")]
     if not all(words) or len(set(words)) < len(words):
@@ -65,10 +67,22 @@ def settings_of(point, templates):
     return settings + [f"{name}={value}" for name, value in point.items() if "/" in name]
 
 
+def content_of(path):
+    """The bytes of a file that comes from outside: ordinary, and no larger than the program reads."""
+    if path.exists() and not path.is_file():
+        raise WrongInput(f"{path}: is no ordinary file; a study reads its files several times")
+    if path.is_file() and path.stat().st_size > MOST_BYTES:
+        raise WrongInput(f"{path}: has {path.stat().st_size} bytes: allowed are {MOST_BYTES}")
+    return path.read_bytes()
+
+
 def texts_of(path, seen=()):
-    """The bytes of a parameter file, and of all that it includes or names."""
-    content = path.read_bytes()
+    """The bytes of a parameter file, and of all that it includes or names. The program says what is wrong with includes that
+    lead to themselves, or too deep."""
+    content = content_of(path)
     texts = [content]
+    if len(seen) > MOST_DEEP:
+        return texts
     for line in content.decode("utf-8", "replace").splitlines():
         match = re.match(r"\s*(?:include\s+|set\s+(?:Gap|Mesh) file\s*=\s*)(\S.*?)\s*(?:#.*)?$", line)
         other = path.parent / match[1] if match else None
@@ -85,7 +99,7 @@ def other_files_of(options, points):
     if options.file.suffix == ".json":
         for section, entry in (name.split("/") for name in FILE_ENTRIES):
             try:
-                files.add(options.file.parent / json.loads(options.file.read_text(encoding="utf-8"))[section][entry])
+                files.add(options.file.parent / json.loads(content_of(options.file))[section][entry])
             except (ValueError, KeyError, TypeError):
                 pass  # it names none, or the program says what is wrong with it
     return sorted(file for file in files if file.is_file())
@@ -93,7 +107,7 @@ def other_files_of(options, points):
 
 def checksum_of(options, points):
     """Of all that the runs read."""
-    texts = texts_of(options.file) + [file.read_bytes() for file in other_files_of(options, points)]
+    texts = texts_of(options.file) + [content_of(file) for file in other_files_of(options, points)]
     return hashlib.sha256(b"\0".join(texts)).hexdigest()
 
 
@@ -133,11 +147,24 @@ def parse(arguments):
     return parser.parse_args(arguments)
 
 
+def earlier_study(path, study):
+    """What sweep.json says of the runs in its folder. It may be damaged, or somebody else's."""
+    try:
+        earlier = json.loads(content_of(path))
+    except (ValueError, RecursionError):
+        earlier = None
+    if not isinstance(earlier, dict) or {key: type(value) for key, value in earlier.items()} != \
+            {key: type(value) for key, value in study.items()} or not all(isinstance(text, str) for text in earlier["set"]):
+        raise WrongInput(f"{path}: is damaged, so that nobody knows what the runs beside it are of; remove it with them, or "
+                         "--output DIR takes another folder")
+    return earlier
+
+
 def require_same_study(folder, study, anew):
     """A folder holds one study: runs of others would stand in its table. With --anew no old run stays in it."""
     path = folder / "sweep.json"
     if path.exists():
-        earlier = json.loads(path.read_text(encoding="utf-8"))
+        earlier = earlier_study(path, study)
         if anew:
             earlier["checksum"] = study["checksum"]
         if earlier != study:
@@ -148,21 +175,25 @@ def require_same_study(folder, study, anew):
     elif folder.exists() and any(folder.iterdir()):
         raise WrongInput(f"{folder}: is not empty, and holds no study; --output DIR takes another folder")
     folder.mkdir(parents=True, exist_ok=True)
-    path.write_text(json.dumps(study, indent=2) + "\n", encoding="utf-8")
+    part = path.with_suffix(".part")
+    part.write_text(json.dumps(study, indent=2) + "\n", encoding="utf-8")
+    part.replace(path)  # whole, or as it was
 
 
 def run_study(options):
     grid = grid_of(options.vary)
     check_use(grid, options.set)
-    options.file.read_bytes()  # OSError if it cannot be read
+    content_of(options.file)  # OSError if it cannot be read
     if options.jobs < 1:
         raise WrongInput(f"--jobs = {options.jobs}: allowed is a whole number from 1 on")
     names = [name for name, _ in grid]
+    if (n_points := math.prod(len(values) for _, values in grid)) > MOST_RUNS:
+        raise WrongInput(f"--vary: makes {n_points} runs: allowed are {MOST_RUNS}")
     points = [dict(zip(names, values)) for values in itertools.product(*(values for _, values in grid))]
     folders = [folder_name(point) for point in points]
-    if len(points) > MOST_RUNS or len(set(folders)) < len(points):
+    if len(set(folders)) < len(points):
         raise WrongInput(f"--vary: makes {len(points)} runs, {len(set(folders))} of them with names of their own: allowed are "
-                         f"{MOST_RUNS}, each with its own")
+                         "runs each with its own")
     output = options.output or pathlib.Path("output") / f"sweep-{options.file.stem}"
     fixed = [] if options.fields else ["Output/Contact fields=0", "Output/Volume fields=0"]
     require_same_study(output, {"file": str(options.file.resolve()), "set": options.set, "names": names,
