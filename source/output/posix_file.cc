@@ -145,7 +145,7 @@ public:
       : InputFile(file, shown_path(file.string()), Links::refused)
   {
     if (is_folder())
-      fail(file, "cannot be read", EISDIR);
+      posix::fail(file, "cannot be read", EISDIR);
     if (!is_ordinary())
       throw FileError(shown_path(file.string()) + ": cannot be read (it is no ordinary file)");
   }
