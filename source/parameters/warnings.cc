@@ -33,7 +33,9 @@ void warn_of_slip_ellipse(const FrictionOptions &friction, std::vector<std::stri
 std::pair<std::string, double> most_incompressible(const MaterialOptions &material)
 {
   const double ratio = material.isotropic().poisson_ratio;
-  std::pair most(material.is_orthotropic() ? "Material/Poisson ratios, on average " + to_text(ratio)
+  constexpr double shown_digits = 1e4; // of the average, which has rounding in its last ones
+  std::pair most(material.is_orthotropic() ? "Material/Poisson ratios, on average " +
+                                                 to_text(std::round(shown_digits * ratio) / shown_digits)
                                            : "Material/Poisson ratio = " + to_text(ratio),
                  ratio);
   for (const MaterialRegion &region : material.regions)

@@ -18,7 +18,8 @@
 
 namespace orthocone::test
 {
-/// A small graded mesh; nothing in it is uniform or symmetric between top and base.
+/// A small graded mesh; nothing in it is uniform or symmetric between top and base. With full quadrature, so
+/// that forces are integrals of the stress that the strain gives (internal_forces()).
 inline MeshOptions small_mesh(const unsigned int degree)
 {
   MeshOptions mesh;
@@ -28,6 +29,7 @@ inline MeshOptions small_mesh(const unsigned int degree)
   mesh.degree = degree;
   mesh.rim_grading = 0.7;
   mesh.layer_grading = 0.8;
+  mesh.volumetric_quadrature = VolumetricQuadrature::full;
   return mesh;
 }
 

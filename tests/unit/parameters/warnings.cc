@@ -79,10 +79,11 @@ TEST(Warnings, AreGivenForElementsThatDoNotResolveTheRimOrLock)
         p.material.poisson_ratio = 0.495;
       },
       "Material/Poisson ratio"));
-  const auto with = [](const unsigned int degree, const VolumetricQuadrature quadrature)
+  const auto with = [&](const unsigned int degree, const VolumetricQuadrature quadrature)
   {
     return [=](Parameters &p)
     {
+      fine(p);
       p.mesh.degree = degree;
       p.mesh.volumetric_quadrature = quadrature;
       p.material.regions = {{"seal", 5, 0.495}};

@@ -98,6 +98,7 @@ std::vector<MeshOptions> meshes()
   std::vector<MeshOptions> all(3);
   all[0].degree = 1;
   all[1].degree = 2;
+  all[1].volumetric_quadrature = VolumetricQuadrature::full; // as internal_forces()
   all[2].degree = 1;
   all[2].refinements = 1;
   return all;

@@ -29,6 +29,7 @@ MeshOptions section_options(const unsigned int degree, const unsigned int n_refi
   options.core_cells = 4 << n_refinements;
   options.rings = 3 << n_refinements;
   options.layers = 3 << n_refinements;
+  options.volumetric_quadrature = VolumetricQuadrature::full; // energies bound each other from one side
   return options;
 }
 
