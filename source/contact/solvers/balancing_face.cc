@@ -51,6 +51,7 @@ bool is_pressed_on(const ContactStep &step, const VectorXd &unknowns)
       return true;
   return false;
 }
+
 /// Whether a node sticks that the face would move if it followed what is out of balance. One at the centre of
 /// a face that turns sticks, too, but does not hold it.
 bool is_held(const ContactStep &step, const VectorXd &unknowns, const std::vector<NodeStatus> &statuses)
@@ -91,6 +92,11 @@ bool BalanceWatch::runs_away(const ContactStep &step, const VectorXd &unknowns)
   const bool stands = lacking > negligible && lacking > standing * last_;
   last_ = lacking;
   n_standing_ = stands ? n_standing_ + 1 : 0;
-  return n_standing_ >= patience && nothing_holds(step, unknowns);
+  if (n_standing_ < patience)
+    return false;
+  // An iteration goes on while any node sticks: those that hold the face in the end may be others.
+  const auto statuses = step.statuses(unknowns, step.displacement(unknowns));
+  return std::count(statuses.begin(), statuses.end(), NodeStatus::stick) == 0 &&
+         nothing_holds(step, unknowns);
 }
 } // namespace orthocone
