@@ -175,9 +175,7 @@ def require_same_study(folder, study, anew):
     elif folder.exists() and any(folder.iterdir()):
         raise WrongInput(f"{folder}: is not empty, and holds no study; --output DIR takes another folder")
     folder.mkdir(parents=True, exist_ok=True)
-    part = path.with_suffix(".part")
-    part.write_text(json.dumps(study, indent=2) + "\n", encoding="utf-8")
-    part.replace(path)  # whole, or as it was
+    sweep_runs.write_whole(path, json.dumps(study, indent=2) + "\n")
 
 
 def run_study(options):

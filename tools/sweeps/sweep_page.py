@@ -10,7 +10,7 @@ import matplotlib
 
 matplotlib.use("Agg")
 import matplotlib.pyplot as plt  # noqa: E402
-from sweep_runs import UNITS  # noqa: E402
+from sweep_runs import UNITS, write_whole  # noqa: E402
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "report"))
 from markup import element, escape, table  # noqa: E402
@@ -111,6 +111,4 @@ def write_page(path, file, settings, grid, rows):
             f"<title>{escape(title)}</title><style>{STYLE}</style>"
             + element("h1", escape(title)) + element("p", escape(f"{len(rows)} runs. Varied: {varied}. {failed}"))
             + element("ul", fixed) + svg_of(figure(grid, rows)) + element("h2", "Runs") + table_of(rows) + "</html>\n")
-    temporary = path.with_suffix(".part")
-    temporary.write_text(page, encoding="utf-8")
-    temporary.replace(path)
+    write_whole(path, page)

@@ -2,6 +2,7 @@
 # Copyright (C) 2026 the orthocone authors
 """The runs of a parameter study, and the table of their summaries."""
 import csv
+import io
 import json
 import os
 import pathlib
@@ -9,6 +10,7 @@ import queue
 import signal
 import subprocess
 import sys
+import tempfile
 import threading
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "plots"))
@@ -30,6 +32,19 @@ COLUMNS = [
 ]
 OWN_COLUMNS = {"exit", "status", "cpu_seconds", "folder"} | {name for name, _, _ in COLUMNS}
 UNITS = {name: unit for name, unit, _ in COLUMNS}
+
+
+def write_whole(path, text):
+    """Under its name the file is complete, or as it was. What has a name in the folder already is not written through."""
+    descriptor, part = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
+    try:
+        with open(descriptor, "w", encoding="utf-8", newline="") as file:
+            file.write(text)
+        os.chmod(part, 0o644)
+        os.replace(part, path)
+    except BaseException:
+        os.unlink(part)
+        raise
 
 
 class Run:
@@ -147,10 +162,9 @@ def write_table(runs, path):
         row = {**run.point, "exit": run.exit, "status": summary.get("status", run.message or "not run")}
         row |= {name: value_at(summary, where) for name, _, where in COLUMNS}
         rows.append(row | {"cpu_seconds": run.cpu_seconds, "folder": f"runs/{run.folder.name}"})
-    temporary = path.with_suffix(".part")
-    with open(temporary, "w", encoding="utf-8", newline="") as file:
-        writer = csv.DictWriter(file, rows[0].keys())
-        writer.writeheader()
-        writer.writerows(rows)
-    temporary.replace(path)
+    text = io.StringIO(newline="")
+    writer = csv.DictWriter(text, rows[0].keys())
+    writer.writeheader()
+    writer.writerows(rows)
+    write_whole(path, text.getvalue())
     return rows
