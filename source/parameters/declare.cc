@@ -167,7 +167,7 @@ void declare_wear(WearOptions &wear, EntryTable &table)
              "What wears the base of the body where it slips, a depth that is added to the gap. archard: "
              "Coefficient x pressure x slip; energy: Coefficient x dissipated energy per area.");
   add_number(table, "Coefficient", wear.coefficient, Range{0, 1e6, true, true},
-             "Volume that is worn per work, mm^3/(N mm) = 1/MPa.");
+             "Volume that is worn per work, mm^3/(N mm) = 1/MPa; above 0 where a Law wears.");
   add_number(
       table, "Largest depth of a jump", wear.largest_jump, Range{0, 1e6, true, true},
       "Cycles are jumped, each as the last one, as long as no node loses more than this depth in mm; "

@@ -148,17 +148,6 @@ bool make_file(const std::string &name)
   return descriptor >= 0 && ::close(descriptor) == 0;
 }
 
-/// A device or a pipe would be replaced by a file.
-void require_replaceable(const std::string &file)
-{
-  std::error_code code;
-  const auto status = std::filesystem::status(file, code);
-  if (std::filesystem::is_directory(status))
-    fail(file, "it is a folder");
-  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
-    fail(file, "it is no ordinary file");
-}
-
 /// FCLIB ends the program where it cannot write. So it is called only where a file can be made and has room.
 void check_room(const std::string &part, const std::string &file, const double n_values)
 {
@@ -176,12 +165,22 @@ void check_room(const std::string &part, const std::string &file, const double n
 }
 } // namespace
 
+void require_place_for_problem(const std::string &file)
+{
+  std::error_code code;
+  const auto status = std::filesystem::status(file, code);
+  if (std::filesystem::is_directory(status))
+    fail(file, "it is a folder");
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    fail(file, "it is no ordinary file");
+}
+
 void write_problem(const ContactProblem &problem, const std::optional<ProblemSolution> &solution,
                    const std::string &file)
 {
   const std::string part = file + ".part";
   const auto n = static_cast<double>(problem.q.size());
-  require_replaceable(file);
+  require_place_for_problem(file);
   if (problem.q.size() > most_rows)
     fail(file, "FCLIB counts no more than 2^31 entries of W");
   check_room(part, file, n * (n + static_cast<double>(problem.face.cols()) + 4));

@@ -188,6 +188,8 @@ Answer answer(const SolveOptions &options, const ContactProblem &problem, const 
 
 ExitCode solve(const SolveOptions &options, std::ostream &out)
 {
+  if (!options.write.empty())
+    require_place_for_problem(options.write); // known before the work
   ContactProblem problem = read_problem(options.file);
   set_laws(options, problem.laws);
   const BlasThreads threads(problem.q.size());

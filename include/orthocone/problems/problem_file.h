@@ -33,6 +33,9 @@ struct StoredErrors
 /// Throws FileError, also where there is no solution.
 StoredErrors stored_errors(const std::string &file);
 
+/// Throws FileError for a folder, a device or a pipe, which a file would replace.
+void require_place_for_problem(const std::string &file);
+
 /// Writes a file by FCLIB's library, which is either complete or not there, with a solution if there is one.
 /// Throws FileError, and std::invalid_argument for a face beside a slip rule that is not associated, because
 /// FCLIB's form has one matrix for both its sides (docs/theory.md, section 9).
