@@ -85,7 +85,10 @@ void advance(ContactState &state, const ContactStep &step, const VectorXd &openi
       continue;
     const double dissipated = share * dissipation(before.force.segment<2>(3 * node + 1),
                                                   state.force.segment<2>(3 * node + 1), change);
-    const double normal_force = share * 0.5 * (before.force[3 * node] + state.force[3 * node]);
+    // What a node that closes does not carry at first others do: the wear of a given force is that of all of
+    // it.
+    const double mean_force = 0.5 * (before.force[3 * node] + state.force[3 * node]);
+    const double normal_force = state.status[node] == NodeStatus::open ? share * mean_force : mean_force;
     state.dissipated_energy[node] += dissipated;
     state.wear_depth[node] += wear.depth(node, {normal_force, change.norm(), dissipated});
   }

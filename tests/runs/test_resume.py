@@ -84,7 +84,7 @@ class SignalTest(ResumeTest):
             time.sleep(0.001)
         run.terminate()
         run.communicate()
-        endless = ["Contact solver/Method=uzawa", "Contact solver/Maximum iterations=4000000000", "Contact solver/Rho factor=1e-6"]
+        endless = ["Contact solver/Method=uzawa", "Contact solver/Maximum iterations=10000000", "Contact solver/Rho factor=1e-6"]
         run = self.start("stopped", [*settings, *endless], "--resume")
         log = self.folder / "stopped/log.txt"
         while "uzawa" not in log.read_text() and run.poll() is None:
