@@ -13,6 +13,8 @@
 #include <orthocone/parameters/values.h>
 
 #include <algorithm>
+#include <iomanip>
+#include <sstream>
 
 namespace orthocone
 {
@@ -76,6 +78,14 @@ void check_backend(const Parameters &parameters)
                      "allowed is Backend = condensed");
 }
 
+/// All digits of a number of steps.
+std::string counted(const double n)
+{
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(0) << n;
+  return text.str();
+}
+
 /// Bounds what is computed, and what is counted: cycles that may be jumped are not computed.
 void check_number_of_steps(const LoadOptions &load, const WearOptions &wear)
 {
@@ -89,12 +99,12 @@ void check_number_of_steps(const LoadOptions &load, const WearOptions &wear)
   const std::string unit =
       has_parts(load.preload) || has_parts(load.legs) ? " parts of load steps" : " load steps";
   const std::string made = "Load program: Preload, Legs and Cycles = " + std::to_string(load.cycles) +
-                           " make " + to_text(n_all) + unit;
+                           " make " + counted(n_all) + unit;
   if (!may_jump(load, wear))
     throw InputError(made + ": allowed are 1000000");
   if (n_least <= most_solved_parts)
     throw InputError(made + ": allowed are 4000000000 where cycles are jumped");
-  throw InputError(made + ", of which at least " + to_text(n_least) +
+  throw InputError(made + ", of which at least " + counted(n_least) +
                    " are computed however many cycles are jumped: allowed are 1000000 computed ones");
 }
 

@@ -13,7 +13,7 @@ import meshio
 import numpy as np
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from program import ROOT, RunTest, SMALL, content, main  # noqa: E402
+from program import ROOT, RunTest, SMALL, main  # noqa: E402
 
 STEPS = 6
 CYCLES = 40
@@ -128,13 +128,13 @@ class PeriodicTest(CyclesTest):
         self.assertIn(last, self.text("stopped", "contact.pvd"))
         self.assertRegex(self.text("stopped", "log.txt"), rf"\nperiodic since cycle {len(rows)}: change .*; stops after")
         # What is complete stays so.
-        before = {file.name: content(file) for file in (self.folder / "stopped").iterdir() if file.suffix != ".txt"
+        before = {file.name: file.read_bytes() for file in (self.folder / "stopped").iterdir() if file.suffix != ".txt"
                   and file.is_file()}
         result = self.run_program("stopped", "--resume", settings=[*MANY, STOP])
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         for name, old in before.items():
             if name != "summary.json":
-                self.assertEqual(content(self.folder / "stopped" / name), old, name)
+                self.assertEqual((self.folder / "stopped" / name).read_bytes(), old, name)
 
     def test_jump(self):
         """What has added up is that of the computed cycles, as far as the criterion promises."""

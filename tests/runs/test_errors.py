@@ -168,7 +168,7 @@ class RunFolderTest(ErrorTest):
         for arguments, expression in [(["--output", "taken"], "taken: .*run folder.*file of this name.*--output"),
                                       (["--output", "taken/x"], r"taken/x: .*run folder \(Not a directory\)"),
                                       ([], r"output/good: .*run folder \(Not a directory\)"),
-                                      (["--output", "/proc/x"], "/proc/x: cannot be created as the run folder")]:
+                                      (["--output", "/proc/x"], r"/proc/x: cannot be the run folder \(it belongs to the system")]:
             with self.subTest(arguments=arguments):
                 self.assert_rejected(["good.prm", *arguments], FILE_ERROR, expression)
 

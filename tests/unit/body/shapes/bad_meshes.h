@@ -153,7 +153,7 @@ inline std::vector<Row> broken_sections()
       {"4.1: entity without end", replaced(good_41, "2 1 2\n$EndEntities", "2 1\n$EndEntities"),
        "section $Entities has less than it says"},
       {"4.1: block too short", replaced(good_41, "2 2 3 1\n", "2 2 3 2\n"), "section $Elements has"},
-      {"4.1: node too few", replaced(good_41, "3 1 0 8", "3 1 0 9"), "section $Nodes has less than it says"},
+      {"4.1: node too few", replaced(good_41, "3 1 0 8", "3 1 0 9"), "section $Nodes has '0': allowed is"},
   };
 }
 
@@ -238,7 +238,7 @@ inline std::vector<Row> misplaced_meshes()
   return {
       {"inverted", with(invert),
        "is inverted: allowed are hexahedra with a positive volume at each of their corners"},
-      {"node that is not there", with(hole), "its elements do not fit together"},
+      {"node that is not there", with(hole), "has an element with node 99, which is not in section"},
       {"collapsed", with(collapse), "inverted"},
       {"face that is none", with(far_quad),
        "Geometry/Contact surface = base has 5 faces, of which 4 are on the outside of the cells"},
