@@ -192,7 +192,7 @@ ROWS = [
     ("too_many_steps_beyond_32_bits",
      "subsection Load program\n  set Legs = 0 0 -0.1 : 4000000000 ; 0 0 0 : 4000000000\n  set Cycles = 1000000\n"
      "end\n",
-     "{file}: Load program: Preload, Legs and Cycles = 1000000 make 8e+15 load steps: allowed are 1000000"),
+     "{file}: Load program: Preload, Legs and Cycles = 1000000 make 8000000000000000 load steps: allowed are 1000000"),
     ("too_many_steps_by_cycles",
      "subsection Load program\n  set Legs = 0 0 -0.1 : 500 ; 0 0 0 : 500\n  set Cycles = 1001\nend\n",
      "{file}: Load program: Preload, Legs and Cycles = 1001 make 1001000 load steps: allowed are 1000000"),
