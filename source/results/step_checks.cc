@@ -57,7 +57,8 @@ double slip_of_change(const ContactState &state, const Eigen::VectorXd &lengths)
 }
 
 /// Dissipation of nodes in an undivided step that is negative, or more than the larger of the friction forces
-/// before and after can do on the way of the slip.
+/// before and after can do on the way of the slip. A node that counts as open, but has a force, because a
+/// long slide has lost the digits of its gap, dissipates nothing where it should.
 double impossible_dissipation(const ContactState &before, const ContactState &after)
 {
   double wrong = 0;
@@ -68,6 +69,9 @@ double impossible_dissipation(const ContactState &before, const ContactState &af
     const double friction =
         std::max(before.force.segment<2>(3 * node + 1).norm(), after.force.segment<2>(3 * node + 1).norm());
     wrong = std::max({wrong, -done, done - way * friction});
+    if (after.status[node] == NodeStatus::open)
+      wrong = std::max(wrong, after.force.segment<2>(3 * node + 1).norm() *
+                                  (after.displacement - before.displacement).segment<2>(3 * node + 1).norm());
   }
   return wrong;
 }
