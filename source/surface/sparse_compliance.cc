@@ -56,8 +56,9 @@ SparseMatrix SparseElimination::system_of(const ContactConditions &conditions,
     for (SparseMatrix::InnerIterator entry(of_nodes, column); entry; ++entry)
       triplets.emplace_back(entry.row(), column, entry.value());
   }
-  const MatrixXd right = softness_ * (nodes.rows.transpose() * conditions.face);
-  const MatrixXd below = conditions.face.transpose() * nodes.basis;
+  const MatrixXd face = m > 0 ? conditions.face : MatrixXd(nodes.rows.rows(), 0);
+  const MatrixXd right = softness_ * (nodes.rows.transpose() * face);
+  const MatrixXd below = face.transpose() * nodes.basis;
   for (Index j = 0; j < m; ++j)
     for (Index i = 0; i < n; ++i)
     {
