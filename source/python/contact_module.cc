@@ -3,6 +3,7 @@
 //
 // The contact column for Python, on NumPy's memory. python/orthocone/contact.py checks and documents, so that
 // shapes are right here. Laws are rows (mu_x, mu_y, p_x, p_y), one for each node.
+#include <orthocone/base/stop_point.h>
 #include <orthocone/contact/solvers/contact_method.h>
 #include <orthocone/contact/solvers/contact_solver.h>
 #include <orthocone/surface/given_compliance.h>
@@ -10,6 +11,8 @@
 #include <pybind11/numpy.h>
 #include <pybind11/pybind11.h>
 #include <pybind11/stl.h>
+
+#include <chrono>
 
 namespace py = pybind11;
 
@@ -157,6 +160,31 @@ py::tuple solve(const py::array_t<double> &w, const Array &q, const Array &laws,
   return py::make_tuple(to_rows(std::move(force), 3), to_rows(std::move(displacement), 3),
                         to_rows(std::move(status), 1), of_report);
 }
+/// Does `work`, which may release the interpreter's lock. Python's handlers of signals run now and then
+/// between two iterations, and what they raise, as Ctrl-C does, ends the work.
+template<typename Work>
+py::tuple interruptible(const Work &work)
+{
+  using Clock = std::chrono::steady_clock;
+  constexpr std::chrono::milliseconds between_looks(50); // the lock is not for free
+  const Stoppable stoppable(
+      [=, last = Clock::now()]() mutable
+      {
+        if (Clock::now() - last < between_looks)
+          return false;
+        last = Clock::now();
+        const py::gil_scoped_acquire lock;
+        return PyErr_CheckSignals() != 0;
+      });
+  try
+  {
+    return work();
+  }
+  catch (const Stopped &)
+  {
+    throw py::error_already_set();
+  }
+}
 } // namespace
 
 PYBIND11_MODULE(_contact, m)
@@ -178,6 +206,6 @@ PYBIND11_MODULE(_contact, m)
           options.method = method;
           options.tolerance = tolerance;
           options.maximum_iterations = maximum_iterations;
-          return solve(w, q, laws, start, options);
+          return interruptible([&] { return solve(w, q, laws, start, options); });
         });
 }

@@ -202,7 +202,7 @@ std::optional<std::string> StepChecker::violation(const StepChecks &checks) cons
   };
   const std::array<Check, 7> all{{
       {"Equilibrium", checks.equilibrium, options_.equilibrium,
-       "; where the Poisson ratio is next to 0.5, no more digits are left"},
+       "; where the Poisson ratio is next to 0.5, or moduli differ a millionfold, no more digits are left"},
       {"Penetration", checks.law.penetration, law_bound(options_.penetration),
        "; where a slide is far longer than the body is pressed, no more digits are left"},
       {"Complementarity", checks.law.complementarity, law_bound(options_.complementarity)},

@@ -76,7 +76,7 @@ std::optional<std::pair<Index, Index>> impossible_pair(const DenseView &w, const
   return std::nullopt;
 }
 
-constexpr Index most_rows = 600; // beyond, a factorization takes longer than a solution
+constexpr Index most_rows_to_factorize = 600; // beyond, a factorization takes longer than a solution
 
 /// W in this scale, as far as the least eigenvalue is known by products: by Lanczos' method.
 double least_by_products(const DenseView &w, const VectorXd &scale)
@@ -101,7 +101,7 @@ bool is_indefinite(const DenseView &w, const VectorXd &scale)
     block.diagonal().array() += shift;
     return Eigen::LLT<Eigen::Ref<MatrixXd>>(block).info() == Eigen::Success;
   };
-  if (w.rows() <= most_rows)
+  if (w.rows() <= most_rows_to_factorize)
     return !is_positive(scale.asDiagonal() * w * scale.asDiagonal());
   for (Index i = 0; i < w.rows(); i += 3)
   {
@@ -115,7 +115,7 @@ bool is_indefinite(const DenseView &w, const VectorXd &scale)
 /// The least eigenvalue that is known of W in this scale.
 double least_eigenvalue(const DenseView &w, const VectorXd &scale)
 {
-  if (w.rows() <= most_rows)
+  if (w.rows() <= most_rows_to_factorize)
     return Eigen::SelfAdjointEigenSolver<MatrixXd>(scale.asDiagonal() * w * scale.asDiagonal(),
                                                    Eigen::EigenvaluesOnly)
         .eigenvalues()[0];

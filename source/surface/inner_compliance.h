@@ -11,8 +11,9 @@
 namespace orthocone
 {
 /// The compliance as inner iterations use it, which want two digits of a product. Single precision halves the
-/// memory to read, and rounded entries halve it again. It is relative to its largest eigenvalue, so that no
-/// unit of force or length comes near the ends of the number range.
+/// memory to read, and rounded entries halve it again, where they leave W positive definite: a body that is
+/// thousands of times stiffer in one direction has modes so stiff that rounding hides them. It is relative to
+/// its largest eigenvalue, so that no unit of force or length comes near the ends of the number range.
 class InnerCompliance
 {
 public:
@@ -20,6 +21,9 @@ public:
   InnerCompliance(const DenseView &compliance, double scale);
 
   double scale() const { return scale_; }
+
+  /// Whether entries are rounded.
+  bool is_rounded() const { return rounded_.has_value(); }
 
   /// W v / scale.
   Eigen::VectorXf multiply(const Eigen::VectorXf &vector) const
@@ -35,7 +39,7 @@ public:
 private:
   static constexpr Eigen::Index n_held = 8; ///< a node and its neighbours
 
-  void hold(Eigen::Index node, const DenseView &compliance);
+  double hold(Eigen::Index node, const DenseView &compliance);
 
   double scale_;
   Eigen::MatrixXf single_{}; ///< one of these two

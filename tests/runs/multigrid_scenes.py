@@ -22,7 +22,9 @@ SCENES = {
     "one level": ("paper/case_b.prm", [*ISOTROPIC, *ONE_CYCLE, "Mesh/Degree=1"]),
     "turned axes, full model": ("paper/case_c.prm", [*ISOTROPIC, *ONE_CYCLE, "Friction/Orthotropy angle=30",
                                                      "Mesh/Refinements=1"]),
-    "slip axes that differ 100-fold": ("paper/case_b.prm", [*ISOTROPIC, "Load program/Legs=0 0 -0.1 : 2 ; 0 0 -0.05 : 2",
+    # Released to -0.05 mm, this scene has two equilibria (residuals 9e-13 and 3e-12, forces that differ by 2e-4), and the
+    # last bits of the products decide which of them is found.
+    "slip axes that differ 100-fold": ("paper/case_b.prm", [*ISOTROPIC, "Load program/Legs=0 0 -0.1 : 2 ; 0 0 -0.075 : 1",
                                                             "Load program/Cycles=1", "Mesh/Refinements=1",
                                                             "Friction/Slip potential=0.01, 1"]),
     "slip axes that differ 100-fold the other way": ("paper/case_b.prm", [*ISOTROPIC, *ONE_CYCLE, "Mesh/Refinements=1",

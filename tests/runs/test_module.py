@@ -4,6 +4,7 @@
 
 Usage: test_module.py PROGRAM [unittest options]"""
 import pickle
+import signal
 import subprocess
 import sys
 import unittest
@@ -38,7 +39,7 @@ class LawTest(unittest.TestCase):
         its normal is long is known to that many digits less."""
         inside = orthocone.project(tau, mu)
         rest = tau - inside
-        size, steep = np.linalg.norm(tau), max(1, *mu, *np.reciprocal(mu))
+        size, steep = np.hypot.reduce(tau), max(1, *mu, *np.reciprocal(mu))
         self.assert_small(inside @ rest, size**2, 1e-13 * steep)
         self.assertLessEqual(orthocone.friction_norm(inside[1:], mu) - inside[0], 1e-13 * steep * size)
         self.assertLessEqual(rest[0] + orthocone.dual_norm(rest[1:], mu), 1e-13 * steep * size)
@@ -187,6 +188,23 @@ class SolveTest(unittest.TestCase):
         self.assertEqual((type(copy), str(copy)), (orthocone.NotConverged, str(caught.exception)))
         np.testing.assert_array_equal(copy.solution.force, caught.exception.solution.force)
         self.assertEqual(caught.exception.solution.report.trace.shape[1], 4)
+
+    def test_signals_stop_a_solution(self):
+        """What a handler raises ends the iteration, as Ctrl-C does, and the next problem is solved as ever."""
+        W, q = row_of_nodes(250, 1)
+
+        def stop(number, frame):
+            raise InterruptedError
+
+        before = signal.signal(signal.SIGALRM, stop)
+        self.addCleanup(signal.signal, signal.SIGALRM, before)
+        for method in ("uzawa", "gauss-seidel", "newton"):
+            signal.setitimer(signal.ITIMER_REAL, 0.3)
+            with self.subTest(method), self.assertRaises(InterruptedError):
+                while True:  # newton is done before the signal comes
+                    solve(W, q, 0.3, method=method, tolerance=1e-30 if method != "newton" else 1e-10,
+                          maximum_iterations=10**9, start=np.zeros_like(q))
+        self.assertLess(solve(W, q, 0.3).report.residual, 1e-9)
 
     def test_bad_input(self):
         W, q = row_of_nodes(3, 1)

@@ -77,7 +77,7 @@ class SignalTest(ResumeTest):
     def test_a_step_without_end_is_stopped(self):
         """Between two iterations, since a scheduler waits for half a minute. No step is lost, and another method goes on. That
         nothing of the stopped step is left, to the last bit, is what March.StopsBetweenIterationsAndLosesNothing shows."""
-        settings = ["Mesh/Core cells=2", "Mesh/Degree=1", EVERY_STEP]
+        settings = self.LONG
         run = self.start("stopped", settings)
         while not (self.folder / "stopped/contact-0005.vtu").exists() and run.poll() is None:
             time.sleep(0.001)
@@ -90,13 +90,13 @@ class SignalTest(ResumeTest):
             time.sleep(0.01)
         time.sleep(0.5)
         run.terminate()
-        self.assertRegex(run.communicate(timeout=30)[1], r"orthocone: interrupted after load step \d+ of 45; .*--resume")
+        self.assertRegex(run.communicate(timeout=30)[1], r"orthocone: interrupted after load step \d+ of 135; .*--resume")
         self.assertEqual(run.returncode, INTERRUPTED)
         before = (self.folder / "stopped/history.csv").read_bytes()
         self.assertEqual(self.run_program("stopped", "--resume", settings=settings).returncode, 0)
         after = (self.folder / "stopped/history.csv").read_bytes()
         self.assertTrue(after.startswith(before))
-        self.assertEqual(after.count(b"\n"), 1 + 45)
+        self.assertEqual(after.count(b"\n"), 1 + 135)
 
     def test_signals_stop_the_run(self):
         settings = self.LONG

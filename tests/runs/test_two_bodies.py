@@ -4,6 +4,7 @@
 
 Usage: test_two_bodies.py PROGRAM [unittest options]"""
 import json
+import math
 import sys
 
 import meshio
@@ -18,6 +19,33 @@ CYLINDER = ROOT / "prm/import/cylinder.msh"
 SURFACES = ("Contact surface=base", "Held surface=top", "Symmetry surfaces=x0, y0")
 SMALL = ["Mesh/Core cells=4", "Mesh/Rings=3", "Mesh/Layers=3", "Lower mesh/Core cells=2", "Lower mesh/Rings=4",
          "Lower mesh/Layers=3", "Load program/Legs=0 0 -0.1 : 2 ; 0.02 0 -0.1 : 2", "Output/Volume fields=1"]
+
+
+# Two slabs, 1 mm thick, which cannot stretch along y: one is curved like a cylinder with a radius of 30 mm. In the plane both
+# have 210000 MPa and 0.3.
+STRIP = {"Geometry/Shape": "box", "Geometry/Sizes": "8, 1, 6", "Mesh/Cells": "28, 2, 8", "Mesh/Edge grading": "1.3",
+         "Mesh/Layer grading": "0.55", "Mesh/Degree": "2", "Material/Law": "orthotropic",
+         "Material/Young moduli": "230769.231, 2.1e9, 230769.231", "Material/Poisson ratios": "0, 0.428571429, 0",
+         "Material/Shear moduli": "2.1e9, 80769.231, 2.1e9"}
+LINE_CONTACT = {**STRIP, **{f"Lower {entry[0].lower()}{entry[1:]}": value for entry, value in STRIP.items()},
+                "Obstacle/Kind": "body", "Obstacle/Gap": "x^2/60", "Friction/Coefficients": "0.5, 0.5",
+                "Load program/Preload": "Fz -200 : 2", "Load program/Legs": "Fx 50 : 3", "Load program/Cycles": "1",
+                "Output/Probes": ""}
+
+
+class LineContactTest(program.RunTest):
+    FILE = ROOT / "prm/paper/scene.prm"
+
+    def test_slabs_that_one_direction_makes_stiff(self):
+        """Moduli that differ 10000-fold leave Newton's method its digits. Pressure of Hertz's line contact,
+        p0^2 = P E*/(pi R), to the 2 % of this mesh (Johnson, Contact Mechanics, 1985, section 4.2)."""
+        settings = [f"{entry}={value}" for entry, value in LINE_CONTACT.items()]
+        result = self.run_program("run", settings=settings)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        pressure = math.sqrt(200 * 210000 / (2 * (1 - 0.3**2)) / (math.pi * 30))
+        for row in self.rows("run")[2:]:
+            self.assertLess(abs(float(row["max_pressure"]) / pressure - 1), 0.02)
+            self.assertLess(float(row["residual"]), 1e-10)
 
 
 class TwoBodiesTest(program.RunTest):

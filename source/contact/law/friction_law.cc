@@ -15,6 +15,30 @@ using Eigen::Vector3d;
 
 constexpr unsigned int most_newton_steps = 200;
 
+/// Entries of vectors between these, and coefficients between their counterparts below, have squares and
+/// quotients within the range of double.
+constexpr double least_moderate = 1e-30;
+constexpr double largest_moderate = 1e30;
+constexpr double least_coefficient = 1e-50;
+constexpr double largest_coefficient = 1e50;
+
+/// Length of (x, y), whatever its squares do.
+double length(const double x, const double y)
+{
+  const double square = x * x + y * y;
+  const bool is_sure = square >= least_moderate && square <= largest_moderate;
+  return is_sure ? std::sqrt(square) : std::hypot(x, y);
+}
+
+/// The largest entry of a vector that is so large or small that its squares leave the range of double;
+/// else 1.
+double unit_of(const Vector3d &tau)
+{
+  const double size = tau.cwiseAbs().maxCoeff();
+  const bool is_extreme = size < least_moderate || size > largest_moderate;
+  return is_extreme && size > 0 && std::isfinite(size) ? size : 1;
+}
+
 /// Tangential part of the nearest point for the multiplier lambda: r_i = tau_i / (1 + lambda / mu_i^2).
 Vector2d tangential_point(const OrthotropicFriction &law, const Vector3d &tau, const double lambda)
 {
@@ -68,6 +92,21 @@ Vector3d surface_point(const OrthotropicFriction &law, const Vector3d &tau, cons
   const Vector2d r = tangential_point(law, tau, lambda);
   return {friction_norm(law, r[0], r[1]), r[0], r[1]};
 }
+
+/// The law with coefficients that can be computed with. What this takes from a projection is below the last
+/// digit of its largest entry.
+OrthotropicFriction moderate(const OrthotropicFriction &law)
+{
+  return {std::clamp(law.mu_x, least_coefficient, largest_coefficient),
+          std::clamp(law.mu_y, least_coefficient, largest_coefficient), law.p_x, law.p_y};
+}
+
+/// Brings a point of the moderate cone back into that of the law, whose axes may be shorter.
+Vector3d shrunk(const OrthotropicFriction &law, const OrthotropicFriction &moderate, const Vector3d &point)
+{
+  return {point[0], point[1] * std::min(1.0, law.mu_x / moderate.mu_x),
+          point[2] * std::min(1.0, law.mu_y / moderate.mu_y)};
+}
 } // namespace
 
 bool is_frictionless(const OrthotropicFriction &law)
@@ -96,16 +135,12 @@ double friction_norm(const OrthotropicFriction &law, const double r_x, const dou
 {
   if (is_frictionless(law))
     return r_x == 0 && r_y == 0 ? 0 : std::numeric_limits<double>::infinity();
-  const double x = r_x / law.mu_x;
-  const double y = r_y / law.mu_y;
-  return std::sqrt(x * x + y * y);
+  return length(r_x / law.mu_x, r_y / law.mu_y);
 }
 
 double dual_norm(const OrthotropicFriction &law, const double v_x, const double v_y)
 {
-  const double x = law.mu_x * v_x;
-  const double y = law.mu_y * v_y;
-  return std::sqrt(x * x + y * y);
+  return length(law.mu_x * v_x, law.mu_y * v_y);
 }
 
 ConeZone cone_zone(const OrthotropicFriction &law, const Vector3d &tau)
@@ -119,6 +154,8 @@ ConeZone cone_zone(const OrthotropicFriction &law, const Vector3d &tau)
 
 Vector3d project(const OrthotropicFriction &law, const Vector3d &tau)
 {
+  if (const double unit = unit_of(tau); unit != 1)
+    return unit * project(law, Vector3d(tau / unit)); // a cone has no scale
   switch (cone_zone(law, tau))
   {
   case ConeZone::polar:
@@ -130,11 +167,18 @@ Vector3d project(const OrthotropicFriction &law, const Vector3d &tau)
   }
   if (is_frictionless(law))
     return {tau[0], 0, 0};
-  return surface_point(law, tau, multiplier(law, tau));
+  const OrthotropicFriction used = moderate(law);
+  return shrunk(law, used, surface_point(used, tau, multiplier(used, tau)));
 }
 
 Projection project_with_derivative(const OrthotropicFriction &law, const Vector3d &tau)
 {
+  if (const double unit = unit_of(tau); unit != 1)
+  {
+    Projection scaled = project_with_derivative(law, Vector3d(tau / unit));
+    scaled.point *= unit;
+    return scaled;
+  }
   Projection projection;
   projection.zone = cone_zone(law, tau);
   if (projection.zone == ConeZone::inside)
@@ -149,11 +193,12 @@ Projection project_with_derivative(const OrthotropicFriction &law, const Vector3
     projection.normal = Vector3d::UnitZ();
     return projection;
   }
-  const double lambda = multiplier(law, tau);
-  projection.point = surface_point(law, tau, lambda);
-  const Vector3d &r = projection.point;
-  const double x = 1 / (law.mu_x * law.mu_x);
-  const double y = 1 / (law.mu_y * law.mu_y);
+  const OrthotropicFriction used = moderate(law);
+  const double lambda = multiplier(used, tau);
+  const Vector3d r = surface_point(used, tau, lambda);
+  projection.point = shrunk(law, used, r);
+  const double x = 1 / (used.mu_x * used.mu_x);
+  const double y = 1 / (used.mu_y * used.mu_y);
   projection.ray = r.normalized();
   projection.normal = Vector3d(-r[0], x * r[1], y * r[2]).normalized();
   projection.side = projection.normal.cross(projection.ray);

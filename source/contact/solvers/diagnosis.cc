@@ -79,6 +79,18 @@ std::string more_iterations(const ContactSolverOptions &options, const SolverRep
   return text.str();
 }
 
+/// Residuals below are next to rounding where directions or nodes differ much in compliance, and no smaller
+/// load step takes them further.
+constexpr double most_to_accept = 1e-8;
+
+std::string tolerance_above(const double residual)
+{
+  std::ostringstream text;
+  text << std::setprecision(1) << std::scientific << "This is near rounding: a Contact solver/Tolerance of "
+       << 2 * residual << " accepts it.";
+  return text.str();
+}
+
 std::string remedy(const ContactSolverOptions &options, const SolverReport &report, const bool is_dense)
 {
   const bool is_default = options.method == best_method() && options.rho_factor == 1;
@@ -95,6 +107,9 @@ std::string remedy(const ContactSolverOptions &options, const SolverReport &repo
     return "Are lengths in mm, forces in N, moduli in MPa?";
   if (!is_dense)
     return "Try smaller load steps, or Mesh/Backend = condensed, which has more to fall back on.";
+  if (const double least = least_residual(report);
+      report.verdict == Verdict::cycling && least < most_to_accept)
+    return tolerance_above(least);
   return "Try smaller load steps or Contact solver/Method = gauss-seidel; near incompressibility, "
          "Mesh/Volumetric quadrature = projected; and see what log.txt says of the critical friction.";
 }

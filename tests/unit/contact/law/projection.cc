@@ -64,6 +64,30 @@ TEST(Projection, ScalesWithItsArgumentOver24Decades)
         EXPECT_LE((project(law, scale * tau) / scale - project(law, tau)).norm(), 1e-14);
 }
 
+/// Squares of these numbers, and quotients by a small coefficient, leave the range of double.
+TEST(Projection, IsThatOfTheDirectionAtTheEndsOfTheNumberRange)
+{
+  for (const OrthotropicFriction &law : wide_laws())
+    for (const Vector3d &tau : directions())
+      for (const double scale : {1e-300, 1e-200, 1e200, 1e300})
+      {
+        const Vector3d unit = project(law, tau), point = project(law, scale * tau);
+        EXPECT_LE((point / scale - unit).norm(), 1e-13) << law.mu_x << " " << law.mu_y << "; " << scale;
+        EXPECT_LE((project_with_derivative(law, scale * tau).point - point).norm(), 1e-13 * scale);
+      }
+  for (const double mu : {1e-300, 1e-160, 1e160, 1e300})
+  {
+    const OrthotropicFriction law{mu, 2 * mu, mu, mu};
+    for (const Vector3d &tau : directions())
+      for (const double scale : {1e-300, 1.0, 1e300})
+      {
+        const Vector3d point = project(law, scale * tau);
+        EXPECT_TRUE(point.allFinite()) << mu << "; " << scale << "; " << tau.transpose();
+        EXPECT_LE((point / scale).norm(), (1 + 1e-12) * tau.norm());
+      }
+  }
+}
+
 TEST(Projection, IsIdempotent)
 {
   for (const OrthotropicFriction &law : wide_laws())
