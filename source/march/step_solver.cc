@@ -50,6 +50,7 @@ StepSolver::StepSolver(const Scene &scene, const ContactSolverOptions &options)
     : scene_(scene),
       opening_(node_compliance(scene.surface(), scene.symmetry(), scene.contact_material())),
       wear_(scene.parameters().wear, scene.surface()),
+      implicit_wear_(wear_, options, opening_),
       tolerance_(options.tolerance),
       solver_(make_contact_solver(scene.system(), options)),
       coarser_(CoarserMarch::of(scene))
@@ -74,7 +75,8 @@ StepSolver::Attempt StepSolver::attempt(const ContactState &state, const FaceTar
           ContactStep(scene_.system(),
                       step_displacement(free_displacement_with_wear(state, target), state.displacement),
                       scene_.free_face(target)),
-          scene_.free_components(target)};
+          scene_.free_components(target),
+          {}};
 }
 
 SolverReport StepSolver::solve(ContactState &state, const LoadStep &step)
@@ -204,7 +206,12 @@ void StepSolver::accept_unknowns(ContactState &state, const Attempt &attempt, co
     motion[attempt.components[j]] = motions[static_cast<Index>(j)];
   const ContactState before = state;
   const RigidMotion way{motion.components - before.motion.components};
-  advance(state, attempt.problem, opening_, unknowns, motion, wear_);
+  advance(state, attempt.problem, opening_, unknowns, motion, attempt.worn.size() == 0 ? wear_ : WearLaw());
+  if (attempt.worn.size() > 0) // it is found already
+  {
+    state.wear_depth += attempt.worn;
+    state.found_depth = state.wear_depth;
+  }
   state.work +=
       0.5 * (scene_.held_wrench(before.force).work(way) + scene_.held_wrench(state.force).work(way)) +
       scene_.symmetry().n_copies() * work_without_contact(before, state, opening_);
@@ -216,13 +223,48 @@ SolverReport StepSolver::solve_to(ContactState &state, const Attempt &attempt, V
   SolverReport report = solver_->solve(attempt.problem, unknowns);
   if (report.converged)
   {
+    const ContactState before = state;
     accept_unknowns(state, attempt, unknowns);
     report.last_part = solved(attempt.problem, unknowns);
+    if (implicit_wear_.is_for(before, state))
+      wear_implicitly(before, state, attempt, unknowns, report);
     return report;
   }
   const bool has_equilibrium = report.verdict != Verdict::unbalanced;
   return n_halvings > 0 && has_equilibrium ? solve_halves(state, attempt.target, report, n_halvings - 1)
                                            : report;
+}
+
+/// Solves a step again that has worn deeper than pressure flattens, with the depth as an unknown. How far
+/// nodes slide depends on the depth in partial slip, so that both are found by turns. Where that fails, the
+/// step stays as it was, and its check says so.
+void StepSolver::wear_implicitly(const ContactState &before, ContactState &state, const Attempt &attempt,
+                                 VectorXd unknowns, SolverReport &report) const
+{
+  constexpr unsigned int most_turns = 10;
+  constexpr double settled = 1e-4; // of the largest depth
+  Attempt worn = attempt;
+  for (unsigned int turn = 0; turn < most_turns; ++turn)
+  {
+    const VectorXd depths = implicit_wear_.depths(attempt.problem, before, state, unknowns);
+    if (depths.size() == 0)
+      return;
+    const bool is_settled =
+        turn > 0 && (depths - worn.worn).lpNorm<Eigen::Infinity>() <= settled * depths.maxCoeff();
+    if (is_settled)
+      return;
+    worn.problem = with_depths(attempt.problem, depths);
+    worn.worn = depths;
+    VectorXd solution = unknowns;
+    SolverReport again = solver_->solve(worn.problem, solution);
+    again.iterations += report.iterations;
+    if (!again.converged)
+      return;
+    state = before;
+    accept_unknowns(state, worn, solution);
+    report = std::move(again);
+    report.last_part = solved(worn.problem, solution);
+  }
 }
 
 SolverReport StepSolver::solve_halves(ContactState &state, const FaceTarget &target,

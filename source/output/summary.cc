@@ -7,6 +7,7 @@
 #include <orthocone/base/numbers.h>
 #include <orthocone/base/text.h>
 #include <orthocone/contact/problem/law_errors.h>
+#include <orthocone/march/implicit_wear.h>
 #include <orthocone/parameters/parameters.h>
 #include <orthocone/parameters/values.h>
 #include <orthocone/scene/load_program.h>
@@ -104,13 +105,13 @@ std::vector<std::string> model_warnings(const RunRecord &record)
 /// (docs/theory.md, section 3, "Wear").
 static void warn_of_fast_wear(const RunRecord &record, std::vector<std::string> &warnings)
 {
-  constexpr double most_of_flattening = 0.9; // docs/theory.md, section 3, "Wear"
-  if (record.wear_of_flattening.first > most_of_flattening)
+  if (record.wear_of_flattening.first > most_explicit_wear)
     warnings.push_back(
         "load step " + std::to_string(record.wear_of_flattening.second) + ": wears a node " +
         to_text(std::round(10 * record.wear_of_flattening.first) / 10) +
         " times as deep as pressure flattens it there; above 0.9 contact flickers from node to "
-        "node, and the worn volume is wrong (more steps, or a smaller Wear/Coefficient)");
+        "node, and the worn volume is wrong (Wear/Deep steps = implicit finds it, with Mesh/Backend = "
+        "condensed; or more steps, or a smaller Wear/Coefficient)");
 }
 
 /// What load steps leave of the energy balance is what slip that turns round within them leaves. One sentence

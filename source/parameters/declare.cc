@@ -168,6 +168,11 @@ void declare_wear(WearOptions &wear, EntryTable &table)
              "Coefficient x pressure x slip; energy: Coefficient x dissipated energy per area.");
   add_number(table, "Coefficient", wear.coefficient, Range{0, 1e6, true, true},
              "Volume that is worn per work, mm^3/(N mm) = 1/MPa; above 0 where a Law wears.");
+  add_choice(table, "Deep steps", wear.deep_steps,
+             "How a step is solved that wears a node more than 0.9 times as deep as pressure flattens it: "
+             "implicit, with the depth as an unknown, so that a stroke may be far longer than the contact "
+             "(explicit with Mesh/Backend = multigrid); explicit, the next step finds the depth, and contact "
+             "flickers from node to node.");
   add_number(
       table, "Largest depth of a jump", wear.largest_jump, Range{0, 1e6, true, true},
       "Cycles are jumped, each as the last one, as long as no node loses more than this depth in mm; "

@@ -5,6 +5,7 @@
 #include <orthocone/base/numbers.h>
 #include <orthocone/base/text.h>
 #include <orthocone/body/node_compliance.h>
+#include <orthocone/march/implicit_wear.h>
 #include <orthocone/march/touching.h>
 #include <orthocone/scene/load_program.h>
 
@@ -74,18 +75,6 @@ double impossible_dissipation(const ContactState &before, const ContactState &af
                                   (after.displacement - before.displacement).segment<2>(3 * node + 1).norm());
   }
   return wrong;
-}
-
-/// StepChecks::wear_of_flattening.
-double wear_of_flattening(const ContactState &before, const ContactState &after,
-                          const Eigen::VectorXd &opening)
-{
-  double largest = 0;
-  for (Eigen::Index node = 0; node < after.n_nodes(); ++node)
-    if (const double force = 0.5 * (before.force[3 * node] + after.force[3 * node]); force > 0)
-      largest =
-          std::max(largest, (after.wear_depth[node] - before.wear_depth[node]) / (force * opening[node]));
-  return largest;
 }
 
 /// Work of the mean normal forces on the room that wear has made before the step, N mm: it leaves the body
@@ -160,7 +149,7 @@ StepChecks StepChecker::check(const Situation &before, const Situation &after, c
   StepChecks checks;
   checks.is_finite = is_finite(after.state, after.totals);
   checks.law = report.law;
-  checks.wear_of_flattening = wear_of_flattening(before.state, after.state, opening_);
+  checks.wear_of_flattening = unfound_wear(before.state, after.state, opening_);
   checks.slip_of_change = slip_of_change(after.state, change_lengths_);
   // The law's own measure is relative to all displacements, which are large in a long slide.
   if (compression_ > 0)

@@ -62,8 +62,22 @@ class WearTest(program.RunTest):
         return (self.folder / name / file).read_text()
 
     def test_steps_that_wear_too_deep_are_warned_of(self):
-        self.worn("run", SPHERE, "Wear/Coefficient=0.01", "Load program/Cycles=1")
+        self.worn("run", SPHERE, "Wear/Coefficient=0.01", "Load program/Cycles=1", "Wear/Deep steps=explicit")
         self.assertRegex(self.text("run", "log.txt"), r"warning: load step \d+: wears a node [\d.]+ times as deep as")
+
+    def test_strokes_far_longer_than_the_contact(self):
+        """A pin on a disc: Archard's volume coefficient x force x way, and the depth of the cap that has it, 2 pi R h^2 / 2.
+        Steps of 50 mm wear a hundred times as deep as pressure flattens, by the energy law as by Archard's."""
+        pin = ["Mesh/Core cells=8", "Mesh/Rings=5", "Mesh/Layers=4", "Mesh/Degree=1", "Geometry/Radius=2", "Geometry/Height=4",
+               "Mesh/Core ratio=0.2", "Obstacle/Gap=(x^2+y^2)/20", "Material/Young modulus=2e5", "Material/Poisson ratio=0.3",
+               "Friction/Coefficients=0.3, 0.3", "Load program/Preload=Fz -30 : 2", "Load program/Cycles=3",
+               "Load program/Legs=ux 100 : 2 ; ux 0 : 2"]
+        for law, coefficient in (("archard", 2e-7), ("energy", 2e-7 / 0.3)):
+            row = self.worn(law, SPHERE, *pin, f"Wear/Law={law}", f"Wear/Coefficient={coefficient}")[-1]
+            volume = 2e-7 * 30 * 600
+            self.assertAlmostEqual(row["worn_volume"] / volume, 1, delta=1e-4)
+            self.assertAlmostEqual(row["max_wear_depth"] / math.sqrt(volume / (10 * math.pi)), 1, delta=0.05)
+            self.assertNotIn("flickers", self.text(law, "log.txt"))
 
     def test_pressure_of_a_dragged_punch_becomes_even(self):
         """Friction tilts the pressure; where more is carried more is worn, until all of it is 10 MPa."""

@@ -2,7 +2,7 @@
 # Copyright (C) 2026 the orthocone authors
 """Steps that wear too deep: what a node loses in a step against what pressure flattens it by, and the volume that is missing.
 
-The sphere of prm/verification/worn_sphere.prm with ten times its coefficient, on which a step wears 3.6 times as deep as
+Steps are explicit. The sphere of prm/verification/worn_sphere.prm with ten times its coefficient, on which a step wears 3.6 times as deep as
 pressure flattens a node. More steps for the same way wear less in each. Archard's law says what volume is worn."""
 import re
 
@@ -50,8 +50,8 @@ def measured(context):
     cycles = 1 if context.is_quick else CYCLES
     points = []
     for factor in QUICK if context.is_quick else FACTORS:
-        settings = {"Wear/Coefficient": COEFFICIENT, "Load program/Cycles": cycles, "Load program/Legs": legs(factor),
-                    "Output/Contact fields": 8 + 80 * factor * cycles}
+        settings = {"Wear/Coefficient": COEFFICIENT, "Wear/Deep steps": "explicit", "Load program/Cycles": cycles,
+                    "Load program/Legs": legs(factor), "Output/Contact fields": 8 + 80 * factor * cycles}
         points.append(program_point({"steps": 80 * factor, "cycles": cycles}, "verification/worn_sphere.prm", settings))
     return context.measure(points, measures, jobs=context.jobs, threads=1)
 

@@ -4,6 +4,7 @@
 
 #include <orthocone/contact/solvers/contact_solver.h>
 #include <orthocone/march/contact_state.h>
+#include <orthocone/march/implicit_wear.h>
 #include <orthocone/scene/load_program.h>
 #include <orthocone/scene/scene.h>
 
@@ -135,6 +136,7 @@ private:
     FaceTarget target;
     ContactStep problem;
     std::vector<unsigned int> components; ///< of its free face
+    Eigen::VectorXd worn{}; ///< depths that it wears and finds, mm; empty: the next one finds them
   };
 
   SolverReport solve_in_one(ContactState &state, const LoadStep &step);
@@ -146,6 +148,8 @@ private:
   NodeVector free_displacement_with_wear(const ContactState &state, const FaceTarget &target) const;
   SolverReport solve_to(ContactState &state, const Attempt &attempt, Eigen::VectorXd unknowns,
                         unsigned int n_halvings) const;
+  void wear_implicitly(const ContactState &before, ContactState &state, const Attempt &attempt,
+                       Eigen::VectorXd unknowns, SolverReport &report) const;
   SolverReport solve_from_no_force(ContactState &state, const Attempt &attempt,
                                    const SolverReport &failure) const;
   SolverReport solve_halves(ContactState &state, const FaceTarget &target, const SolverReport &failure,
@@ -157,6 +161,7 @@ private:
   const Scene &scene_;
   Eigen::VectorXd opening_; ///< node_compliance()
   WearLaw wear_;
+  ImplicitWear implicit_wear_;
   double tolerance_;
   std::unique_ptr<ContactSolver> solver_;
   StartForces starts_;

@@ -21,9 +21,8 @@ struct Rubbing
 };
 
 /// The depth that slip wears off the base of the body: in proportion to pressure times slip (Archard, J.
-/// Appl. Phys. 24, 1953, 981), or to dissipated energy per area (Fouvry et al., Wear 255, 2003, 287). Wear is
-/// explicit: a step is solved on the surface that the steps before have left, and the next step finds its
-/// wear. docs/theory.md, section 3, "Wear".
+/// Appl. Phys. 24, 1953, 981), or to dissipated energy per area (Fouvry et al., Wear 255, 2003, 287).
+/// docs/theory.md, section 3, "Wear".
 class WearLaw
 {
 public:
@@ -35,6 +34,8 @@ public:
 
   /// Depth that a node (index in the model) loses, mm.
   double depth(Eigen::Index node, const Rubbing &rubbing) const;
+
+  const WearOptions &options() const { return options_; }
 
 private:
   WearOptions options_{};

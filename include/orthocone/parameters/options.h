@@ -26,6 +26,14 @@ enum class WearKind
   energy,
 };
 
+/// How a step is solved that wears a node about as deep as pressure flattens it (docs/theory.md, section 3,
+/// "Wear").
+enum class DeepWear
+{
+  implicitly, ///< with its depth as an unknown
+  explicitly, ///< as any other step: the next one finds the depth
+};
+
 /// The kind of obstacle that the body rests on.
 enum class ObstacleKind
 {
@@ -106,7 +114,8 @@ struct LowerBodyOptions
 struct WearOptions
 {
   WearKind law = WearKind::none;
-  double coefficient = 0;  ///< worn mm^3 per N mm of normal force times slip, or of friction work; 1/MPa
+  double coefficient = 0; ///< worn mm^3 per N mm of normal force times slip, or of friction work; 1/MPa
+  DeepWear deep_steps = DeepWear::implicitly;
   double largest_jump = 0; ///< largest depth that cycles may wear off without being computed, mm; 0 = none
 };
 

@@ -24,6 +24,13 @@ struct Words<WearKind>
 };
 
 template<>
+struct Words<DeepWear>
+{
+  static constexpr std::array<std::pair<DeepWear, std::string_view>, 2> table{
+      {{DeepWear::implicitly, "implicit"}, {DeepWear::explicitly, "explicit"}}};
+};
+
+template<>
 struct Words<ObstacleKind>
 {
   static constexpr std::array<std::pair<ObstacleKind, std::string_view>, 3> table{

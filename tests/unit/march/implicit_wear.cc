@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/march/implicit_wear.h>
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace orthocone::test
+{
+namespace
+{
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+constexpr double compliance = 2e-4; // of the node in every direction, mm/N
+constexpr double area = 0.5;        // mm^2
+constexpr double pressed = 30;      // before the step, N
+constexpr double way = 4;           // of the step, mm
+
+/// A law that wears `z` times the flattening of the node on its way, with friction of 0.1.
+WearLaw law_of(const WearKind kind, const double z)
+{
+  WearOptions options;
+  options.law = kind;
+  options.coefficient = z * compliance * area / way / (kind == WearKind::energy ? 0.1 : 1);
+  ContactSurface surface;
+  surface.nodes = {{{{0, 0}}, area, {{0, 1, 2}}, {{true, true, true}}}};
+  return {options, surface};
+}
+
+/// The force of the node behind a step that slides it by `way` at a fixed height.
+double force_behind(const WearLaw &wear)
+{
+  const DenseCompliance body(compliance * Eigen::Matrix3d::Identity());
+  const ContactSystem system(body, {{0.1, 0.1, 0.1, 0.1}});
+  const ContactStep step(system, Vector3d(-compliance * pressed, way, 0));
+  ContactState before(Vector3d::Zero()), after(Vector3d(0, way, 0));
+  before.force = after.force = Vector3d(pressed, -0.1 * pressed, 0);
+  before.status = after.status = {NodeStatus::slip};
+  VectorXd unknowns = after.force;
+  const ImplicitWear implicit(wear, {}, VectorXd::Constant(1, compliance));
+  const VectorXd depths = implicit.depths(step, before, after, unknowns);
+  EXPECT_NEAR(depths[0], compliance * (pressed - unknowns[0]), 1e-12 * compliance * pressed);
+  return unknowns[0];
+}
+} // namespace
+
+/// r' = -z r over a step of length 1, whose mean is that of both ends with the weight.
+TEST(ImplicitWear, WeighsTheEndsOfAnExponential)
+{
+  for (const double z : {1e-9, 0.99e-4, 1.01e-4, 1e-2, 0.5, 3.0, 50.0, 1e6})
+  {
+    const double theta = weight_of_end(z), mean = z < 1e-8 ? 1 : -std::expm1(-z) / z;
+    EXPECT_NEAR(theta * std::exp(-z) + 1 - theta, mean, 1e-12) << z;
+  }
+  EXPECT_NEAR(weight_of_end(0), 0.5, 0);
+}
+
+/// However far it slides, and by either law: friction is a tenth of the normal force.
+TEST(ImplicitWear, ForceOfASingleNodeDecaysExponentially)
+{
+  for (const WearKind kind : {WearKind::archard, WearKind::energy})
+    for (const double z : {0.01, 1.0, 5.0, 20.0})
+      EXPECT_NEAR(force_behind(law_of(kind, z)), pressed * std::exp(-z), 1e-9 * pressed) << z;
+}
+
+TEST(ImplicitWear, IsForDeepStepsAlone)
+{
+  ContactState before(Vector3d::Zero()), after(Vector3d(0, way, 0));
+  before.force = after.force = Vector3d(pressed, 0, 0);
+  const auto is_for = [&](const double z, const DeepWear deep)
+  {
+    WearOptions options;
+    options.law = WearKind::archard;
+    options.deep_steps = deep;
+    ContactSurface surface;
+    surface.nodes = {{{{0, 0}}, area, {{0, 1, 2}}, {{true, true, true}}}};
+    after.wear_depth[0] = z * compliance * pressed;
+    return ImplicitWear({options, surface}, {}, VectorXd::Constant(1, compliance)).is_for(before, after);
+  };
+  EXPECT_FALSE(is_for(0.89, DeepWear::implicitly));
+  EXPECT_TRUE(is_for(0.91, DeepWear::implicitly));
+  EXPECT_FALSE(is_for(0.91, DeepWear::explicitly));
+}
+} // namespace orthocone::test
