@@ -242,7 +242,9 @@ class ImportTest(MeshFileTest):
                 ("*NSET, NSET=a, GENERATE\n1, 999999999999\n", "has a set of 999999999999 members"),
                 ("*NSET, NSET=a, GENERATE\n1, 5, 0\n", "is damaged"), ("*NODE\n,,,\n", "is damaged"),
                 ("*NODE\n1e400, 0\n", "is damaged"), ("*INSTANCE\n*INSTANCE\n", "has several instances"),
-                ("$MeshFormat\n4.1 1 8\n", "is no mesh that meshio reads|has no hexahedra"), ("\x00\x01", "has no hexahedra")):
+                ("*NODE\n\x1b[31m" + 700 * "1", r"has '\\x1b\[31m1{40,}"),
+                ("$MeshFormat\n4.1 1 8\n", "is no mesh that meshio reads|has no hexahedra"),
+                ("\x00\x01", "has no hexahedra")):
             with self.subTest(text=text):
                 self.write("bad.inp", text)
                 self.refused("bad.inp", expression)

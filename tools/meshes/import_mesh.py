@@ -19,14 +19,14 @@ import meshio  # noqa: E402
 import numpy as np  # noqa: E402
 from body import Body, Fault, counted  # noqa: E402
 
-WRONG_INPUT, FILE_ERROR = 2, 4
+WRONG_INPUT, FILE_ERROR, LONGEST_LINE = 2, 4, 600
 AROUND = {"hexahedron", "quad", "line", "vertex"}
 MOST_NAMED = 12
 
 
 class ArgumentParser(argparse.ArgumentParser):
     def error(self, message):
-        self.exit(WRONG_INPUT, f"import: {message}; '--help' explains\n")
+        self.exit(WRONG_INPUT, shown(f"{message}; '--help' explains") + "\n")
 
 
 def arguments():
@@ -122,17 +122,23 @@ def write_whole(path, text):
         raise OSError(error.errno, error.strerror, str(path)) from error
 
 
+def shown(text):
+    """A line as a terminal may show it."""
+    line = "".join(c if c.isprintable() else c.encode("unicode_escape", "replace").decode() for c in f"import: {text}")
+    return line if len(line) <= LONGEST_LINE else line[:LONGEST_LINE - 3] + "..."
+
+
 def report(path, body):
     low, high = body.box()
-    print(f"import: {path}: {np.count_nonzero(body.is_first)} hexahedra in "
-          + ", ".join(f"{axis} = {a:.6g} to {b:.6g}" for axis, a, b in zip("xyz", low, high)) + " mm")
+    print(shown(f"{path}: {np.count_nonzero(body.is_first)} hexahedra in "
+                + ", ".join(f"{axis} = {a:.6g} to {b:.6g}" for axis, a, b in zip("xyz", low, high)) + " mm"))
     for kind, names in (("surfaces", [f"{name} ({len(rows)} faces)" for name, rows in body.surfaces.items()]),
                         ("volumes", body.volumes)):
         more = f" and {len(names) - MOST_NAMED} more" if len(names) > MOST_NAMED else ""
-        print(f"import: {kind}: {', '.join(names[:MOST_NAMED]) or 'none with a name'}{more}")
+        print(shown(f"{kind}: {', '.join(names[:MOST_NAMED]) or 'none with a name'}{more}"))
     print("import: a parameter file may name surfaces by their place, too: Contact surface = z min")
     for note in list(dict.fromkeys(body.notes))[:MOST_NAMED]:
-        print(f"import: note: {note}")
+        print(shown(f"note: {note}"))
 
 
 def main():
@@ -143,10 +149,10 @@ def main():
         write_whole(given.output, body.text())
         report(given.output, body)
     except Fault as fault:
-        print(f"import: {given.file}: {fault}", file=sys.stderr)
+        print(shown(f"{given.file}: {fault}"), file=sys.stderr)
         sys.exit(WRONG_INPUT)
     except OSError as error:
-        print(f"import: {error.filename or given.file}: {error.strerror or error}", file=sys.stderr)
+        print(shown(f"{error.filename or given.file}: {error.strerror or error}"), file=sys.stderr)
         sys.exit(FILE_ERROR)
 
 
