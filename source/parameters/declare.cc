@@ -18,15 +18,15 @@ void declare_shape(GeometryOptions &geometry, EntryTable &table)
   add_number(table, "Height", geometry.height, positive, "Height of a cylinder in mm.");
   add_sizes(table, "Sizes", geometry.sizes, "l_x, l_y, l_z: lengths of a box along the axes in mm.");
   add_path(table, "Mesh file", geometry.mesh_file,
-           "Of a file: a mesh of hexahedra by Gmsh (format 2.2 or 4.1, ASCII, mm), relative to the "
+           "Of a file: a mesh of hexahedra by Gmsh (format 2.1, 2.2 or 4.1, ASCII, mm), relative to the "
            "folder of the parameter file. It has the modelled part of the body, and all of its base is at z "
            ">= 0: the height of a node of the base is its gap.");
   add_group(table, "Contact surface", geometry.contact_surface,
-            "Of a file: physical surface that is pressed on the plane.");
+            "Of a file: surface that is pressed on the plane: a physical one, or a place such as z min.");
   add_group(table, "Held surface", geometry.held_surface,
-            "Of a file: physical surface that moves as a rigid one, of any shape.");
+            "Of a file: surface that moves as a rigid one, of any shape, by its name or place (z max).");
   add_groups(table, "Symmetry surfaces", geometry.symmetry_surfaces,
-             "Of a file: physical surfaces in x = 0 or y = 0, about which the body is symmetric.");
+             "Of a file: surfaces in x = 0 or y = 0, by names or places, about which the body is symmetric.");
 }
 
 void declare_geometry(GeometryOptions &geometry, EntryTable &table)

@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdlib>
+#include <set>
 
 namespace orthocone
 {
@@ -33,41 +35,56 @@ public:
   {
   }
 
-  void add(const unsigned int type, const long group, const std::size_t n)
+  void add(const unsigned int type, const unsigned int number)
   {
-    of_type_[type] += n;
+    ++of_type_[type];
     const unsigned int dimension = type == quadrilateral ? 2 : type == hexahedron ? 3 : 0;
-    if (group <= 0 || dimension == 0)
+    if (number == 0 || dimension == 0)
       return;
     auto &groups = file_.groups;
-    const auto number = static_cast<unsigned int>(group);
+    if (last_ < groups.size() && groups[last_].dimension == dimension && groups[last_].number == number)
+    {
+      ++groups[last_].n_elements;
+      return;
+    }
     const auto found = std::find_if(groups.begin(), groups.end(),
                                     [&](const PhysicalGroup &one)
                                     { return one.dimension == dimension && one.number == number; });
+    last_ = static_cast<std::size_t>(found - groups.begin());
     if (found == groups.end())
-      groups.push_back({dimension, number, "", n});
+      groups.push_back({dimension, number, "", 1});
     else
-      found->n_elements += n;
+      ++found->n_elements;
   }
 
-  void require_hexahedra() const
+  void add_unknown_type(const long type) { unknown_types_.insert(type); }
+
+  /// Adds what is wrong to the faults of the file.
+  void check_types() const
   {
     std::size_t n_curved = 0;
     for (const auto &[type, n] : of_type_)
       n_curved += type > pyramid && type != single_point ? n : 0;
+    FaultList &faults = file_.faults;
     if (n_curved > 0)
-      fail("has " + std::to_string(n_curved) + " elements of second order: allowed are linear ones " +
-           "(gmsh: Mesh.ElementOrder = 1)");
-    if (of(hexahedron) == 0 && of(tetrahedron) > 0)
-      fail("has " + std::to_string(of(tetrahedron)) + " tetrahedra: allowed are hexahedra, into which gmsh " +
-           "divides them with Mesh.SubdivisionAlgorithm = 2");
+      faults.add("has " + std::to_string(n_curved) + " elements of second order: allowed are linear ones " +
+                 "(gmsh: Mesh.ElementOrder = 1)");
+    if (!unknown_types_.empty())
+      faults.add("has elements of type " + unknown_types() +
+                 ": allowed are linear hexahedra (gmsh: Mesh.ElementOrder = 1)");
     const std::size_t n_others = of(tetrahedron) + of(prism) + of(pyramid) + of(triangle);
-    if (n_others > 0 && of(hexahedron) > 0)
-      fail("is mixed, of " + std::to_string(of(hexahedron)) + " hexahedra and " + std::to_string(n_others) +
-           " tetrahedra, prisms, pyramids or triangles: allowed are hexahedra alone (gmsh: " +
-           "Mesh.SubdivisionAlgorithm = 2)");
-    if (of(hexahedron) == 0)
-      fail("has no hexahedra: allowed is a mesh of the volume (gmsh -3) in which it is a Physical Volume");
+    if (of(hexahedron) == 0 && of(tetrahedron) > 0)
+      faults.add("has " + std::to_string(of(tetrahedron)) +
+                 " tetrahedra: allowed are hexahedra, into which " +
+                 "gmsh divides them with Mesh.SubdivisionAlgorithm = 2");
+    else if (n_others > 0 && of(hexahedron) > 0)
+      faults.add("is mixed, of " + std::to_string(of(hexahedron)) + " hexahedra and " +
+                 std::to_string(n_others) +
+                 " tetrahedra, prisms, pyramids or triangles: allowed are hexahedra alone (gmsh: " +
+                 "Mesh.SubdivisionAlgorithm = 2)");
+    else if (of(hexahedron) == 0 && faults.is_empty())
+      faults.add(
+          "has no hexahedra: allowed is a mesh of the volume (gmsh -3) in which it is a Physical Volume");
   }
 
 private:
@@ -76,20 +93,28 @@ private:
     const auto found = of_type_.find(type);
     return found == of_type_.end() ? 0 : found->second;
   }
-  [[noreturn]] void fail(const std::string &fault) const { throw InputError(file_.path + ": " + fault); }
+  std::string unknown_types() const
+  {
+    std::vector<std::string> types;
+    for (const long type : unknown_types_)
+      types.push_back(std::to_string(type));
+    return enumeration(types);
+  }
 
   GmshFile &file_;
   std::map<unsigned int, std::size_t> of_type_;
+  std::set<long> unknown_types_;
+  std::size_t last_ = 0; ///< group to which an element was added
 };
 
-/// Reads elements one after the other. Each node that one of them names must be there.
+/// Reads elements one after the other, and remembers nodes that are not there.
 class ElementReader
 {
 public:
-  ElementReader(SectionReader &reader, const std::vector<long> &nodes, GmshFile &file)
+  ElementReader(SectionReader &reader, const NodeNumbers &nodes, GmshFile &file)
       : reader_(reader),
         nodes_(nodes),
-        path_(file.path),
+        file_(file),
         counts_(file)
   {
   }
@@ -98,15 +123,14 @@ public:
   std::size_t read_block(const EntityGroups &groups)
   {
     const auto dimension = static_cast<std::size_t>(reader_.dimension());
-    const auto group = groups.find({dimension, reader_.number_of_group()});
-    const unsigned int type = read_type();
+    const auto found = groups.find({dimension, reader_.number_of_group()});
+    const long group = found == groups.end() ? 0 : found->second, type = reader_.whole_between(0, 1000);
     const std::size_t n = reader_.count();
     for (std::size_t i = 0; i < n; ++i)
     {
       reader_.number_of_thing();
-      read_nodes_of(type);
+      add(type, group);
     }
-    counts_.add(type, group == groups.end() ? 0 : group->second, n);
     return n;
   }
 
@@ -114,43 +138,77 @@ public:
   void read_element()
   {
     reader_.number_of_thing();
-    const unsigned int type = read_type();
+    const long type = reader_.whole_between(0, 1000);
     long group = 0;
     for (std::size_t n_tags = reader_.count(), n = 0; n < n_tags; ++n)
       if (const long tag = reader_.number_of_group(); n == 0)
         group = tag;
-    read_nodes_of(type);
-    counts_.add(type, group, 1);
+    add(type, group);
   }
 
-  void require_hexahedra() const { counts_.require_hexahedra(); }
+  void check() const
+  {
+    counts_.check_types();
+    std::vector<std::string> missing;
+    for (const long node : missing_)
+      missing.push_back(std::to_string(node));
+    if (!missing.empty())
+      file_.faults.add(std::string("section $Elements has ") +
+                       (missing.size() == 1 ? "an element with node " : "elements with nodes ") +
+                       enumeration(missing) + (missing.size() == 1 ? ", which is" : ", which are") +
+                       " not in section $Nodes: the file is damaged; write it anew with gmsh");
+  }
 
 private:
-  unsigned int read_type()
+  /// The sign of a group is the orientation of its elements.
+  void add(const long type, const long signed_group)
   {
-    const long type = reader_.whole_between(0, 1000);
     if (type == 0 || static_cast<std::size_t>(type) > n_nodes_of.size())
-      throw InputError(path_ + ": has elements of type " + std::to_string(type) +
-                       ": allowed are linear hexahedra (gmsh: Mesh.ElementOrder = 1)");
-    return static_cast<unsigned int>(type);
+    {
+      counts_.add_unknown_type(type);
+      return reader_.skip_line();
+    }
+    const auto known = static_cast<unsigned int>(type);
+    const auto group = static_cast<unsigned int>(std::labs(signed_group));
+    if (known == hexahedron)
+      file_.hexahedra.push_back({read_nodes<8>(), group});
+    else if (known == quadrilateral && group != 0)
+      file_.quadrilaterals.push_back({read_nodes<4>(), group});
+    else
+      for (unsigned int i = 0; i < n_nodes_of[known - 1]; ++i)
+        read_node();
+    counts_.add(known, group);
   }
 
-  void read_nodes_of(const unsigned int type)
+  template<std::size_t n>
+  std::array<unsigned int, n> read_nodes()
   {
-    for (unsigned int i = 0; i < n_nodes_of[type - 1]; ++i)
-      if (const long node = reader_.whole(); !std::binary_search(nodes_.begin(), nodes_.end(), node))
-        throw InputError(path_ + ": section $Elements has an element with node " + std::to_string(node) +
-                         ", which is not in section $Nodes: the file is damaged; write it anew with gmsh");
+    std::array<unsigned int, n> nodes{};
+    for (unsigned int &node : nodes)
+      node = read_node();
+    return nodes;
+  }
+
+  /// The place of a node in the file; 0 for one that is not there, which becomes a fault.
+  unsigned int read_node()
+  {
+    const long number = reader_.whole();
+    const auto found = std::lower_bound(nodes_.begin(), nodes_.end(), std::make_pair(number, 0U));
+    if (found != nodes_.end() && found->first == number)
+      return found->second;
+    missing_.insert(number);
+    return 0;
   }
 
   SectionReader &reader_;
-  const std::vector<long> &nodes_;
-  std::string path_;
+  const NodeNumbers &nodes_;
+  GmshFile &file_;
   ElementCounts counts_;
+  std::set<long> missing_;
 };
 } // namespace
 
-void read_gmsh_elements(SectionReader &reader, const EntityGroups &groups, const std::vector<long> &nodes,
+void read_gmsh_elements(SectionReader &reader, const EntityGroups &groups, const NodeNumbers &nodes,
                         const bool in_blocks, GmshFile &file)
 {
   ElementReader elements(reader, nodes, file);
@@ -167,6 +225,6 @@ void read_gmsh_elements(SectionReader &reader, const EntityGroups &groups, const
   if (n != n_elements)
     throw InputError(file.path + ": has " + std::to_string(n) + " elements: allowed are the " +
                      std::to_string(n_elements) + " that section $Elements says");
-  elements.require_hexahedra();
+  elements.check();
 }
 } // namespace orthocone

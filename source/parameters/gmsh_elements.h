@@ -15,9 +15,12 @@ namespace orthocone
 /// The first physical group of every entity (dimension, number).
 using EntityGroups = std::map<std::pair<std::size_t, long>, long>;
 
-/// Reads section $Elements of format 4.1 (`in_blocks`) or 2.2, and counts the elements of each physical group
-/// in `file`. `nodes` are the numbers of the nodes, sorted. Throws InputError unless every number is one that
-/// readers can hold, every node is there, and the elements are linear hexahedra with what lies around them.
-void read_gmsh_elements(SectionReader &reader, const EntityGroups &groups, const std::vector<long> &nodes,
+/// The number of every node and its place among GmshFile::nodes, sorted by the numbers.
+using NodeNumbers = std::vector<std::pair<long, unsigned int>>;
+
+/// Reads section $Elements of format 4.1 (`in_blocks`) or 2.2 into `file`, and counts the elements of each
+/// physical group. Throws InputError unless every number is one that readers can hold. Nodes that are not
+/// there and elements besides linear hexahedra, with what lies around them, become faults of the file.
+void read_gmsh_elements(SectionReader &reader, const EntityGroups &groups, const NodeNumbers &nodes,
                         bool in_blocks, GmshFile &file);
 } // namespace orthocone

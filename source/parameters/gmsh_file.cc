@@ -15,6 +15,8 @@ namespace
 {
 using Sections = std::map<std::string, std::string>;
 
+const std::string converter = "tools/import FILE MESH.msh"; ///< it reads what this reader does not
+
 /// A reader of the body of a section, which must be there.
 SectionReader reader_of(const std::string &path, const Sections &sections, const std::string &name)
 {
@@ -65,10 +67,31 @@ EntityGroups read_entities(const std::string &path, const Sections &sections)
   return groups;
 }
 
-/// The numbers of the nodes, in their order.
-std::vector<long> read_nodes(const std::string &path, const Sections &sections, const bool in_blocks)
+/// The numbers of the nodes, sorted, each with its place among the nodes of the file.
+NodeNumbers in_order(const std::vector<long> &given, const std::string &path)
 {
-  SectionReader reader = reader_of(path, sections, "$Nodes");
+  NodeNumbers numbers;
+  for (const long number : given)
+    numbers.emplace_back(number, static_cast<unsigned int>(numbers.size()));
+  std::sort(numbers.begin(), numbers.end());
+  std::size_t n_different = 0;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    n_different += i == 0 || numbers[i].first != numbers[i - 1].first ? 1 : 0;
+  if (n_different != numbers.size())
+    throw InputError(path + ": has " + std::to_string(n_different) + " different nodes: allowed are the " +
+                     std::to_string(numbers.size()) + " that section $Nodes says");
+  return numbers;
+}
+
+NodeNumbers read_nodes(const Sections &sections, const bool in_blocks, GmshFile &file)
+{
+  SectionReader reader = reader_of(file.path, sections, "$Nodes");
+  const auto read_place = [&]
+  {
+    file.nodes.emplace_back();
+    for (double &coordinate : file.nodes.back())
+      coordinate = reader.number();
+  };
   std::size_t n_blocks = in_blocks ? reader.count() : 1;
   const std::size_t n_nodes = reader.count();
   if (in_blocks)
@@ -86,29 +109,31 @@ std::vector<long> read_nodes(const std::string &path, const Sections &sections, 
     for (std::size_t i = 0; i < n; ++i)
     {
       numbers.push_back(reader.number_of_thing());
-      reader.skip(in_blocks ? 0 : 3);
+      if (!in_blocks)
+        read_place();
     }
-    reader.skip(in_blocks ? 3 * n : 0);
+    for (std::size_t i = 0; in_blocks && i < n; ++i)
+      read_place();
   }
   reader.require_end();
-  std::sort(numbers.begin(), numbers.end());
-  numbers.erase(std::unique(numbers.begin(), numbers.end()), numbers.end());
   if (numbers.size() != n_nodes)
-    throw InputError(path + ": has " + std::to_string(numbers.size()) + " different nodes: allowed are the " +
+    throw InputError(file.path + ": has " + std::to_string(numbers.size()) + " nodes: allowed are the " +
                      std::to_string(n_nodes) + " that section $Nodes says");
-  return numbers;
+  return in_order(numbers, file.path);
 }
 
-/// Whether the format is 4.1, in blocks, and not 2.2. Throws InputError for any other.
+/// Whether the format is 4.1, in blocks, and not 2.1 or 2.2. Throws InputError for any other.
 bool is_in_blocks(const std::string &path, const Sections &sections)
 {
   SectionReader reader = reader_of(path, sections, "$MeshFormat");
   const double version = reader.number();
-  if (version != 2 && version != 2.2 && version != 4.1)
+  if (version != 2 && version != 2.1 && version != 2.2 && version != 4.1)
     throw InputError(path + ": is of format " + to_text(version) +
-                     ": allowed are 2.2 and 4.1 (gmsh: Mesh.MshFileVersion = 4.1)");
+                     ": allowed are 2.1, 2.2 and 4.1 (gmsh: Mesh.MshFileVersion = 4.1), which " + converter +
+                     " writes");
   if (reader.count() != 0)
-    throw InputError(path + ": is a binary mesh: allowed is one in ASCII (gmsh: Mesh.Binary = 0)");
+    throw InputError(path + ": is a binary mesh: allowed is one in ASCII (gmsh: Mesh.Binary = 0), which " +
+                     converter + " writes");
   return version == 4.1;
 }
 } // namespace
@@ -122,7 +147,8 @@ std::map<std::string, std::string> sections_of(const std::string &path, const st
     const std::string name = trimmed(given);
     if (sections.empty() && !name.empty() && name != "$MeshFormat")
       throw InputError(path + ": begins with '" + shown(name) +
-                       "': allowed is $MeshFormat, with which a mesh by Gmsh begins");
+                       "': allowed is $MeshFormat, with which a mesh by Gmsh begins; " + converter +
+                       " makes one of Abaqus .inp and other meshes");
     if (name.empty() || name[0] != '$')
       continue;
     std::string body, last;
@@ -164,19 +190,30 @@ std::string GmshFile::list(const unsigned int dimension) const
   return all.empty() ? "none" : all;
 }
 
-GmshFile read_gmsh_file(const std::string &file_name)
+GmshFile collect_gmsh_file(const std::string &file_name)
 {
-  constexpr TextFileKind kind{"a mesh by Gmsh (.msh, format 2.2 or 4.1, ASCII)", 500, "a mesh is wanted"};
-  GmshFile file{shown_path(file_name), with_plain_lines(read_text_file(file_name, "", kind)), {}};
+  constexpr TextFileKind kind{"a mesh by Gmsh in ASCII (.msh, format 2.1, 2.2 or 4.1), which "
+                              "tools/import makes of binary files and of other meshes,",
+                              500, "a mesh is wanted"};
+  GmshFile file;
+  file.path = shown_path(file_name);
+  file.text = with_plain_lines(read_text_file(file_name, "", kind));
   const Sections sections = sections_of(file.path, file.text);
   const bool in_blocks = is_in_blocks(file.path, sections);
   read_names(sections, file);
-  const std::vector<long> nodes = read_nodes(file.path, sections, in_blocks);
+  const NodeNumbers nodes = read_nodes(sections, in_blocks, file);
   SectionReader elements = reader_of(file.path, sections, "$Elements");
   read_gmsh_elements(elements, read_entities(file.path, sections), nodes, in_blocks, file);
   std::sort(file.groups.begin(), file.groups.end(),
             [](const PhysicalGroup &a, const PhysicalGroup &b)
             { return std::make_pair(a.dimension, a.number) < std::make_pair(b.dimension, b.number); });
+  return file;
+}
+
+GmshFile read_gmsh_file(const std::string &file_name)
+{
+  GmshFile file = collect_gmsh_file(file_name);
+  file.faults.throw_if_any(file.path + ": ");
   return file;
 }
 } // namespace orthocone

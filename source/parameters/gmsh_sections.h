@@ -90,6 +90,9 @@ public:
       number();
   }
 
+  /// Passes what is left of a line.
+  void skip_line() { place_ = std::min(text_.find('\n', place_), text_.size()); }
+
   /// The text between the next two quotation marks.
   std::string quoted()
   {

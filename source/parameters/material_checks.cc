@@ -44,18 +44,18 @@ void check_regions(const Parameters &parameters)
                      "file, whose physical volumes they name");
   const GmshFile file = read_gmsh_file(geometry.mesh_file);
   std::set<const PhysicalGroup *> seen;
+  FaultList faults;
   for (const MaterialRegion &region : parameters.material.regions)
   {
     const PhysicalGroup *const group = file.find(3, region.volume);
+    const std::string given = "'" + shown(region.volume) + "' ";
     if (group == nullptr || group->n_elements == 0)
-      throw InputError("Material/Regions: '" + shown(region.volume) +
-                       (group == nullptr ? "' is no physical volume" : "' has no cells") + ": allowed in " +
-                       file.path + " are " + file.list(3));
-    if (!seen.insert(group).second)
-      throw InputError(
-          "Material/Regions: '" + shown(region.volume) +
-          "' is a volume that stands there before, by its name or its number: allowed is each once");
+      faults.add(given + (group == nullptr ? "is no physical volume" : "has no cells"));
+    else if (!seen.insert(group).second)
+      faults.add(given + "is a volume that stands there before, by its name or its number");
   }
+  faults.throw_if_any("Material/Regions: ",
+                      ": allowed in " + file.path + " are " + file.list(3) + ", each once");
 }
 } // namespace
 

@@ -232,7 +232,19 @@ class BodiesTest(Page):
             # The dovetail's profile is a polygon of 64 mm^2; of the cylinder the rectangle is seen.
             self.assertAlmostEqual(covered / (200 if name == "cylinder" else 64), 1, delta=1e-6)
         self.assertIsNone(ImportedBody.of({**geometry, "Mesh file": "nowhere.msh"}))
+        self.assertIsNone(ImportedBody.of({**geometry, "Held surface": "z = 99"}))
         self.assertIsNone(ImportedBody.of({**geometry, "Held surface": "nothing"}))
+
+    def test_surfaces_by_place(self):
+        """The same faces as those of the names."""
+        cylinder = {"Mesh file": ROOT / "prm/import/cylinder.msh"}
+        named = ImportedBody.of({**cylinder, "Contact surface": "base", "Held surface": "top", "Symmetry surfaces": "x0, y0"})
+        placed = ImportedBody.of({**cylinder, "Contact surface": "z min", "Held surface": "z = 10",
+                                  "Symmetry surfaces": "x = 0, y min"})
+        for part in ("contact", "held"):
+            faces = [np.unique(np.sort(getattr(body, part), axis=1), axis=0) for body in (named, placed)]
+            np.testing.assert_array_equal(*faces)
+        self.assertEqual(placed.mirrored, [True, True])
 
 
 def tearDownModule():

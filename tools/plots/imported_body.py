@@ -3,12 +3,14 @@
 """The body of a Gmsh file, as it is seen from the side: along y, x to the right."""
 import contextlib
 import io
+import re
 
 import meshio
 import numpy as np
 
 FACES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))  # of a hexahedron, outwards
 ROUNDING = 1e-6  # of the extent of the body
+PLACE = re.compile(r"([xyz])(?: +(min|max)| *= *(\S+))")
 
 
 def read(path):
@@ -37,13 +39,13 @@ def border_of(faces):
 class ImportedBody:
     def __init__(self, mesh, geometry):
         self.mesh, self.points = mesh, mesh.points
+        self.border = border_faces(np.concatenate([cells for cells, _ in self.blocks("hexahedron")]))
         self.contact = self.surface(geometry["Contact surface"])
         self.held = self.surface(geometry["Held surface"])
         symmetric = [self.points[self.surface(name.strip()).ravel()]
                      for name in geometry.get("Symmetry surfaces", "").split(",") if name.strip()]
         small = ROUNDING * np.ptp(self.points, axis=0).max()
         self.mirrored = [any(np.all(np.abs(points[:, axis]) < small) for points in symmetric) for axis in (0, 1)]
-        self.border = border_faces(np.concatenate([cells for cells, _ in self.blocks("hexahedron")]))
         self.faces = self.faces_seen()
 
     @classmethod
@@ -60,9 +62,22 @@ class ImportedBody:
         return [(block.data, tag) for block, tag in zip(self.mesh.cells, tags) if block.type == kind]
 
     def surface(self, name):
-        """Quadrilaterals of a physical surface, by name or number."""
+        """Quadrilaterals of a physical surface, by name or number, or of a place such as z min or x = 0."""
+        if name not in self.mesh.field_data and (place := PLACE.fullmatch(name)):
+            return self.faces_at("xyz".index(place[1]), place[2] or float(place[3]))
         number = self.mesh.field_data[name][0] if name in self.mesh.field_data else int(name)
         return np.concatenate([faces[tags == number] for faces, tags in self.blocks("quad")])
+
+    def faces_at(self, axis, place):
+        """Faces in a plane normal to an axis: at the least ("min") or largest ("max") coordinate, or at a number (mm)."""
+        places = self.points[self.border]
+        if place in ("min", "max"):
+            place = getattr(places[..., axis], place)()
+        small = ROUNDING * np.ptp(places.reshape(-1, 3), axis=0).max()
+        found = self.border[np.all(np.abs(places[..., axis] - place) <= small, axis=1)]
+        if not len(found):
+            raise ValueError("no faces")
+        return found
 
     def faces_seen(self):
         """Faces that look at the reader. Of a half, whose missing part is nearer to the reader, those which its mirror

@@ -2,7 +2,9 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
-#include <optional>
+#include <orthocone/base/fault_list.h>
+
+#include <array>
 #include <string>
 #include <vector>
 
@@ -17,13 +19,25 @@ struct PhysicalGroup
   std::size_t n_elements;
 };
 
-/// A file of Gmsh (format 2.2 or 4.1, ASCII) with a mesh of linear hexahedra, before its cells are made.
+/// A file of Gmsh (format 2.1, 2.2 or 4.1, ASCII) with a mesh of linear hexahedra, before its cells are made.
 /// Coordinates are in mm.
 struct GmshFile
 {
-  std::string path;                  ///< as messages show it
-  std::string text;                  ///< with '\n' at the end of lines
-  std::vector<PhysicalGroup> groups; ///< of surfaces and volumes, in the order of their numbers
+  /// An element by the indices of its nodes, in Gmsh's order, and its physical group, 0 for none.
+  template<std::size_t n>
+  struct Element
+  {
+    std::array<unsigned int, n> nodes;
+    unsigned int group;
+  };
+
+  std::string path;                         ///< as messages show it
+  std::string text;                         ///< with '\n' at the end of lines
+  std::vector<PhysicalGroup> groups;        ///< of surfaces and volumes, in the order of their numbers
+  std::vector<std::array<double, 3>> nodes; ///< in the order of the file
+  std::vector<Element<8>> hexahedra;
+  std::vector<Element<4>> quadrilaterals; ///< of physical surfaces
+  FaultList faults;                       ///< of the elements, without the path
 
   /// The group with this name, or else with this number; null if there is none.
   const PhysicalGroup *find(unsigned int dimension, const std::string &name) const;
@@ -32,7 +46,11 @@ struct GmshFile
   std::string list(unsigned int dimension) const;
 };
 
-/// Reads such a file. Throws FileError if it cannot be read, and InputError with its path if it is no such
-/// mesh, is cut off, or has elements besides hexahedra and the quadrilaterals, lines and points around them.
+/// Reads such a file, and collects what is wrong with its elements. Throws FileError if it cannot be read,
+/// and InputError with its path if it is no such file or is cut off.
+GmshFile collect_gmsh_file(const std::string &file_name);
+
+/// The same; throws InputError, too, if there are elements besides hexahedra and the quadrilaterals, lines
+/// and points around them, or nodes that are not there.
 GmshFile read_gmsh_file(const std::string &file_name);
 } // namespace orthocone

@@ -8,9 +8,8 @@
 #include <orthocone/base/text.h>
 #include <orthocone/body/shapes/boundary.h>
 
-#include <deal.II/grid/grid_in.h>
-#include <deal.II/grid/grid_tools.h>
-
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <iomanip>
 #include <set>
@@ -44,6 +43,7 @@ std::set<unsigned int> vertices_of(const std::vector<dealii::Triangulation<3>::a
 ImportedMesh::ImportedMesh(const GeometryOptions &geometry)
     : geometry_(geometry),
       file_(read_gmsh_file(geometry.mesh_file)),
+      box_(file_),
       triangulation_(dealii::Triangulation<3>::limit_level_difference_at_vertices)
 {
   read();
@@ -57,39 +57,23 @@ ImportedMesh::ImportedMesh(const GeometryOptions &geometry)
     }
   for (unsigned int d = 0; d < 3; ++d)
     extent_ = std::max(extent_, highest_[d] - lowest_[d]);
+  contact_ = faces_of(geometry_.contact_surface);
+  held_ = faces_of(geometry_.held_surface);
   find_planes();
   align();
   check_cells();
   check_surfaces();
 }
 
-void ImportedMesh::read()
-{
-  dealii::GridIn<3> reader(triangulation_);
-  std::istringstream text(file_.text);
-  try
-  {
-    reader.read_msh(text);
-  }
-  catch (const std::exception &)
-  {
-    triangulation_.clear();
-    throw InputError(file_.path + ": its elements do not fit together: allowed are hexahedra whose nodes are "
-                                  "all there, and physical surfaces and lines on the outside alone");
-  }
-  file_.text.clear();
-  triangulation_.reset_all_manifolds();
-}
-
 /// Finds the plane of each symmetry surface. Each must be in one of the two planes, with the body on one side
 /// of it.
 void ImportedMesh::find_planes()
 {
-  const double tolerance = rounding * extent_;
   for (const std::string &surface : geometry_.symmetry_surfaces)
   {
+    const double tolerance = tolerance_of(surface);
     std::array<double, 2> off{};
-    for (const Face &face : faces_of(number_of(surface)))
+    for (const Face &face : faces_of(surface))
       for (const unsigned int v : face->vertex_indices())
         for (unsigned int d = 0; d < 2; ++d)
           off[d] = std::max(off[d], std::abs(face->vertex(v)[d]));
@@ -108,83 +92,124 @@ void ImportedMesh::find_planes()
 
 void ImportedMesh::align()
 {
-  const std::set<unsigned int> in_contact = vertices_of(faces_of(number_of(geometry_.contact_surface)));
-  const auto settle = [&](double &coordinate)
-  { coordinate = std::abs(coordinate) <= rounding * extent_ ? 0 : coordinate; };
+  const std::set<unsigned int> in_contact = vertices_of(contact_);
+  double of_symmetry = rounding * extent_;
+  for (const std::string &surface : geometry_.symmetry_surfaces)
+    of_symmetry = std::max(of_symmetry, tolerance_of(surface));
+  const auto settle = [](double &coordinate, const double tolerance)
+  { coordinate = std::abs(coordinate) <= tolerance ? 0 : coordinate; };
   for (const auto &cell : triangulation_.active_cell_iterators())
     for (const unsigned int v : cell->vertex_indices())
     {
       if (planes_.normal_to_x)
-        settle(cell->vertex(v)[0]);
+        settle(cell->vertex(v)[0], of_symmetry);
       if (planes_.normal_to_y)
-        settle(cell->vertex(v)[1]);
+        settle(cell->vertex(v)[1], of_symmetry);
       if (in_contact.count(cell->vertex_index(v)) > 0)
-        settle(cell->vertex(v)[2]);
+        settle(cell->vertex(v)[2], tolerance_of(geometry_.contact_surface));
     }
 }
 
 void ImportedMesh::check_cells()
 {
+  std::vector<std::string> inverted;
   for (const auto &cell : triangulation_.active_cell_iterators())
-    if (const double quality = scaled_jacobian(cell); !(quality > worst_quality_))
+    if (const double quality = scaled_jacobian(cell); !(quality > 0))
+      inverted.push_back(place(cell->center()));
+    else if (quality <= worst_quality_)
     {
       worst_quality_ = quality;
       worst_place_ = cell->center();
-      if (!(quality > 0))
-        throw InputError(
-            file_.path + ": the cell at " + place(worst_place_) +
-            " is inverted: allowed are hexahedra with a positive volume at each of their corners");
     }
+  const bool is_one = inverted.size() == 1;
+  FaultList faults;
+  if (!inverted.empty())
+    faults.add((is_one ? "the cell at " : "the cells at ") + enumeration(inverted) +
+               (is_one ? " is" : " are") +
+               " inverted: allowed are hexahedra with a positive volume at each of their corners");
   if (const unsigned int n = n_pieces(triangulation_); n > 1)
-    throw InputError(file_.path + ": has " + std::to_string(n) +
-                     " pieces without a common face: allowed is one body (gmsh: Coherence, Coherence Mesh)");
+    faults.add("has " + std::to_string(n) +
+               " pieces without a common face: allowed is one body (gmsh: Coherence, Coherence Mesh)");
+  faults.throw_if_any(file_.path + ": ");
 }
 
-/// Refuses quadrilaterals that are not faces of a cell: they are no surface of the body, but deal.II accepts
-/// them.
-void ImportedMesh::require_outside(const std::string &entry, const std::string &surface) const
+/// Finds quadrilaterals of a physical surface that are no faces of the body.
+void ImportedMesh::check_outside(const std::string &entry, const std::string &surface,
+                                 FaultList &faults) const
 {
-  const std::size_t given = file_.find(2, surface)->n_elements, outside = faces_of(number_of(surface)).size();
+  const PhysicalGroup *const group = file_.find(2, surface);
+  const std::size_t outside = faces_of(surface).size(),
+                    given = group == nullptr ? outside : group->n_elements;
   if (outside != given)
-    throw InputError("Geometry/" + entry + " = " + shown(surface) + " has " + std::to_string(given) +
-                     " faces, of which " + std::to_string(outside) +
-                     " are on the outside of the cells: allowed are all");
+    faults.add("Geometry/" + entry + " = " + shown(surface) + " has " + std::to_string(given) +
+               " faces, of which " + std::to_string(outside) +
+               " are on the outside of the cells: allowed are all");
 }
 
-void ImportedMesh::check_surfaces() const
+/// Finds places where the contact surface is below its plane or does not look down on it.
+void ImportedMesh::check_contact(FaultList &faults) const
 {
-  require_outside("Contact surface", geometry_.contact_surface);
-  require_outside("Held surface", geometry_.held_surface);
-  const auto contact = faces_of(number_of(geometry_.contact_surface));
-  const std::set<unsigned int> vertices = vertices_of(contact);
-  for (const auto held : vertices_of(faces_of(number_of(geometry_.held_surface))))
-    if (vertices.count(held) > 0)
-      throw InputError("Geometry/Held surface = " + shown(geometry_.held_surface) +
-                       " has nodes of the contact surface, such as " +
-                       place(triangulation_.get_vertices()[held]) +
-                       ": allowed are surfaces that do not touch");
-  for (const auto vertex : vertices)
+  const std::string given = "Geometry/Contact surface = " + shown(geometry_.contact_surface);
+  std::vector<std::string> below, upwards;
+  for (const auto vertex : vertices_of(contact_))
     if (const Point<3> &at = triangulation_.get_vertices()[vertex]; at[2] < 0)
-      throw InputError("Geometry/Contact surface = " + shown(geometry_.contact_surface) +
-                       " is below the plane at " + place(at) +
-                       ": allowed is z >= 0, where the heights of its nodes are their gaps");
+      below.push_back(place(at));
   for (const auto &cell : triangulation_.active_cell_iterators())
     for (const auto &face : cell->face_iterators())
       if (face->at_boundary() && id_of(face) == Boundary::contact_surface)
         if (const auto normal = area_vector(face);
             normal * (face->center() - cell->center()) * normal[2] >= 0)
-          throw InputError("Geometry/Contact surface = " + shown(geometry_.contact_surface) +
-                           " does not look down at " + place(face->center()) +
-                           ": allowed is a surface whose normal has a part along -z, onto the plane");
+          upwards.push_back(place(face->center()));
+  if (!below.empty())
+    faults.add(given + " is below the plane at " + enumeration(below) +
+               ": allowed is z >= 0, where the heights of its nodes are their gaps");
+  if (!upwards.empty())
+    faults.add(given + " does not look down at " + enumeration(upwards) +
+               ": allowed is a surface whose normal has a part along -z, onto the plane");
 }
 
-std::vector<ImportedMesh::Face> ImportedMesh::faces_of(const unsigned int number) const
+void ImportedMesh::check_surfaces() const
 {
+  FaultList faults;
+  check_outside("Contact surface", geometry_.contact_surface, faults);
+  check_outside("Held surface", geometry_.held_surface, faults);
+  const std::set<unsigned int> vertices = vertices_of(contact_);
+  std::vector<std::string> common;
+  for (const auto held : vertices_of(held_))
+    if (vertices.count(held) > 0)
+      common.push_back(place(triangulation_.get_vertices()[held]));
+  if (!common.empty())
+    faults.add("Geometry/Held surface = " + shown(geometry_.held_surface) +
+               " has nodes of the contact surface, such as " + common.front() +
+               ": allowed are surfaces that do not touch");
+  check_contact(faults);
+  faults.throw_if_any();
+}
+
+std::vector<ImportedMesh::Face> ImportedMesh::faces_of(const std::string &surface) const
+{
+  if (const PhysicalGroup *const group = file_.find(2, surface); group != nullptr)
+  {
+    const auto found = faces_of_group_.find(group->number);
+    return found == faces_of_group_.end() ? std::vector<Face>() : found->second;
+  }
   std::vector<Face> faces;
+  const std::optional<PlaneOfAxis> plane = box_.find(surface);
+  const auto is_in_plane = [&](const Point<3> &point)
+  { return std::abs(point[plane->axis] - plane->at) <= box_.tolerance(); };
   for (const Face &face : triangulation_.active_face_iterators())
-    if (face->at_boundary() && face->boundary_id() == number)
+    if (plane && face->at_boundary() && is_in_plane(face->vertex(0)) && is_in_plane(face->vertex(1)) &&
+        is_in_plane(face->vertex(2)) && is_in_plane(face->vertex(3)))
       faces.push_back(face);
+  std::sort(faces.begin(), faces.end());
   return faces;
+}
+
+/// How far off their plane the nodes of a surface may be moved into it: those of a surface that is named by
+/// its place are all that lie there.
+double ImportedMesh::tolerance_of(const std::string &surface) const
+{
+  return file_.find(2, surface) == nullptr ? box_.tolerance() : rounding * extent_;
 }
 
 dealii::types::boundary_id ImportedMesh::id_of(const Face &face) const
@@ -196,9 +221,9 @@ dealii::types::boundary_id ImportedMesh::id_of(const Face &face) const
         return false;
     return true;
   };
-  if (face->boundary_id() == number_of(geometry_.contact_surface))
+  if (std::binary_search(contact_.begin(), contact_.end(), face))
     return Boundary::contact_surface;
-  if (face->boundary_id() == number_of(geometry_.held_surface))
+  if (std::binary_search(held_.begin(), held_.end(), face))
     return Boundary::top_face;
   if (planes_.normal_to_x && lies_in(0))
     return Boundary::plane_normal_to_x;
@@ -208,8 +233,12 @@ dealii::types::boundary_id ImportedMesh::id_of(const Face &face) const
 void ImportedMesh::copy_to(dealii::Triangulation<3> &triangulation) const
 {
   triangulation.copy_triangulation(triangulation_);
+  auto own = triangulation_.begin_active_face();
   for (const auto &face : triangulation.active_face_iterators())
+  {
     if (face->at_boundary())
-      face->set_boundary_id(id_of(face));
+      face->set_boundary_id(id_of(own));
+    ++own;
+  }
 }
 } // namespace orthocone

@@ -37,6 +37,15 @@ void append(std::ostream &text, const GmshFile &file, const unsigned int dimensi
          << (is_volume ? " mm^3\n" : " mm^2\n");
   }
 }
+/// A surface that is named by its place, which may have faces of the groups above.
+void append_place(std::ostream &text, const std::string &surface,
+                  const std::vector<dealii::Triangulation<3>::active_face_iterator> &faces)
+{
+  double area = 0;
+  for (const auto &face : faces)
+    area += area_vector(face).norm();
+  text << "surface        " << shown(surface) << ": " << faces.size() << " faces, " << area << " mm^2\n";
+}
 } // namespace
 
 std::string ImportedMesh::describe() const
@@ -49,22 +58,28 @@ std::string ImportedMesh::describe() const
   };
   for (const auto &cell : triangulation_.active_cell_iterators())
     add(volumes[cell->material_id()], cell->measure());
-  double least = highest_[2], largest = lowest_[2];
+  for (const auto &[number, faces] : faces_of_group_)
+    for (const Face &face : faces)
+      add(surfaces[number], area_vector(face).norm());
   for (const Face &face : triangulation_.active_face_iterators())
-    if (face->at_boundary())
+    if (face->at_boundary() && face->boundary_id() == 0)
+      add(surfaces[0], area_vector(face).norm());
+  double least = highest_[2], largest = lowest_[2];
+  for (const Face &face : contact_)
+    for (const unsigned int v : face->vertex_indices())
     {
-      add(surfaces[face->boundary_id()], area_vector(face).norm());
-      for (const unsigned int v : face->vertex_indices())
-        if (face->boundary_id() == number_of(geometry_.contact_surface))
-        {
-          least = std::min(least, face->vertex(v)[2]);
-          largest = std::max(largest, face->vertex(v)[2]);
-        }
+      least = std::min(least, face->vertex(v)[2]);
+      largest = std::max(largest, face->vertex(v)[2]);
     }
   std::ostringstream text;
   text << std::setprecision(6) << "mesh file      " << file_.path << "\n";
   append(text, file_, 3, volumes);
   append(text, file_, 2, surfaces);
+  std::vector<std::string> named{geometry_.contact_surface, geometry_.held_surface};
+  named.insert(named.end(), geometry_.symmetry_surfaces.begin(), geometry_.symmetry_surfaces.end());
+  for (const std::string &surface : named)
+    if (file_.find(2, surface) == nullptr)
+      append_place(text, surface, faces_of(surface));
   text << "worst cell     at (" << worst_place_ << ") mm, scaled Jacobian " << std::setprecision(3)
        << worst_quality_ << " (1: a brick)\ncontact height " << least << " to " << largest
        << " mm above z = 0\n";

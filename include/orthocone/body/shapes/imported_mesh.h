@@ -4,25 +4,29 @@
 
 #include <orthocone/parameters/gmsh_file.h>
 #include <orthocone/parameters/options.h>
+#include <orthocone/parameters/surface_places.h>
 #include <orthocone/surface/model_symmetry.h>
 
 #include <deal.II/grid/tria.h>
 
+#include <map>
 #include <string>
 #include <vector>
 
 namespace orthocone
 {
 /// The checked mesh of a file (mm): one piece of hexahedra that are not inverted, on or above the plane z =
-/// 0, with surfaces for contact, hold and symmetry (docs/theory.md, section 2, "Bodies from files"). Boundary
-/// and material ids are the numbers of the physical groups, 0 for none. Nodes that rounding has left beside
-/// their plane are moved into it.
+/// 0, with surfaces for contact, hold and symmetry (docs/theory.md, section 2, "Bodies from files"), which
+/// are physical groups or planes. Boundary and material ids are the numbers of the first physical groups, 0
+/// for none. Nodes that rounding has left beside their plane are moved into it.
 class ImportedMesh
 {
 public:
   /// Throws InputError, which names the path of the file or the entry and what is allowed, and FileError if
   /// the file cannot be read.
   explicit ImportedMesh(const GeometryOptions &geometry);
+  ImportedMesh(const ImportedMesh &) = delete;
+  ImportedMesh &operator=(const ImportedMesh &) = delete;
 
   const dealii::Triangulation<3> &triangulation() const { return triangulation_; }
   const SymmetryPlanes &planes() const { return planes_; }
@@ -40,19 +44,24 @@ private:
   using Face = dealii::Triangulation<3>::active_face_iterator;
 
   void read();
+  void find_groups(const std::vector<unsigned int> &vertex_of_node);
   void find_planes();
   void align();
   void check_cells();
   void check_surfaces() const;
-  void require_outside(const std::string &entry, const std::string &surface) const;
+  void check_outside(const std::string &entry, const std::string &surface, FaultList &faults) const;
+  void check_contact(FaultList &faults) const;
   bool is_curved() const;
   dealii::types::boundary_id id_of(const Face &face) const;
-  std::vector<Face> faces_of(unsigned int number) const;
-  unsigned int number_of(const std::string &surface) const { return file_.find(2, surface)->number; }
+  std::vector<Face> faces_of(const std::string &surface) const;
+  double tolerance_of(const std::string &surface) const;
 
   GeometryOptions geometry_;
   GmshFile file_;
+  const MeshBox box_;
   dealii::Triangulation<3> triangulation_;
+  std::map<unsigned int, std::vector<Face>> faces_of_group_;
+  std::vector<Face> contact_, held_; ///< sorted
   SymmetryPlanes planes_;
   dealii::Point<3> lowest_, highest_; ///< of the box around, mm
   double extent_ = 0;                 ///< longest side of that box, mm

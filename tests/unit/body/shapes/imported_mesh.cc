@@ -12,6 +12,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 namespace orthocone::test
 {
 namespace
@@ -125,6 +127,87 @@ TEST(ImportedMesh, IsABarOfTwoRegions)
     for (const auto &[node, moved] : pressed(file, pressure, bar, of_degree(2, 0)))
       EXPECT_LE((moved - Eigen::Vector3d(expected, 0, 0)).norm(), 1e-11 * expected);
   }
+}
+
+// Names, places, and places of a file with nothing but its cells and one tag for all.
+TEST(ImportedMesh, IsTheSameToTheLastBitByNamesAndByPlaces)
+{
+  const Folder folder;
+  Msh box = distorted_box(0.2);
+  const auto ids = [&](const std::string &name, const bool by_place)
+  {
+    GeometryOptions geometry = imported(folder.write(name, box.text()), {"x0", "y0"});
+    if (by_place)
+    {
+      geometry.contact_surface = "z min";
+      geometry.held_surface = "z = 6";
+      geometry.symmetry_surfaces = {"x = 0", "y min"};
+    }
+    const ImportedMesh mesh(geometry);
+    EXPECT_EQ(mesh.planes().name(), "quarter");
+    dealii::Triangulation<3> copy;
+    mesh.copy_to(copy);
+    std::vector<double> all;
+    for (const auto &face : copy.active_face_iterators())
+    {
+      all.push_back(face->at_boundary() ? face->boundary_id() : -1);
+      for (const unsigned int v : face->vertex_indices())
+        for (unsigned int d = 0; d < 3; ++d)
+          all.push_back(face->vertex(v)[d]);
+    }
+    return all;
+  };
+  const auto expected = ids("names.msh", false);
+  EXPECT_EQ(ids("places.msh", true), expected);
+  for (auto &element : box.elements)
+    element.group = 1;
+  EXPECT_EQ(ids("one_tag.msh", true), expected);
+  box.elements.erase(std::remove_if(box.elements.begin(), box.elements.end(),
+                                    [](const auto &element) { return element.type == 3; }),
+                     box.elements.end());
+  EXPECT_EQ(ids("cells.msh", true), expected);
+}
+
+TEST(ImportedMesh, PrefersAPhysicalSurfaceOfThatName)
+{
+  const Folder folder;
+  const Msh box = distorted_box(0);
+  std::string text = box.text();
+  text.replace(text.find("\"top\""), 5, "\"z min\"");
+  GeometryOptions geometry = imported(folder.write("box.msh", text));
+  geometry.held_surface = "z min";
+  EXPECT_NE(ImportedMesh(geometry).describe().find("surface        z min (2): 9 faces"), std::string::npos);
+}
+
+// Nodes of single precision are moved into the plane that names them; by a name they are below it.
+TEST(ImportedMesh, MovesNodesIntoThePlanesThatNameThem)
+{
+  const Folder folder;
+  Msh box = distorted_box(0);
+  for (std::size_t i = 0; i < box.nodes.size(); ++i)
+    for (double &coordinate : box.nodes[i])
+      coordinate += coordinate == 0 ? (i % 2 == 0 ? 4e-6 : -4e-6) : 0;
+  GeometryOptions geometry = imported(folder.write("box.msh", box.text()));
+  EXPECT_THROW(ImportedMesh{geometry}, InputError);
+  geometry.contact_surface = "z = 0";
+  geometry.held_surface = "z max";
+  geometry.symmetry_surfaces = {"x = 0", "y = 0"};
+  const std::string text = ImportedMesh(geometry).describe();
+  EXPECT_NE(text.find("\ncontact height 0 to 0 mm"), std::string::npos) << text;
+  EXPECT_NE(text.find("\nsurface        z = 0: 9 faces, 24 mm^2\n"), std::string::npos) << text;
+}
+
+// Gmsh writes faces between parts of the body, too, where a file has no physical groups.
+TEST(ImportedMesh, LeavesOutFacesInside)
+{
+  const Folder folder;
+  Msh box = distorted_box(0);
+  const auto cell = std::find_if(box.elements.begin(), box.elements.end(),
+                                 [](const auto &element) { return element.type == 5; });
+  const auto n = cell->nodes;
+  box.elements.push_back({3, 0, {n[4], n[5], n[6], n[7]}});
+  box.elements.push_back({3, 9, {n[1], n[2], n[6], n[5]}});
+  EXPECT_EQ(ImportedMesh(imported(folder.write("box.msh", box.text()))).planes().name(), "full");
 }
 
 TEST(ImportedMesh, KnowsItsSizeBeforeItIsRefined)
