@@ -204,7 +204,7 @@ void StepSolver::accept_unknowns(ContactState &state, const Attempt &attempt, co
     motion[attempt.components[j]] = motions[static_cast<Index>(j)];
   const ContactState before = state;
   const RigidMotion way{motion.components - before.motion.components};
-  advance(state, attempt.problem, opening_, unknowns, motion, wear_);
+  advance(state, attempt.problem, opening_, unknowns, motion, wear_, tolerance_);
   state.work +=
       0.5 * (scene_.held_wrench(before.force).work(way) + scene_.held_wrench(state.force).work(way)) +
       scene_.symmetry().n_copies() * work_without_contact(before, state, opening_);
