@@ -11,7 +11,6 @@ namespace orthocone
 {
 using Eigen::Index;
 using Eigen::Vector2d;
-using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 ContactState::ContactState(const NodeVector &gaps)
@@ -29,8 +28,7 @@ ContactState::ContactState(const NodeVector &gaps)
 namespace
 {
 /// What the step does to a node. `found` is the status that the law gives.
-NodeStep node_step(const ContactState &before, const ContactStep &step, const NodeStatus found,
-                   const Vector3d &force, const Index node)
+NodeStep node_step(const ContactState &before, const NodeStatus found, const Index node)
 {
   NodeStep of_node;
   of_node.before = before.status[node];
@@ -38,8 +36,6 @@ NodeStep node_step(const ContactState &before, const ContactStep &step, const No
   of_node.slip = before.displacement.segment<2>(3 * node + 1) - before.slip_at_stick.segment<2>(2 * node);
   if (of_node.before == NodeStatus::open)
     of_node.gap = before.displacement[3 * node] + before.wear_depth[node] - before.found_depth[node];
-  of_node.reserve = friction_reserve(step.law(node), force);
-  of_node.rho = step.system().rho(node);
   return of_node;
 }
 } // namespace
@@ -76,14 +72,15 @@ void advance(ContactState &state, const ContactStep &step, const VectorXd &openi
   const NodeVector d = step.displacement(unknowns);
   state.force = unknowns.head(d.size());
   const std::vector<NodeStatus> found = step.statuses(unknowns, d);
-  const double unresolved = unresolved_force(state.force, tolerance);
+  const double unresolved = unresolved_slip(state.force, opening, tolerance);
   state.found_depth = before.wear_depth;
   state.motion = motion;
   for (Index node = 0; node < state.n_nodes(); ++node)
   {
     const Vector2d change = d.segment<2>(3 * node + 1);
-    NodeStep of_node = node_step(before, step, found[node], state.force.segment<3>(3 * node), node);
+    NodeStep of_node = node_step(before, found[node], node);
     of_node.change = change;
+    of_node.reserve = opening[node] * friction_reserve(step.law(node), state.force.segment<3>(3 * node));
     of_node.unresolved = unresolved;
     state.status[node] = status_behind(of_node);
     state.displacement[3 * node] = d[3 * node];

@@ -28,11 +28,14 @@ double turned_share(const Vector2d &slip, const Vector2d &change, const double u
 }
 } // namespace
 
-// The residual bounds the error of all nodes together, and the two runs that are to agree have one each.
-double unresolved_force(const NodeVector &force, const double tolerance)
+// The residual bounds the error of all nodes together; one node may have a good part of it.
+double unresolved_slip(const NodeVector &force, const Eigen::VectorXd &compliance, const double tolerance)
 {
-  constexpr double many = 10, most = 1e-6; // a lax tolerance must not make all nodes stick
-  return std::min(many * tolerance, most) * force.norm();
+  constexpr double many = 100, most = 1e-5; // a lax tolerance must not make all nodes stick
+  double largest = 0;
+  for (Eigen::Index node = 0; node < compliance.size(); ++node)
+    largest = std::max(largest, compliance[node] * force.segment<3>(3 * node).norm());
+  return std::min(many * tolerance, most) * largest;
 }
 
 // The friction coefficient is taken along the force, but must stay defined where the force has no direction.
@@ -48,7 +51,7 @@ double friction_reserve(const OrthotropicFriction &law, const Eigen::Vector3d &f
 NodeStatus status_behind(const NodeStep &step)
 {
   const bool touches = step.before != NodeStatus::open && step.found != NodeStatus::open;
-  const bool rests = step.rho * step.change.norm() <= step.unresolved && step.reserve <= step.unresolved;
+  const bool rests = step.change.norm() <= step.unresolved && step.reserve <= step.unresolved;
   return touches && rests ? step.before : step.found;
 }
 
@@ -56,10 +59,9 @@ Vector2d slip_behind(const NodeStep &step)
 {
   if (step.found == NodeStatus::open)
     return step.slip;
-  const double unresolved = step.unresolved / step.rho;
-  const Vector2d slip = fading(step.gap, unresolved) * step.slip;
+  const Vector2d slip = fading(step.gap, step.unresolved) * step.slip;
   if (step.found == NodeStatus::stick)
     return fading(step.reserve, step.unresolved) * (slip + step.change);
-  return (1 - turned_share(slip, step.change, unresolved)) * slip + step.change;
+  return (1 - turned_share(slip, step.change, step.unresolved)) * slip + step.change;
 }
 } // namespace orthocone

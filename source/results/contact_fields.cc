@@ -3,6 +3,7 @@
 #include <orthocone/results/contact_fields.h>
 
 #include <orthocone/base/numbers.h>
+#include <orthocone/body/node_compliance.h>
 #include <orthocone/march/slip_memory.h>
 
 #include <algorithm>
@@ -103,7 +104,7 @@ static StickSample between(const HangingNode &hanging, const std::vector<StickSa
   if (slipping > 0)
     sample.normal_by_slip /= slipping;
   const double mean_stiffness = of_stiffness / of_weights;
-  const double difference = reserve - mean_stiffness * slip;
+  const double difference = std::max(0., reserve) - mean_stiffness * std::max(0., slip);
   sample.status = difference > 0   ? NodeStatus::stick
                   : difference < 0 ? NodeStatus::slip
                                    : samples[nearest(hanging)].status;
@@ -131,6 +132,7 @@ ContactFieldEvaluator::ContactFieldEvaluator(const Scene &scene)
       system_(scene.system()),
       gaps_(scene.gaps()),
       shares_(symmetry_.force_shares(surface_)),
+      compliances_(node_compliance(surface_, symmetry_, scene.contact_material())),
       tolerance_(scene.parameters().contact_solver.tolerance),
       stick_area_(surface_, scene.contact_material()),
       zones_(surface_)
@@ -214,24 +216,24 @@ StickSample ContactFieldEvaluator::stick_sample(const ContactState &state, const
   const Eigen::Index first = 3 * static_cast<Eigen::Index>(node);
   const Vector3d r = state.force.segment<3>(first);
   const OrthotropicFriction &law = system_.given_law(first / 3);
-  const double rho = system_.rho(first / 3);
+  const double compliance = compliances_[first / 3];
   const bool is_open = state.status[node] == NodeStatus::open;
   const double way = slip_since_stick(state, node) + (is_open ? std::max(0., state.displacement[first]) : 0);
-  const double level = (is_open ? 0 : friction_reserve(law, r)) + unresolved - rho * way;
+  const double level = (is_open ? 0 : compliance * friction_reserve(law, r)) + unresolved - way;
   StickSample sample;
   if (!is_open)
     sample.status = level >= 0 && !is_frictionless(law) ? NodeStatus::stick : NodeStatus::slip;
-  sample.slip = std::max(0., -level / rho);
+  sample.slip = std::max(0., -level);
   if (sample.status == NodeStatus::stick)
   {
-    sample.reserve = level / surface_.nodes[node].area;
+    sample.reserve = level / (compliance * surface_.nodes[node].area);
     return sample;
   }
   sample.normal_by_slip = stick_area_.of_unknown_direction();
   if (is_frictionless(law) || r.tail<2>().isZero(0))
     return sample;
   const auto [normal, slip] = normal_and_slip(law, r.tail<2>());
-  const double known = std::clamp(relative(r.tail<2>().norm(), unresolved) - 1, 0., 1.);
+  const double known = std::clamp(relative(compliance * r.tail<2>().norm(), unresolved) - 1, 0., 1.);
   sample.normal_by_slip *= 1 - known;
   sample.normal_by_slip += known * axes_.to_global(node, normal) * axes_.to_global(node, slip).transpose();
   return sample;
@@ -239,13 +241,13 @@ StickSample ContactFieldEvaluator::stick_sample(const ContactState &state, const
 
 double ContactFieldEvaluator::stick_area(const ContactState &state) const
 {
-  const double unresolved = unresolved_force(state.force, tolerance_);
+  const double unresolved = unresolved_slip(state.force, compliances_, tolerance_);
   std::vector<StickSample> samples;
   std::vector<double> stiffness;
   for (unsigned int node = 0; node < surface_.nodes.size(); ++node)
   {
     samples.push_back(stick_sample(state, node, unresolved));
-    stiffness.push_back(system_.rho(node) / surface_.nodes[node].area);
+    stiffness.push_back(1 / (compliances_[node] * surface_.nodes[node].area));
   }
   for (const HangingNode &hanging : surface_.hanging)
     samples.push_back(between(hanging, samples, stiffness));

@@ -10,9 +10,10 @@
 
 namespace orthocone
 {
-/// Force (N) on a node that the tolerance of the solver may leave open where all nodes have the forces
-/// `force`: what is less is taken for none.
-double unresolved_force(const NodeVector &force, double tolerance);
+/// Slip (mm) that the tolerance of the solver may leave open where nodes of these compliances
+/// (node_compliance(), mm/N) have the forces `force`: what is less is taken for none. It is the same in a
+/// model of the whole body, of a half and of a quarter.
+double unresolved_slip(const NodeVector &force, const Eigen::VectorXd &compliance, double tolerance);
 
 /// Friction force (N) that would still fit before a node slips, in the direction of its friction force; 0
 /// without friction or pressure.
@@ -26,9 +27,8 @@ struct NodeStep
   Eigen::Vector2d slip = Eigen::Vector2d::Zero();   ///< before the step, since the node stuck, mm
   Eigen::Vector2d change = Eigen::Vector2d::Zero(); ///< of the slip in the step, mm
   double gap = 0;                                   ///< before the step, mm; 0 where the node touched
-  double reserve = 0;                               ///< friction_reserve() behind the step, N
-  double rho = 1;                                   ///< ContactSystem::rho(), N/mm
-  double unresolved = 0;                            ///< unresolved_force(), N
+  double reserve = 0;    ///< friction_reserve() behind the step times node_compliance(), mm
+  double unresolved = 0; ///< unresolved_slip(), mm
 };
 
 /// Status behind the step: that before it where the node touches, is at the limit of friction and does not

@@ -89,8 +89,9 @@ private:
   LocalAxes axes_;
   const ContactSystem &system_;
   const NodeVector &gaps_;
-  Eigen::VectorXd shares_; ///< ModelSymmetry::force_shares()
-  double tolerance_;       ///< of the solver
+  Eigen::VectorXd shares_;      ///< ModelSymmetry::force_shares()
+  Eigen::VectorXd compliances_; ///< node_compliance()
+  double tolerance_;            ///< of the solver
   StickArea stick_area_;
   ContactZones zones_;
 };

@@ -12,15 +12,14 @@ namespace
 {
 using Eigen::Vector2d;
 
-/// A node that has slipped by 1 mm and slips on by `change`; less than 1e-6 N or 1e-8 mm is nothing.
+/// A node that has slipped by 1 mm and slips on by `change`; less than 1e-8 mm is nothing.
 NodeStep slipping(const Vector2d &change)
 {
   NodeStep step;
   step.before = step.found = NodeStatus::slip;
   step.slip = {1, 0};
   step.change = change;
-  step.rho = 100;
-  step.unresolved = 1e-6;
+  step.unresolved = 1e-8;
   return step;
 }
 } // namespace
@@ -33,10 +32,10 @@ TEST(SlipMemory, ANodeAtRestStaysWhatItWas)
       NodeStep step = slipping({-1e-9, 2e-9});
       step.before = before;
       step.found = found;
-      step.reserve = found == NodeStatus::stick ? 1e-7 : 0;
+      step.reserve = found == NodeStatus::stick ? 1e-9 : 0;
       EXPECT_EQ(status_behind(step), before);
       EXPECT_NEAR(slip_behind(step).norm(), 1, 2e-9);
-      step.reserve = found == NodeStatus::stick ? 1e-5 : 0;
+      step.reserve = found == NodeStatus::stick ? 1e-7 : 0;
       step.change *= found == NodeStatus::slip ? 1e3 : 1;
       EXPECT_EQ(status_behind(step), found);
     }
@@ -74,7 +73,7 @@ TEST(SlipMemory, IsContinuous)
     const double most = sticks ? 1e-9 : 1e-6; // mm; a node that sticks moves by what is unresolved at most
     NodeStep step = slipping({n % 3 == 0 ? 0 : most * draw(), n % 5 == 0 ? 0 : most * draw()});
     step.gap = n % 2 == 0 ? 0 : std::abs(1e-6 * draw());
-    step.reserve = sticks ? std::abs(1e-3 * draw()) : 0;
+    step.reserve = sticks ? std::abs(1e-5 * draw()) : 0;
     step.found = sticks ? NodeStatus::stick : NodeStatus::slip;
     NodeStep other = step;
     other.change += small * Vector2d(one(random), one(random));

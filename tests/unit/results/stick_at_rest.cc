@@ -79,6 +79,18 @@ TEST(StickAtRest, NodesThatDoNotMoveKeepTheirStatus)
       });
 }
 
+/// Weights of hanging nodes may be negative, but nothing sticks at a node between others that slip.
+TEST(StickAtRest, NothingSticksBetweenOpenNodes)
+{
+  Parameters parameters = small_scene(2);
+  parameters.mesh.model = ModelKind::quarter;
+  parameters.mesh.refined_cells = {{{0, 2}, {7, 9}}};
+  parameters.friction.slip_potential = slip_ellipses[1];
+  const std::vector<double> areas = areas_of(parameters);
+  EXPECT_GT(areas[6], 50);
+  EXPECT_EQ(areas.back(), 0);
+}
+
 /// Every state of the way, also those at rest: noise of 1e-10 in all forces and displacements does not show,
 /// whatever it makes of the status of a node.
 TEST(StickAtRest, RoundingDoesNotDecideOnTheArea)
