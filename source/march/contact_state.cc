@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/march/contact_state.h>
 
+#include <orthocone/march/slip_memory.h>
 #include <orthocone/march/touching.h>
 
 #include <algorithm>
@@ -26,15 +27,16 @@ ContactState::ContactState(const NodeVector &gaps)
 
 namespace
 {
-/// To be called with the status at the end of a step, and the slip at its beginning still in the state.
-void remember_stick(ContactState &state, const Index node, const Vector2d &change)
+/// What the step does to a node. `found` is the status that the law gives.
+NodeStep node_step(const ContactState &before, const NodeStatus found, const Index node)
 {
-  const Vector2d before = state.displacement.segment<2>(3 * node + 1);
-  auto mark = state.slip_at_stick.segment<2>(2 * node);
-  if (state.status[node] != NodeStatus::slip)
-    mark = before + change;
-  else if (change.dot(before - mark) < 0)
-    mark = before;
+  NodeStep of_node;
+  of_node.before = before.status[node];
+  of_node.found = found;
+  of_node.slip = before.displacement.segment<2>(3 * node + 1) - before.slip_at_stick.segment<2>(2 * node);
+  if (of_node.before == NodeStatus::open)
+    of_node.gap = before.displacement[3 * node] + before.wear_depth[node] - before.found_depth[node];
+  return of_node;
 }
 } // namespace
 
@@ -63,25 +65,32 @@ double slip_since_stick(const ContactState &state, const Index node)
 }
 
 void advance(ContactState &state, const ContactStep &step, const VectorXd &opening, const VectorXd &unknowns,
-             const RigidMotion &motion, const WearLaw &wear)
+             const RigidMotion &motion, const WearLaw &wear, const double tolerance)
 {
   const ContactState before = state;
   // The displacement is (gap, change of slip), relative to the last step.
   const NodeVector d = step.displacement(unknowns);
   state.force = unknowns.head(d.size());
-  state.status = step.statuses(unknowns, d);
+  const std::vector<NodeStatus> found = step.statuses(unknowns, d);
+  const double unresolved = unresolved_slip(state.force, opening, tolerance);
   state.found_depth = before.wear_depth;
   state.motion = motion;
   for (Index node = 0; node < state.n_nodes(); ++node)
   {
     const Vector2d change = d.segment<2>(3 * node + 1);
-    remember_stick(state, node, change);
+    NodeStep of_node = node_step(before, found[node], node);
+    of_node.change = change;
+    of_node.reserve = opening[node] * friction_reserve(step.law(node), state.force.segment<3>(3 * node));
+    of_node.unresolved = unresolved;
+    state.status[node] = status_behind(of_node);
     state.displacement[3 * node] = d[3 * node];
     state.displacement.segment<2>(3 * node + 1) += change;
+    state.slip_at_stick.segment<2>(2 * node) =
+        state.displacement.segment<2>(3 * node + 1) - slip_behind(of_node);
     const double share = share_in_contact(before, state, node, opening[node]);
     state.accumulated_slip[node] += share * change.norm();
     // A node that sticks has no slip: what the solver's tolerance leaves may have any direction.
-    if (state.status[node] == NodeStatus::stick)
+    if (found[node] == NodeStatus::stick)
       continue;
     const double dissipated = share * dissipation(before.force.segment<2>(3 * node + 1),
                                                   state.force.segment<2>(3 * node + 1), change);

@@ -206,7 +206,8 @@ void StepSolver::accept_unknowns(ContactState &state, const Attempt &attempt, co
     motion[attempt.components[j]] = motions[static_cast<Index>(j)];
   const ContactState before = state;
   const RigidMotion way{motion.components - before.motion.components};
-  advance(state, attempt.problem, opening_, unknowns, motion, attempt.worn.size() == 0 ? wear_ : WearLaw());
+  advance(state, attempt.problem, opening_, unknowns, motion, attempt.worn.size() == 0 ? wear_ : WearLaw(),
+          tolerance_);
   if (attempt.worn.size() > 0) // it is found already
   {
     state.wear_depth += attempt.worn;

@@ -119,8 +119,8 @@ OrderedJson counterface_json(const Parameters &parameters)
 {
   const ObstacleKind kind = parameters.obstacle.kind;
   OrderedJson json{{"kind", to_word(kind)}};
-  const MaterialOptions &material =
-      kind == ObstacleKind::body ? parameters.lower.material : parameters.obstacle.material;
+  const MaterialOptions material =
+      (kind == ObstacleKind::body ? parameters.lower.material : parameters.obstacle.material).isotropic();
   if (kind != ObstacleKind::rigid)
   {
     json["young_modulus_MPa"] = material.young_modulus;

@@ -2,6 +2,10 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/results/contact_fields.h>
 
+#include <orthocone/base/numbers.h>
+#include <orthocone/body/node_compliance.h>
+#include <orthocone/march/slip_memory.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -80,22 +84,32 @@ static ContactFields between(const HangingNode &hanging, const std::vector<Conta
   return fields;
 }
 
-/// The sample of a hanging node: the mean over the contact nodes with the status of the nearest one.
-static StickSample between(const HangingNode &hanging, const std::vector<StickSample> &samples)
+/// The sample of a hanging node: the mean over the contact nodes, where slip counts against reserve by the
+/// stiffness of the nodes (MPa/mm).
+static StickSample between(const HangingNode &hanging, const std::vector<StickSample> &samples,
+                           const std::vector<double> &stiffness)
 {
   StickSample sample;
-  sample.status = samples[nearest(hanging)].status;
-  sample.normal_by_slip = samples[nearest(hanging)].normal_by_slip;
-  double sum = 0;
+  double reserve = 0, slip = 0, of_stiffness = 0, of_weights = 0, slipping = 0;
   for (const auto &[node, weight] : hanging.terms)
-    if (samples[node].status == sample.status)
-    {
-      sum += weight;
-      sample.reserve += weight * samples[node].reserve;
-      sample.slip += weight * samples[node].slip;
-    }
-  sample.reserve = std::max(0., sample.reserve / sum);
-  sample.slip = std::max(0., sample.slip / sum);
+  {
+    const double share = std::abs(weight) * samples[node].slip;
+    reserve += weight * samples[node].reserve;
+    slip += weight * samples[node].slip;
+    of_stiffness += std::abs(weight) * stiffness[node];
+    of_weights += std::abs(weight);
+    slipping += share;
+    sample.normal_by_slip += share * samples[node].normal_by_slip;
+  }
+  if (slipping > 0)
+    sample.normal_by_slip /= slipping;
+  const double mean_stiffness = of_stiffness / of_weights;
+  const double difference = std::max(0., reserve) - mean_stiffness * std::max(0., slip);
+  sample.status = difference > 0   ? NodeStatus::stick
+                  : difference < 0 ? NodeStatus::slip
+                                   : samples[nearest(hanging)].status;
+  sample.reserve = std::max(0., difference);
+  sample.slip = std::max(0., -difference / mean_stiffness);
   return sample;
 }
 
@@ -118,6 +132,8 @@ ContactFieldEvaluator::ContactFieldEvaluator(const Scene &scene)
       system_(scene.system()),
       gaps_(scene.gaps()),
       shares_(symmetry_.force_shares(surface_)),
+      compliances_(node_compliance(surface_, symmetry_, scene.contact_material())),
+      tolerance_(scene.parameters().contact_solver.tolerance),
       stick_area_(surface_, scene.contact_material()),
       zones_(surface_)
 {
@@ -192,30 +208,49 @@ ZoneWidths ContactFieldEvaluator::zones(const ContactState &state) const
   return widths;
 }
 
+/// What is unresolved counts as reserve, and slip and gap count against it. So a sample is a continuous
+/// function of forces and displacements, also where a node sticks, slips or opens.
+StickSample ContactFieldEvaluator::stick_sample(const ContactState &state, const unsigned int node,
+                                                const double unresolved) const
+{
+  const Eigen::Index first = 3 * static_cast<Eigen::Index>(node);
+  const Vector3d r = state.force.segment<3>(first);
+  const OrthotropicFriction &law = system_.given_law(first / 3);
+  const double compliance = compliances_[first / 3];
+  const bool is_open = state.status[node] == NodeStatus::open;
+  const double way = slip_since_stick(state, node) + (is_open ? std::max(0., state.displacement[first]) : 0);
+  const double level = (is_open ? 0 : compliance * friction_reserve(law, r)) + unresolved - way;
+  StickSample sample;
+  if (!is_open)
+    sample.status = level >= 0 && !is_frictionless(law) ? NodeStatus::stick : NodeStatus::slip;
+  sample.slip = std::max(0., -level);
+  if (sample.status == NodeStatus::stick)
+  {
+    sample.reserve = level / (compliance * surface_.nodes[node].area);
+    return sample;
+  }
+  sample.normal_by_slip = stick_area_.of_unknown_direction();
+  if (is_frictionless(law) || r.tail<2>().isZero(0))
+    return sample;
+  const auto [normal, slip] = normal_and_slip(law, r.tail<2>());
+  const double known = std::clamp(relative(compliance * r.tail<2>().norm(), unresolved) - 1, 0., 1.);
+  sample.normal_by_slip *= 1 - known;
+  sample.normal_by_slip += known * axes_.to_global(node, normal) * axes_.to_global(node, slip).transpose();
+  return sample;
+}
+
 double ContactFieldEvaluator::stick_area(const ContactState &state) const
 {
-  std::vector<StickSample> samples(surface_.nodes.size());
-  for (unsigned int node = 0; node < samples.size(); ++node)
+  const double unresolved = unresolved_slip(state.force, compliances_, tolerance_);
+  std::vector<StickSample> samples;
+  std::vector<double> stiffness;
+  for (unsigned int node = 0; node < surface_.nodes.size(); ++node)
   {
-    StickSample &sample = samples[node];
-    const Vector3d r = state.force.segment<3>(3 * static_cast<Eigen::Index>(node));
-    // The friction coefficient is taken along the force, but must stay defined where the force has no
-    // direction.
-    const OrthotropicFriction &law = system_.given_law(static_cast<Eigen::Index>(node));
-    const double load = r[0] > 0 ? friction_norm(law, r[1], r[2]) / r[0] : 1;
-    const double friction =
-        r[0] > 0 ? r.tail<2>().norm() / r[0] + (1 - load) * std::sqrt(law.mu_x * law.mu_y) : 0;
-    sample.status = state.status[node];
-    sample.reserve = friction * std::max(0., (1 - load) * r[0]) / surface_.nodes[node].area;
-    sample.slip = slip_since_stick(state, node);
-    if (sample.status == NodeStatus::slip && !is_frictionless(law) && !r.tail<2>().isZero(0))
-    {
-      const auto [normal, slip] = normal_and_slip(law, r.tail<2>());
-      sample.normal_by_slip = axes_.to_global(node, normal) * axes_.to_global(node, slip).transpose();
-    }
+    samples.push_back(stick_sample(state, node, unresolved));
+    stiffness.push_back(1 / (compliances_[node] * surface_.nodes[node].area));
   }
   for (const HangingNode &hanging : surface_.hanging)
-    samples.push_back(between(hanging, samples));
+    samples.push_back(between(hanging, samples, stiffness));
   return symmetry_.n_copies() * stick_area_(samples);
 }
 } // namespace orthocone

@@ -152,6 +152,11 @@ double StickArea::operator()(const std::vector<StickSample> &samples) const
   return sum;
 }
 
+Eigen::Matrix2d StickArea::of_unknown_direction() const
+{
+  return Eigen::Matrix2d::Identity() / (2 - poisson_ratio_);
+}
+
 /// In-plane shear, slip across the border, is 1/(1 - nu) times as stiff as antiplane shear along it. Slip e
 /// changes the traction by both, and n of that counts against the reserve (docs/theory.md, "Stick area").
 double StickArea::edge_compliance(const StickSample &slipping, const Place &normal) const
@@ -172,26 +177,26 @@ double StickArea::border(const StickSample &first, const StickSample &second, co
   const bool first_sticks = first.status == NodeStatus::stick;
   const StickSample &stuck = first_sticks ? first : second;
   const StickSample &other = first_sticks ? second : first;
-  if (other.status == NodeStatus::open)
-    return 0.5;
   const double share = stick_share(stuck.reserve, other.slip, edge_compliance(other, normal), length);
   return first_sticks ? share : 1 - share;
 }
 
-/// Share of the polygon between the corners that stick and the places on the sides where stick ends. These
-/// places are found twice: the distance of a side's ends across the border is known only when the border is.
+/// Share of the polygon between the corners that stick and the places on the sides where stick ends.
 double StickArea::share(const Cell &cell, const std::vector<StickSample> &samples) const
 {
   std::array<bool, 4> sticks{};
+  std::vector<unsigned int> sides;
   for (unsigned int i = 0; i < 4; ++i)
     sticks[i] = samples[cell.nodes[i]].status == NodeStatus::stick;
-  const auto n_stuck = std::count(sticks.begin(), sticks.end(), true);
-  if (n_stuck == 0 || n_stuck == 4)
-    return n_stuck == 0 ? 0 : 1;
-  Borders borders = borders_of(cell, sticks, samples, std::nullopt);
-  if (const auto normal = normal_of(borders))
-    borders = borders_of(cell, sticks, samples, normal);
+  for (unsigned int i = 0; i < 4; ++i)
+    if (sticks[i] != sticks[(i + 1) % 4])
+      sides.push_back(i);
+  if (sides.empty())
+    return sticks[0] ? 1 : 0;
+  if (sides.size() == 4)
+    return share_across(cell, samples);
   constexpr std::array<Place, 4> corners{{{{0, 0}}, {{1, 0}}, {{1, 1}}, {{0, 1}}}};
+  const Borders borders = borders_of(cell, sides, samples);
   std::vector<Place> polygon;
   auto next = borders.begin();
   for (unsigned int i = 0; i < 4; ++i)
@@ -204,17 +209,45 @@ double StickArea::share(const Cell &cell, const std::vector<StickSample> &sample
   return polygon_area(polygon);
 }
 
-StickArea::Borders StickArea::borders_of(const Cell &cell, const std::array<bool, 4> &sticks,
+/// The same where opposite corners stick. Each corner has a triangle, and what is between the four is the
+/// more on the side of a pair of corners, the larger its triangles are. Where the triangle of a corner is
+/// nothing, that is the polygon of the three others.
+double StickArea::share_across(const Cell &cell, const std::vector<StickSample> &samples) const
+{
+  std::array<double, 4> triangles{};
+  for (unsigned int i = 0; i < 4; ++i)
+  {
+    const Borders borders = borders_of(cell, {i, (i + 3) % 4}, samples);
+    triangles[i] = 0.5 * borders[0].along * (1 - borders[1].along);
+  }
+  const unsigned int first = samples[cell.nodes[0]].status == NodeStatus::stick ? 0 : 1;
+  const double stick = triangles[first] + triangles[first + 2];
+  const double slip = triangles[1 - first] + triangles[3 - first];
+  const double of_stick = triangles[first] * triangles[first + 2];
+  const double of_slip = triangles[1 - first] * triangles[3 - first];
+  const double between = of_stick + of_slip > 0 ? of_stick / (of_stick + of_slip) : 0.5;
+  return stick + between * (1 - stick - slip);
+}
+
+/// Where stick ends on sides of a cell. Found twice: the distance of a side's ends across the border is known
+/// only when the border is.
+StickArea::Borders StickArea::borders_of(const Cell &cell, const std::vector<unsigned int> &sides,
+                                         const std::vector<StickSample> &samples) const
+{
+  const Borders borders = borders_of(cell, sides, samples, std::nullopt);
+  const auto normal = normal_of(borders);
+  return normal ? borders_of(cell, sides, samples, normal) : borders;
+}
+
+StickArea::Borders StickArea::borders_of(const Cell &cell, const std::vector<unsigned int> &sides,
                                          const std::vector<StickSample> &samples,
                                          const std::optional<Place> &normal) const
 {
   constexpr double least_length = 0.1; // relative, of a side along the border
   Borders borders;
-  for (unsigned int i = 0; i < 4; ++i)
+  for (const unsigned int i : sides)
   {
     const unsigned int next = (i + 1) % 4;
-    if (sticks[i] == sticks[next])
-      continue;
     const Place &from = cell.positions[i];
     const Place &to = cell.positions[next];
     const Place side{{to[0] - from[0], to[1] - from[1]}};
@@ -228,12 +261,9 @@ StickArea::Borders StickArea::borders_of(const Cell &cell, const std::array<bool
   return borders;
 }
 
-/// The normal of the line through two borders; nothing if there are more than two, or if both are at the same
-/// place.
+/// The normal of the line through two borders; nothing if both are at the same place.
 std::optional<StickArea::Place> StickArea::normal_of(const Borders &borders)
 {
-  if (borders.size() != 2)
-    return std::nullopt;
   const Place &a = borders[0].place;
   const Place &b = borders[1].place;
   const double length = std::hypot(b[0] - a[0], b[1] - a[1]);

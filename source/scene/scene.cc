@@ -66,6 +66,18 @@ std::unique_ptr<const Compliance> sum_of(const ElasticBody &body, Eigen::MatrixX
   of_obstacle += *of_body;
   return std::make_unique<DenseCompliance>(std::move(of_obstacle));
 }
+
+/// Material on a rigid plane with the compliances in plane strain, (1 - nu^2)/E, and in antiplane shear,
+/// (1 + nu)/E, of both bodies together.
+MaterialOptions as_one(const MaterialOptions &a, const MaterialOptions &b)
+{
+  const auto antiplane = [](const MaterialOptions &of) { return (1 + of.poisson_ratio) / of.young_modulus; };
+  const double both = antiplane(a) + antiplane(b);
+  MaterialOptions material;
+  material.poisson_ratio = (a.poisson_ratio * antiplane(a) + b.poisson_ratio * antiplane(b)) / both;
+  material.young_modulus = (1 + material.poisson_ratio) / both;
+  return material;
+}
 } // namespace
 
 Scene::Scene(const Parameters &parameters, const ModelChoice &choice,
@@ -123,15 +135,8 @@ NodeVector Scene::given_way(const NodeVector &force) const
 
 MaterialOptions Scene::contact_material() const
 {
-  MaterialOptions material = parameters_.material;
-  if (obstacle_material_)
-  {
-    const auto plane_modulus = [](const MaterialOptions &of)
-    { return of.young_modulus / (1 - of.poisson_ratio * of.poisson_ratio); };
-    const double ratio = plane_modulus(material) / plane_modulus(*obstacle_material_);
-    material.young_modulus /= 1 + ratio;
-  }
-  return material;
+  const MaterialOptions body = parameters_.material.isotropic();
+  return obstacle_material_ ? as_one(body, *obstacle_material_) : body;
 }
 
 Wrench Scene::held_wrench(const NodeVector &force) const

@@ -55,6 +55,20 @@ class ThreadTest(RunTest):
         self.assertEqual(self.threads("stopped"), {"number": 2, "reason": "as in the run before"})
         self.assert_same_files("whole", "stopped", ["history.csv", "checks.csv", "cycles.csv"])
 
+    def test_zones_do_not_depend_on_them(self):
+        """Rounding does. Where the load is held, it would say of all nodes at the limit of friction whether they stick."""
+        held = "Load program/Legs=uz -0.1 : 2 ; uz -0.1 : 1 ; uz -0.05 : 2 ; uz -0.05 : 1 ; uz -0.02 : 1"
+        histories = []
+        for number in ("1", "2"):
+            self.assert_done(number, "--threads", number, settings=[*MIDDLING, held])
+            histories.append([[float(row[name]) for name in ("stick_area", "n_stick", "n_slip")] for row in self.rows(number)])
+        for one, other in zip(*histories):
+            self.assertAlmostEqual(one[0], other[0], delta=1e-5)
+            self.assertEqual(one[1:], other[1:])
+        for rest in (2, 5):
+            for before, behind in zip(histories[0][rest - 1], histories[0][rest]):
+                self.assertAlmostEqual(before, behind, delta=1e-5)
+
     def test_wrong_numbers(self):
         for value in ("0", "-1", "1.5", "many", "1025", "", "2 2"):
             result = self.run_program("wrong", f"--threads={value}")

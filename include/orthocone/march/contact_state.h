@@ -55,7 +55,9 @@ double dissipation(const Eigen::Vector2d &before, const Eigen::Vector2d &after,
 /// Enters the solution of a step into the state: displacement, status, accumulated slip, wear, and
 /// dissipation. This is the work of the mean friction force, or of the final one where the slip reverses. A
 /// node that closes or lifts off within the step counts for the share in which it touches (docs/theory.md,
-/// section 4). The work of the face is not entered. `opening` is node_compliance() of all nodes.
+/// section 4). The work of the face is not entered. `opening` is node_compliance() of all nodes, `tolerance`
+/// the one of the solver: what it leaves open decides neither on stick nor on slip (slip_memory.h).
 void advance(ContactState &state, const ContactStep &step, const Eigen::VectorXd &opening,
-             const Eigen::VectorXd &unknowns, const RigidMotion &motion, const WearLaw &wear = {});
+             const Eigen::VectorXd &unknowns, const RigidMotion &motion, const WearLaw &wear = {},
+             double tolerance = 0);
 } // namespace orthocone

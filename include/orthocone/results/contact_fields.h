@@ -80,6 +80,7 @@ public:
 
 private:
   double load_width(const ContactState &state) const;
+  StickSample stick_sample(const ContactState &state, unsigned int node, double unresolved) const;
 
   const BodyUnknowns &unknowns_;
   const ContactSurface &surface_;
@@ -88,7 +89,9 @@ private:
   LocalAxes axes_;
   const ContactSystem &system_;
   const NodeVector &gaps_;
-  Eigen::VectorXd shares_; ///< ModelSymmetry::force_shares()
+  Eigen::VectorXd shares_;      ///< ModelSymmetry::force_shares()
+  Eigen::VectorXd compliances_; ///< node_compliance()
+  double tolerance_;            ///< of the solver
   StickArea stick_area_;
   ContactZones zones_;
 };

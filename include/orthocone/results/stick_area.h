@@ -10,14 +10,16 @@
 
 namespace orthocone
 {
-/// The values at a contact node that locate the border of the stick zone.
+/// The values at a contact node that locate the border of the stick zone. Where a node begins to slip or to
+/// open, both reserve and slip are 0, and the area is a continuous function of them.
 struct StickSample
 {
   NodeStatus status = NodeStatus::open;
   double reserve = 0; ///< friction traction that would still fit before slip, MPa; of nodes that stick
-  double slip = 0;    ///< since the node last stuck, mm; of nodes that slip
+  double slip = 0;    ///< since the node last stuck, and its gap, mm; of nodes that do not stick
   /// n e^T of nodes that slip: the normal n of the cone at their friction force, as long that its component
-  /// along the force is 1, and the direction e of slip. Zero where these are not known.
+  /// along the force is 1, and the direction e of slip. Zero or StickArea::of_unknown_direction() where these
+  /// are not known.
   Eigen::Matrix2d normal_by_slip = Eigen::Matrix2d::Zero();
 };
 
@@ -25,8 +27,7 @@ struct StickSample
 /// border, as a share of the way from the first one (docs/theory.md, section 4, "Stick area"). At a border at
 /// rest the reserve grows like K sqrt(distance) into the stick zone and the slip like edge_compliance K
 /// distance^(3/2) out of it (edge of a contact with friction, e.g. Johnson, Contact Mechanics, 1985, 7.2);
-/// the one K that lets both distances add up to `length` places it. Half way where neither reserve nor slip
-/// is known.
+/// the one K that lets both distances add up to `length` places it. Half way where both are 0.
 double stick_share(double reserve, double slip, double edge_compliance, double length);
 
 /// Area of the part of the contact surface that sticks. A sum of the lumped areas of the nodes that stick
@@ -34,11 +35,14 @@ double stick_share(double reserve, double slip, double edge_compliance, double l
 class StickArea
 {
 public:
-  /// `material` is the one near the contact; only its isotropic constants count.
+  /// `material` is Scene::contact_material(), that of both bodies; only its isotropic constants count.
   StickArea(const ContactSurface &surface, const MaterialOptions &material);
 
   /// The area (mm^2) of the modelled part that sticks; one sample for each place.
   double operator()(const std::vector<StickSample> &samples) const;
+
+  /// The StickSample::normal_by_slip with which slip is as compliant as in-plane shear, whatever the border.
+  Eigen::Matrix2d of_unknown_direction() const;
 
 private:
   using Place = std::array<double, 2>; ///< mm
@@ -67,10 +71,13 @@ private:
   double border(const StickSample &first, const StickSample &second, double length,
                 const Place &normal) const;
   double edge_compliance(const StickSample &slipping, const Place &normal) const;
-  Borders borders_of(const Cell &cell, const std::array<bool, 4> &sticks,
+  Borders borders_of(const Cell &cell, const std::vector<unsigned int> &sides,
+                     const std::vector<StickSample> &samples) const;
+  Borders borders_of(const Cell &cell, const std::vector<unsigned int> &sides,
                      const std::vector<StickSample> &samples, const std::optional<Place> &normal) const;
   static std::optional<Place> normal_of(const Borders &borders);
   double share(const Cell &cell, const std::vector<StickSample> &samples) const;
+  double share_across(const Cell &cell, const std::vector<StickSample> &samples) const;
   double area(const Ring &ring, const std::vector<StickSample> &samples) const;
 
   double poisson_ratio_;

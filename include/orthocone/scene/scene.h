@@ -55,8 +55,9 @@ public:
   /// obstacle: 3 n, mm.
   NodeVector given_way(const NodeVector &force) const;
 
-  /// Material of a body that would deform near its contact on a rigid obstacle as body and obstacle together
-  /// do.
+  /// Isotropic material of a body that would deform near its contact on a rigid obstacle as body and obstacle
+  /// together do, in plane strain and in antiplane shear: the same for both, whichever is the upper one.
+  /// Orthotropic materials count with the averages of MaterialOptions::isotropic().
   MaterialOptions contact_material() const;
 
   /// Wrench on the held face of the whole body that balances the contact forces (local axes, N) of the model.

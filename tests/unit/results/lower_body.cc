@@ -3,6 +3,8 @@
 #include "rejection.h"
 #include "results/scenes.h"
 
+#include <algorithm>
+
 namespace orthocone::test
 {
 namespace
@@ -103,6 +105,29 @@ TEST(LowerBody, ChangesPlacesWithTheOtherOne)
     for (const Eigen::Index d : {1, 2}) // what draws one draws the other the opposite way
       EXPECT_NEAR(there.state.force[3 * i + d], -back.state.force[3 * i + d], closeness * largest);
   }
+}
+
+/// Slip and its border belong to both bodies. Without the Poisson's ratio of the other one, slip along the
+/// border would be too stiff or too soft.
+TEST(LowerBody, HasTheStickZoneOfTheOtherOne)
+{
+  Parameters parameters = on_body(0.3);
+  parameters.material.poisson_ratio = 0.05;
+  parameters.lower.material.poisson_ratio = 0.45;
+  parameters.lower.geometry.height = 6;
+  parameters.load.legs.push_back(move_to(0.01, 0, -0.05, 2));
+  Parameters turned = swapped(parameters);
+  turned.load.legs.back() = move_to(-0.01, 0, -0.05, 2);
+  TestScene there(parameters), back(turned);
+  std::vector<double> areas;
+  const auto area = [](const TestScene &scene, const ContactState &after)
+  { return scene.evaluator.stick_area(after); };
+  there.march([&](const ContactState &, const ContactState &after, const LoadStep &)
+              { areas.push_back(area(there, after)); });
+  back.march([&](const ContactState &, const ContactState &after, const LoadStep &step)
+             { EXPECT_NEAR(area(back, after) / areas[step.number - 1], 1, 1e-6) << step.number; });
+  EXPECT_GT(*std::min_element(areas.begin(), areas.end()), 10);
+  EXPECT_LT(*std::max_element(areas.begin(), areas.end()), 300);
 }
 
 /// Unequal cells: total forces are near each other from the first, and draw together under refinement.

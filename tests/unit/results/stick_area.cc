@@ -5,7 +5,9 @@
 #include <orthocone/base/numbers.h>
 #include <orthocone/results/stick_area.h>
 
+#include <algorithm>
 #include <numeric>
+#include <random>
 
 namespace orthocone::test
 {
@@ -84,6 +86,42 @@ TEST(StickArea, OfAllIsThatOfTheContactNodes)
                 1e-12 * whole);
     EXPECT_EQ(area(std::vector<StickSample>(surface.nodes.size(), {NodeStatus::slip, 0, 1})), 0);
     EXPECT_EQ(area(std::vector<StickSample>(surface.nodes.size(), {NodeStatus::open, 0, 1})), 0);
+  }
+}
+
+/// Levels at random, a third of them at 0: whether such a node sticks, slips or is open changes nothing. No
+/// two neighbours are at 0, because the border may be anywhere between two such.
+TEST(StickArea, IsContinuousWhereANodeChangesItsStatus)
+{
+  const ContactSurface surface = surface_of(6, 1);
+  const StickArea area(surface, {});
+  const double whole = pi * 100 / 4;
+  std::mt19937 random(1);
+  std::normal_distribution<double> level;
+  for (unsigned int n = 0; n < 200; ++n)
+  {
+    std::vector<StickSample> samples(surface.nodes.size());
+    std::vector<bool> is_beside(samples.size(), false), is_zero(samples.size(), false);
+    for (StickSample &sample : samples)
+      sample = sample_at(level(random));
+    for (const auto &face : surface.faces)
+      if (const unsigned int node = face[random() % 4]; !is_beside[node])
+      {
+        is_zero[node] = true;
+        for (const auto &other : surface.faces)
+          if (std::find(other.begin(), other.end(), node) != other.end())
+            for (const unsigned int beside : other)
+              is_beside[beside] = true;
+      }
+    double areas[2];
+    for (double &found : areas)
+    {
+      for (std::size_t node = 0; node < samples.size(); ++node)
+        if (is_zero[node])
+          samples[node] = {static_cast<NodeStatus>(random() % 3), 0, 0};
+      found = area(samples);
+    }
+    EXPECT_NEAR(areas[0], areas[1], 1e-12 * whole) << n;
   }
 }
 

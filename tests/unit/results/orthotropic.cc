@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "results/scenes.h"
+
+#include <random>
+
+namespace orthocone::test
+{
+namespace
+{
+/// The same elasticity in the words of the orthotropic law, with entries of the isotropic one that mean
+/// nothing.
+MaterialOptions in_nine_constants(const MaterialOptions &isotropic, std::mt19937 &random)
+{
+  std::uniform_real_distribution<double> unused(0.1, 0.45);
+  const double modulus = isotropic.young_modulus, nu = isotropic.poisson_ratio;
+  MaterialOptions material;
+  material.law = MaterialLaw::orthotropic;
+  material.young_moduli.fill(modulus);
+  material.poisson_ratios.fill(nu);
+  material.shear_moduli.fill(modulus / (2 * (1 + nu)));
+  material.young_modulus = 1e6 * unused(random);
+  material.poisson_ratio = unused(random);
+  return material;
+}
+
+/// A scene at random that is pressed, sheared and partly released, and wears.
+Parameters random_scene(std::mt19937 &random, const ObstacleKind kind, const WearKind wear)
+{
+  std::uniform_real_distribution<double> one(0, 1);
+  Parameters parameters = full_scene(1 + random() % 2);
+  parameters.material = {50000 + 200000 * one(random), 0.45 * one(random)};
+  parameters.friction.mu = {{0.05 + 0.1 * one(random), 0.05 + 0.1 * one(random)}};
+  parameters.obstacle.kind = kind;
+  parameters.obstacle.material = {50000 + 200000 * one(random), 0.45 * one(random)};
+  parameters.lower = {parameters.geometry, parameters.mesh, parameters.obstacle.material};
+  parameters.lower.geometry.height = 5 + 10 * one(random);
+  parameters.obstacle.gap = random() % 2 == 0 ? "0" : "(x^2+y^2)/2000";
+  parameters.wear.law = wear;
+  parameters.wear.coefficient = 1e-5;
+  parameters.load.legs = {move_to(0, 0, -0.08, 2), move_to(0.06 + 0.04 * one(random), 0.02, -0.08, 3),
+                          move_to(0, 0, -0.02 * one(random), 3)};
+  return parameters;
+}
+
+std::vector<double> values(const Totals &totals)
+{
+  return {totals.force[0],       totals.force[1],
+          totals.force[2],       totals.max_slip,
+          totals.stick_area,     totals.total_dissipation,
+          totals.elastic_energy, totals.worn_volume,
+          totals.max_pressure,   totals.max_accumulated_slip,
+          totals.contact_area,   totals.max_wear_depth,
+          1. * totals.n_stick,   1. * totals.n_slip};
+}
+
+std::vector<std::vector<double>> history(const Parameters &parameters)
+{
+  std::vector<std::vector<double>> rows;
+  TestScene scene(parameters);
+  scene.march([&](const ContactState &, const ContactState &after, const LoadStep &)
+              { rows.push_back(values(compute_totals(scene.evaluator, after))); });
+  return rows;
+}
+/// Every column of every step, relative to what it comes to on the way.
+void expect_same(const std::vector<std::vector<double>> &found,
+                 const std::vector<std::vector<double>> &expected, const int obstacle)
+{
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t column = 0; column < expected[0].size(); ++column)
+  {
+    double scale = 0;
+    for (const auto &row : expected)
+      scale = std::max(scale, std::abs(row[column]));
+    for (std::size_t step = 0; step < found.size(); ++step)
+      EXPECT_NEAR(found[step][column], expected[step][column], 1e-9 * scale)
+          << "obstacle " << obstacle << ", step " << step + 1 << ", column " << column;
+    EXPECT_TRUE(scale > 0 || column == 7 || column == 11) << "column " << column; // no wear
+  }
+}
+} // namespace
+
+TEST(Orthotropic, WithIsotropicConstantsIsIsotropicInEveryScene)
+{
+  std::mt19937 random(11);
+  for (const ObstacleKind kind : {ObstacleKind::rigid, ObstacleKind::half_space, ObstacleKind::body})
+    for (const WearKind wear : {WearKind::none, WearKind::archard})
+    {
+      const Parameters parameters = random_scene(random, kind, wear);
+      Parameters other = parameters;
+      other.material = in_nine_constants(parameters.material, random);
+      other.lower.material = in_nine_constants(parameters.lower.material, random);
+      const auto expected = history(parameters), found = history(other);
+      expect_same(found, expected, static_cast<int>(kind));
+    }
+}
+} // namespace orthocone::test
