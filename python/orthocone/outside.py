@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""Files that come from outside: anything may stand under the name of one. What is read is an ordinary file of bounded size;
-all else is a BadFile, whose words are one line. A pipe would be waited for, a device has no end, and some act when opened."""
+"""Files in folders of others: anything may stand under the name of one. What is read is an ordinary file of bounded size;
+all else is a BadFile, whose words are one line. A pipe would be waited for, a device has no end, and some act when opened.
+What is written takes the place of ordinary files only."""
 import collections
 import contextlib
 import csv
@@ -44,7 +45,9 @@ def understood(path, what):
         raise BadFile(f"{path}: not {what} ({error or type(error).__name__})") from error
 
 
-def _check(path, found, most):
+def check_ordinary(path, most=MOST_BYTES, found=None):
+    """For those who read a file by a library."""
+    found = found or os.stat(path)
     kind = next((name for is_one, name in _KINDS if is_one(found.st_mode)), None)
     if kind or not stat.S_ISREG(found.st_mode):
         raise BadFile(f"{path}: is no ordinary file, but {kind or 'a special one'}; allowed is a file of at most {most} bytes")
@@ -54,11 +57,11 @@ def _check(path, found, most):
 
 def content_of(path, most=MOST_BYTES):
     """The bytes of a file. It is looked at before it is opened, and again when it is open."""
-    _check(path, os.stat(path), most)
+    check_ordinary(path, most)
     # Without waiting, should a pipe have taken its place.
     descriptor = os.open(path, os.O_RDONLY | getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_BINARY", 0))
     with open(descriptor, "rb") as file:
-        _check(path, os.fstat(descriptor), most)
+        check_ordinary(path, most, os.fstat(descriptor))
         try:
             content = file.read(most + 1) or b""
         except OSError as error:
@@ -106,3 +109,22 @@ def rows_of(path):
         if len(row) != len(names):
             raise BadFile(f"{path}: row {number} has {len(row)} entries, not {len(names)}: it is incomplete or damaged")
     return names, rows
+
+
+def write_whole(path, text):
+    """Under its name the file is complete, or as it was. A link there is replaced, and not written through; a pipe, a device
+    or a folder stays."""
+    if os.path.lexists(path) and not os.path.islink(path) and not os.path.isfile(path):
+        raise BadFile(f"{path}: is no ordinary file, and stays as it is")
+    folder, name = os.path.split(path)
+    part = os.path.join(folder, f".{name[:80]}.{os.urandom(6).hex()}.part")
+    try:
+        with open(part, "x", encoding="utf-8", errors="replace", newline="") as file:
+            file.write(text)
+        os.replace(part, path)
+    except BaseException as error:
+        with contextlib.suppress(OSError):
+            os.unlink(part)
+        if isinstance(error, OSError):
+            raise OSError(error.errno, error.strerror, str(path)) from error
+        raise

@@ -6,6 +6,7 @@ import io
 
 import meshio
 import numpy as np
+from run_folder import check_ordinary
 
 FACES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))  # of a hexahedron, outwards
 ROUNDING = 1e-6  # of the extent of the body
@@ -14,6 +15,7 @@ ROUNDING = 1e-6  # of the extent of the body
 def read(path):
     """None for a file that is gone, or that meshio does not read."""
     try:
+        check_ordinary(path)
         with contextlib.redirect_stderr(io.StringIO()), contextlib.redirect_stdout(io.StringIO()):
             return meshio.read(path, file_format="gmsh")
     except (Exception, SystemExit):  # meshio exits on some files and raises what it likes on others
@@ -52,7 +54,7 @@ class ImportedBody:
         mesh = read(geometry["Mesh file"])
         try:
             return cls(mesh, geometry) if mesh else None
-        except (KeyError, ValueError, IndexError):
+        except Exception:  # a damaged mesh can lead anywhere
             return None
 
     def blocks(self, kind):
