@@ -92,7 +92,8 @@ def payload_of(runs):
             "checks": table(data.checks, CHECKS, steps) if data.checks else None,
             "timing": table(data.timing, ("seconds",), steps),
             "probes": probes(data), "maps": data.maps.payload(frames), "periodic": thresholds,
-            "wear": data.read("history.csv", lambda: worn.profiles(data, numbers)) if worn.is_worn(data) and data.n_solved else None,
+            "wear": (data.read("history.csv", lambda: worn.profiles(data, numbers))
+                     if worn.is_worn(data) and data.n_solved else None),
             "radius": data.radius, "centre": numbers(data.centre),
             "outline": [[numbers(point) for point in polygon] for polygon in data.outline], "mu": data.mu, "angle": data.angle,
             "tolerance": data.number("Contact solver", "Tolerance", 0)}
