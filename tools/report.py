@@ -9,6 +9,7 @@ import argparse
 import os
 import pathlib
 import sys
+import warnings
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 TOOLS = pathlib.Path(__file__).resolve().parent
@@ -42,12 +43,13 @@ def load_page():
     try:
         import page  # not at the top: see above
         import run_data
+        import run_folder
     except ImportError as error:
         if "ORTHOCONE_PYTHON_FOUND" in os.environ:
             sys.exit(f"report: {error}")
         launcher = str(TOOLS / "python")
         os.execv(launcher, [launcher, "numpy,meshio", *sys.argv])
-    return page, run_data
+    return page, run_data, run_folder
 
 
 def check_run_folder(folder):
@@ -59,41 +61,24 @@ def check_run_folder(folder):
                                 f"{'is' if len(missing) == 1 else 'are'} missing")
 
 
-def write_whole(path, text):
-    """Under its name the file is complete or not there."""
-    if not path.parent.is_dir():
-        raise FileNotFoundError(f"{path.parent}: no such folder")
-    if path.exists() and not path.is_file():
-        raise FileExistsError(f"{path}: is no ordinary file, and stays as it is")
-    temporary = path.with_name(f".{path.name}.{os.getpid()}.part")
-    try:
-        temporary.write_text(text, encoding="utf-8")
-        temporary.replace(path)
-    except BaseException as error:
-        temporary.unlink(missing_ok=True)
-        if isinstance(error, OSError):
-            raise OSError(error.errno, error.strerror, str(path)) from error
-        raise
-
-
-def one_line(error):
-    if isinstance(error, OSError) and error.filename:
-        return f"{error.filename}: {error.strerror}"
-    return " ".join(str(error).split())
-
-
 def main():
     options = arguments()
-    page, run_data = load_page()
+    page, run_data, run_folder = load_page()
+    sys.stdout.reconfigure(errors="surrogateescape")  # names of folders need not be text
     output = options.output or options.folders[0] / "report.html"
     try:
         for folder in options.folders:
             check_run_folder(folder)
-        text = page.make([run_data.RunData(folder) for folder in options.folders])
-        write_whole(output, text)
+        if not output.parent.is_dir():
+            raise FileNotFoundError(f"{output.parent}: no such folder")
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")  # of NumPy, on numbers that are too large
+            text = page.make([run_data.RunData(folder) for folder in options.folders])
+        run_folder.write_whole(output, text)
         print(f"report: {output}")
-    except (OSError, run_data.BadFile) as error:
-        print(f"report: {one_line(error)}", file=sys.stderr)
+    except (OSError, run_folder.BadFile) as error:
+        words = f"{error.filename}: {error.strerror}" if getattr(error, "filename", None) else error
+        print(f"report: {run_folder.one_line(words)}", file=sys.stderr)
         sys.exit(4)
 
 

@@ -90,12 +90,11 @@ def solve(W, q, mu, p=None, *, method="newton", tolerance=1e-10, maximum_iterati
     n = W.shape[0] // 3
     q = _rows(q, 3, "q", n)
     start = np.zeros((n, 3)) if start is None else _rows(start, 3, "start", n)
-    if method not in methods():
+    if not isinstance(method, str) or method not in methods():
         raise ValueError(f"method = {method!r}: allowed is {', '.join(methods())}")
-    if not 0 < tolerance < 1:
-        raise ValueError(f"tolerance = {tolerance}: allowed is 0 < tolerance < 1")
-    if not 1 <= maximum_iterations < 2**32 or maximum_iterations != int(maximum_iterations):
-        raise ValueError(f"maximum_iterations = {maximum_iterations}: allowed is a whole number > 0")
+    tolerance = float(_scalar(tolerance, "tolerance", "0 < tolerance < 1", lambda value: 0 < value < 1))
+    _scalar(maximum_iterations, "maximum_iterations", "a whole number > 0 and < 2^32",
+            lambda value: 1 <= value < 2**32 and value == int(value))
     force, displacement, status, report = _contact.solve(W, q, _laws(mu, p, n), start, method, tolerance,
                                                          int(maximum_iterations))
     solution = Solution(force, displacement, status[:, 0].astype(int), Report(**report))
@@ -157,16 +156,38 @@ def _of_nodes(function, values, n_columns, name, mu, p):
     values = _real(values, name)
     rows = _rows(values, n_columns, name)
     result = function(rows, _laws(mu, p, len(rows)))
-    return result[0] if values.ndim == 1 else result
+    return result[0] if values.ndim == 1 and len(result) else result
+
+
+def _has_mask(values, depth=3):
+    """Also within lists of arrays."""
+    if depth and isinstance(values, (list, tuple)):
+        return any(_has_mask(row, depth - 1) for row in values)
+    return isinstance(values, np.ma.MaskedArray) and np.ma.is_masked(values)
+
+
+def _scalar(value, name, allowed, is_allowed):
+    """A number, for which is_allowed() holds."""
+    if np.ndim(value) or np.asarray(value).dtype.kind not in "iuf" or not is_allowed(value):
+        raise ValueError(f"{name} = {value!r}: allowed is {allowed}")
+    return value
 
 
 def _real(values, name):
-    """An array of real numbers, all of which count: NumPy would drop imaginary parts and masks without an error."""
-    if np.iscomplexobj(values):
-        raise ValueError(f"{name} has complex entries: allowed are real ones")
-    if np.ma.is_masked(values):
+    """An array of real numbers, all of which count. NumPy would drop imaginary parts and masks without an error, also those of
+    arrays in a list, and would take words, truth values and dates for numbers."""
+    if _has_mask(values):
         raise ValueError(f"{name} has masked entries: allowed are numbers; leave their nodes out of all arguments")
-    return np.asarray(values, dtype=float)
+    try:
+        array = np.asarray(values)
+    except ValueError as error:
+        raise ValueError(f"{name} has rows of different lengths: allowed is an array of numbers") from error
+    if array.dtype.kind == "c":
+        raise ValueError(f"{name} has complex entries: allowed are real ones")
+    if array.dtype.kind not in "iuf":
+        raise ValueError(f"{name} is of type {type(values).__name__} with entries of type {array.dtype}: allowed are numbers, or "
+                         "arrays and lists of them in rows of one length")
+    return np.asarray(array, dtype=float)
 
 
 def _matrix(W):

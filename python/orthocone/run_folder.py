@@ -3,14 +3,13 @@
 """Reads the run folder of orthocone. Figures and reports take all that they know of a run from here.
 
 Columns and fields have the names and units in docs/results.md: mm, N, MPa, N mm."""
-import csv
 import functools
-import json
 import pathlib
 import re
 
 import numpy as np
 
+from .outside import object_of, rows_of, text_of, understood
 from .vtu import Vtu
 
 OPEN, STICK, SLIP = 0, 1, 2  # the field `status`
@@ -18,10 +17,8 @@ OPEN, STICK, SLIP = 0, 1, 2  # the field `status`
 
 def read_csv(path):
     """Columns of a CSV file: numbers as arrays, words (method, status) as lists."""
-    with open(path, newline="") as file:
-        rows = list(csv.DictReader(file))
-        names = list(rows[0]) if rows else []
-    columns = {name: [row[name] for row in rows] for name in names}
+    names, rows = rows_of(path)
+    columns = dict(zip(names, map(list, zip(*rows)))) if rows else {}
     for name, values in columns.items():
         try:
             columns[name] = np.array(values, dtype=float)
@@ -41,11 +38,14 @@ class ContactFile:
     def __init__(self, path):
         self.path = pathlib.Path(path)
         mesh = Vtu(path)
-        blocks = [points for _, points in mesh.blocks]
         self.points = mesh.points
         self.data = mesh.fields
-        if "degree" in mesh.field_data:
-            self.degree = int(mesh.field_data["degree"][0])
+        with understood(path, "a file of contact fields"):
+            self._read_cells([points for _, points in mesh.blocks], mesh.field_data)
+
+    def _read_cells(self, blocks, field_data):
+        if "degree" in field_data:
+            self.degree = int(field_data["degree"][0])
             # A triangle (at the axis of an axisymmetric model) is a quadrilateral whose last point is its first.
             self._quadrilaterals = np.concatenate([block[:, [0, 1, 2, 3 % block.shape[1]]] for block in blocks])
             self.cells = self._elements()  # corners first, then VTK's order of Lagrange cells
@@ -114,7 +114,8 @@ class Run:
 
     Tables are {column: (rows,) array, or list of words}, as pandas.DataFrame takes them, and {} before their first row;
     docs/results.md has the units of their columns: mm, N, MPa, N mm or s. Raises FileNotFoundError for files that the run has
-    not written, and where there is no such folder."""
+    not written, and where there is no such folder; ValueError, in one line, for damaged files, files that are no text, pipes,
+    devices and tables of more than 1 GB."""
 
     def __init__(self, path):
         self.path = pathlib.Path(path)
@@ -159,13 +160,14 @@ class Run:
     @functools.cached_property
     def summary(self):
         """The content of summary.json."""
-        return json.loads((self.path / "summary.json").read_text(encoding="utf-8"))
+        return object_of(self.path / "summary.json")
 
     @functools.cached_property
     def parameters(self):
-        """{section: {entry: text}} of the complete parameter file."""
-        sections, current = {}, None
-        for line in (self.path / "parameters.prm").read_text().splitlines():
+        """{section: {entry: text}} of the complete parameter file. Bytes that are no UTF-8 stand as in os.fsdecode(): names
+        of files may have them."""
+        sections, current = {}, {}
+        for line in text_of(self.path / "parameters.prm", errors="surrogateescape").split("\n"):
             if match := re.match(r"\s*subsection (.+)", line):
                 current = sections.setdefault(match[1].strip(), {})
             elif match := re.match(r"\s*set (.+?)\s*=\s*(.*)", line):
@@ -175,11 +177,16 @@ class Run:
     def problems(self):
         """{step: file} of the contact problems that the run has written. The last one may be of a step that is not solved: the
         history has no row of it."""
-        return {int(file.stem.rsplit("-", 1)[1]): file for file in sorted(self.path.glob("problem-[0-9]*.hdf5"))}
+        return {step: self.path / f"problem-{step:04d}.hdf5" for step in self._steps_of("problem", "hdf5")}
 
     def contact_steps(self, kind="contact"):
         """Numbers of the steps that have a contact file. `kind` is the beginning of the names of these files."""
-        return sorted(int(file.stem.rsplit("-", 1)[1]) for file in self.path.glob(f"{kind}-[0-9]*.vtu"))
+        return self._steps_of(kind, "vtu")
+
+    def _steps_of(self, kind, ending):
+        """Of files with names as a run writes them."""
+        names = (file.stem[len(kind) + 1:] for file in self.path.glob(f"{kind}-*.{ending}"))
+        return sorted(int(name) for name in names if re.fullmatch("[0-9]{4}|[1-9][0-9]{4,8}", name))
 
     def contact(self, step, kind="contact"):
         """The fields of a step, ContactFile."""

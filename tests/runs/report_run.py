@@ -25,4 +25,5 @@ def run(name, *settings, code=0):
 
 
 def report(*arguments):
-    return subprocess.run([sys.executable, REPORT, *arguments], capture_output=True, text=True, timeout=120, check=False)
+    return subprocess.run([sys.executable, REPORT, *arguments], capture_output=True, text=True, timeout=120, check=False,
+                          errors="surrogateescape")

@@ -217,14 +217,26 @@ class SolveTest(unittest.TestCase):
                                  ("q has entries", (W, np.inf * q, 0.3)), ("mu has the shape", (W, q, [1, 2, 3])),
                                  ("mu: allowed", (W, q, -0.3)), ("mu: allowed", (W, q, (0.3, 0))),
                                  ("p: allowed", (W, q, 0.3, 0.)), ("p: allowed", (W, q, 0.3, np.nan)),
-                                 ("could not convert", (W, q, "much")), ("q has complex", (W, q + 1j, 0.3)),
+                                 ("mu is of type str .*: allowed are numbers", (W, q, "much")), ("q has complex", (W, q + 1j, 0.3)),
                                  ("mu has complex", (W, q, 0.3 + 0j)), ("p has complex", (W, q, 0.3, [0.1, 1j])),
                                  ("W has complex", (W + 0j, q, 0.3)), ("q has masked", (W, np.ma.masked_less(q, q.max()), 0.3)),
-                                 ("W has masked", (np.ma.masked_equal(W, W[0, 0]), q, 0.3))):
+                                 ("W has masked", (np.ma.masked_equal(W, W[0, 0]), q, 0.3)),
+                                 ("q has masked", (W, [np.ma.masked_less(row, q.max()) for row in q], 0.3)),
+                                 ("mu has masked", (W, q, [0.3, np.ma.masked])), ("q has complex", (W, [*q[:2], q[2] + 1j], 0.3)),
+                                 ("W is of type ndarray with entries of type object", (W.astype(object), q, 0.3)),
+                                 ("q is of type list with entries of type <U", (W, q.astype(str).tolist(), 0.3)),
+                                 ("mu is of type bool", (W, q, True)), ("p is of type dict", (W, q, 0.3, {})),
+                                 ("mu is of type datetime64", (W, q, np.datetime64("2026"))),
+                                 ("mu is of type int with entries of type object", (W, q, 10**30)),
+                                 ("q has rows of different lengths", (W, [*q[:2].tolist(), [1, 2]], 0.3))):
             with self.subTest(words), self.assertRaisesRegex(ValueError, words):
                 solve(*arguments)
         for words, options in (("method = 'best': allowed is newton, ", {"method": "best"}),
                                ("tolerance", {"tolerance": 0}), ("maximum_iterations", {"maximum_iterations": 0}),
+                               ("method = \\[\\]", {"method": []}), ("tolerance = 'x'", {"tolerance": "x"}),
+                               ("tolerance = None", {"tolerance": None}), ("tolerance = array", {"tolerance": q[0]}),
+                               ("maximum_iterations = True", {"maximum_iterations": True}),
+                               ("maximum_iterations = inf", {"maximum_iterations": np.inf}),
                                ("start has the shape", {"start": q[:1]})):
             with self.subTest(words), self.assertRaisesRegex(ValueError, words):
                 solve(W, q, 0.3, **options)

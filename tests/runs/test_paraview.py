@@ -272,6 +272,8 @@ class ErrorTest(unittest.TestCase):
         self.assert_refused(pictures(broken, *png, "--steps", "1"), 4, r".*contact-0001\.vtu: cannot be read")
         (broken / "history.csv").unlink()
         self.assert_refused(pictures(broken, *png), 4, r".*history\.csv")
+        os.mkfifo(broken / "history.csv")  # nobody writes into it
+        self.assert_refused(pictures(broken, *png), 4, r".*history\.csv: is no ordinary file")
         self.assertFalse(png[1].exists())
 
     def test_pictures_cannot_be_written(self):

@@ -59,7 +59,15 @@ class PythonTest(RunTest):
         (folder / "mine.py").write_text("import sys\nimport numpy\nsys.exit(7)\n")
         self.assertEqual(self.run_with(LAUNCHER, "numpy,meshio", folder / "mine.py").returncode, 7)
         self.assertEqual(self.run_with(ROOT / "tools/report.py", "nothing").returncode, 4)
-        self.assertEqual(self.run_with(ROOT / "tools/report.py", "nothing", PYTHONPATH=":").returncode, 4)
+        for places in (":", ".", "./", ".//", "./.", "././/", ".//./.", ":./:", f"./:{folder}"):
+            with self.subTest(places):
+                self.assertEqual(self.run_with(ROOT / "tools/report.py", "nothing", PYTHONPATH=places).returncode, 4)
+                self.assertFalse((self.folder / "trace").exists())
+        (folder / "on_purpose.py").touch()
+        (folder / "mine.py").write_text("import on_purpose\n")
+        self.assertEqual(self.run_with(LAUNCHER, "numpy", folder / "mine.py", PYTHONPATH=f"./:{folder}").returncode, 0)
+        os.mkdir(folder / "below")
+        self.assertEqual(self.run_with(LAUNCHER, "numpy", folder / "mine.py", PYTHONPATH="./elsewhere/below/..").returncode, 0)
         self.assertFalse((self.folder / "trace").exists())
 
     def test_nothing_serves(self):

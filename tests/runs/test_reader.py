@@ -3,7 +3,10 @@
 """The reader of run folders of the Python module, against the files as others read them.
 
 Usage: test_reader.py PROGRAM [unittest options]"""
+import os
 import pathlib
+import re
+import stat
 import subprocess
 import sys
 import tempfile
@@ -19,6 +22,17 @@ sys.modules["meshio"] = None  # the module does without it
 from orthocone import Run  # noqa: E402
 
 STEP = 5
+# What else can stand under the name of a file, and what is said of it.
+SPECIAL = (("a pipe", os.mkfifo), ("a folder", os.mkdir), ("a device", lambda path: os.symlink("/dev/zero", path)),
+           ("a socket", lambda path: os.mknod(path, stat.S_IFSOCK | 0o600)))
+READ = {"history.csv": lambda run: run.history, "timing.csv": lambda run: run.timing, "checks.csv": lambda run: run.checks,
+        "cycles.csv": lambda run: run.cycles, "probe-P.csv": lambda run: run.probe("P"), "summary.json": lambda run: run.summary,
+        "parameters.prm": lambda run: run.parameters, "contact-0001.vtu": lambda run: run.contact(1)}
+BAD_TABLES = (("step,ux\n1,2\n2\n", "row 2 has 1 entries, not 2"), ("step,ux\n1,2,3\n", "row 1 has 3 entries, not 2"),
+              ("step,ux,ux\n1,2,3\n", "has 2 columns 'ux'"), ("step,,ux\n1,2,3\n", "has 1 columns ''"),
+              ('step\n"1\n', "is no table"), ("step\n" + "1" * 200000, "is no table"), (b"step\n\xff\n", "byte 6 is no UTF-8"))
+BAD_SUMMARIES = (("", "is no JSON"), ("{", "is no JSON"), ("[]", "allowed is an object"), ("1", "allowed is an object"),
+                 ("[" * 100000, "too many brackets"), (b'{"a": "\xff"}', "byte 8 is no UTF-8"))
 
 
 class ReaderTest(RunTest):
@@ -140,6 +154,63 @@ print(len(run.history["step"]), len(run.cycles["cycle"]), len(run.checks["step"]
             if bad != whole:
                 with self.assertRaisesRegex(ValueError, "contact-0001.vtu: not a .vtu file of a run"):
                     Run(self.folder / "bad").contact(1)
+
+    def stranger(self, name, content):
+        """A new run folder with one file: bytes, text, or made by a function."""
+        folder = pathlib.Path(tempfile.mkdtemp(dir=self.folder))
+        if callable(content):
+            content(folder / name)
+        else:
+            (folder / name).write_bytes(content if isinstance(content, bytes) else content.encode())
+        return Run(folder)
+
+    def assert_bad(self, name, content, says):
+        with self.subTest(name, says=says), self.assertRaises(ValueError) as caught:
+            READ[name](self.stranger(name, content))
+        self.assertRegex(str(caught.exception), rf"^\S*{re.escape(name)}: .*{says}[^\n]*$")
+
+    def test_what_is_no_ordinary_file(self):
+        """A pipe would be waited for, and a device has no end."""
+        def huge(path):
+            with open(path, "wb") as file:
+                file.truncate(10**10)
+
+        for name in READ:
+            for kind, make in SPECIAL:
+                self.assert_bad(name, make, f"is no ordinary file, but {kind}; allowed is a file of at most [0-9]+ bytes")
+            self.assert_bad(name, huge, "has 10000000000 bytes; allowed are at most [0-9]+")
+
+    def test_damaged_tables_and_summaries(self):
+        for text, says in BAD_TABLES:
+            self.assert_bad("history.csv", text, says)
+        for text, says in BAD_SUMMARIES:
+            self.assert_bad("summary.json", text, says)
+        self.assertEqual(self.stranger("history.csv", "").history, {})
+        self.assertEqual(self.stranger("parameters.prm", b"set A = 1\nsubsection B\n set C = \xff.msh\n").parameters,
+                         {"B": {"C": "\udcff.msh"}})
+
+    def test_names_that_no_run_gives(self):
+        run = self.stranger("contact-0002.vtu", "")
+        for name in ("contact-1x.vtu", "contact-00003.vtu", "contact-3.vtu", "contact-0004-1.vtu", "problem-x.hdf5",
+                     f"contact-{'9' * 200}.vtu", "problem-0001.hdf5"):
+            (run.path / name).touch()
+        self.assertEqual((run.contact_steps(), list(run.problems())), ([2], [1]))
+
+    def test_fields_that_do_not_fit_each_other(self):
+        whole = (self.folder / "run" / f"contact-{STEP:04d}.vtu").read_text(encoding="ascii")
+        for array, text in (("offsets", "4 2 9223372036854775807"), ("offsets", ""), ("connectivity", "0 1 2 9999"),
+                            ("connectivity", "-1"), ("degree", ""), ("degree", "0"), ("degree", "1000000"), ("pressure", "1"),
+                            ("pressure", "many")):
+            changed = re.sub(rf'(<DataArray[^>]*Name="{array}"[^>]*)format="\w+"([^>]*>)[^<]*<', rf'\g<1>format="ascii"\g<2>{text}<', whole)
+            self.assertNotEqual(changed, whole)
+            self.assert_bad("contact-0001.vtu", changed, "not a .vtu file of a run|not a file of contact fields")
+
+    def test_few_bytes_that_stand_for_many(self):
+        from orthocone import vtu
+        self.addCleanup(setattr, vtu, "MOST_BYTES", vtu.MOST_BYTES)
+        vtu.MOST_BYTES = 1000
+        self.assert_bad("contact-0001.vtu", (self.folder / "run" / f"contact-{STEP:04d}.vtu").read_bytes(),
+                        "more than 1000 bytes of numbers")
 
 
 if __name__ == "__main__":

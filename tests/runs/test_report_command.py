@@ -70,16 +70,6 @@ class CommandTest(unittest.TestCase):
         self.assert_error(report(self.folder, empty), 4, missing)
         self.assertFalse((self.folder / "report.html").exists())
 
-    def test_bad_files(self):
-        for name, text in (("contact-0003.vtu", "<VTKFile>"), ("history.csv", "step,ux\n1"), ("summary.json", "{"),
-                           ("summary.json", "{}x"), ("parameters.prm", "subsection Friction\nend")):
-            with self.subTest(name):
-                bad = pathlib.Path(tempfile.mkdtemp(dir=SCRATCH.name)) / "bad"
-                shutil.copytree(self.folder, bad)
-                (bad / name).write_text(text)
-                self.assert_error(report(bad), 4, f"{name}: cannot be understood")
-                self.assertFalse(list(bad.glob("*report*")) + list(bad.glob(".report*")))
-
     def test_output(self):
         page = self.folder / "page.html"
         result = report(self.folder, "--output", page)

@@ -3,6 +3,7 @@
 """tools/wear_profile: a worn surface, written and read back as a gap file, is the surface that the run has left.
 
 Usage: test_wear_profile.py PROGRAM [unittest options]"""
+import os
 import subprocess
 import sys
 
@@ -89,6 +90,18 @@ class WearProfileTest(program.RunTest):
             result = self.tool(*words)
             self.assertEqual(result.returncode, 1)
             self.assertRegex(result.stderr, message)
+
+    def test_damaged_files_are_a_line(self):
+        self.run_done("worn", *BOX, "Load program/Cycles=1", "Output/Contact fields=8")
+        file = sorted((self.folder / "worn").glob("contact-*.vtu"))[-1]
+        text = file.read_text(encoding="ascii")
+        file.write_text(text.replace("wear_depth", "other"), encoding="ascii")
+        self.assertEqual((self.tool().returncode, self.tool().stderr), (4, "wear_profile: no field 'wear_depth' in the contact file\n"))
+        file.unlink()
+        os.mkfifo(file)
+        result = self.tool()
+        self.assertEqual(result.returncode, 4)
+        self.assertRegex(result.stderr, r"^wear_profile: \S*contact-[0-9]*\.vtu: is no ordinary file, but a pipe; .*\n$")
 
 
 if __name__ == "__main__":

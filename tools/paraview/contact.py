@@ -21,6 +21,7 @@ from vtkmodules.vtkIOXML import vtkXMLPUnstructuredGridReader, vtkXMLUnstructure
 
 # Pressure and stress are singular at edges: their colours cover these parts of the area and of the volume.
 PRESSURE_WITHIN, STRESS_WITHIN = 0.95, 0.99
+MOST_BYTES = 1_000_000_000  # of a file of a run
 NOTHING = 1e-9  # mm, MPa: less is the round-off of an unloaded body
 DARK, WHITE, PLANE = [0.13, 0.13, 0.16], [1, 1, 1], [0.87, 0.88, 0.9]
 OPEN, SLIPPING = [0.6, 0.6, 0.62], [0.93, 0.42, 0.05]
@@ -39,9 +40,16 @@ class RunError(Exception):
     """What the user has to know, and the exit code if it is not 4."""
 
 
+def require_ordinary(path):
+    """Of a folder of somebody else: a pipe would be waited for, and a device has no end."""
+    if path.exists() and (not path.is_file() or path.stat().st_size > MOST_BYTES):
+        raise RunError(f"{path}: is no ordinary file of at most {MOST_BYTES} bytes")
+
+
 class Grid:
     """Fields of a .vtu file at its points, and how far these reach around `centre`, by default their own."""
     def __init__(self, path, centre=None):
+        require_ordinary(pathlib.Path(path))
         is_list = str(path).endswith(".pvtu")  # of the pieces of several processes
         reader, errors = (vtkXMLPUnstructuredGridReader if is_list else vtkXMLUnstructuredGridReader)(), []
         reader.AddObserver("ErrorEvent", lambda *_: errors.append(True))
@@ -96,6 +104,7 @@ class Run:
         if not self.contact:
             raise RunError(f"{folder}: " + ("no contact.pvd: not a run folder, or the run had Output/Contact fields = 0"
                                             if self.folder.is_dir() else "no such folder"))
+        require_ordinary(self.folder / "history.csv")
         try:
             with open(self.folder / "history.csv", encoding="ascii") as file:
                 rows = {int(row["step"]): row for row in csv.DictReader(file)}
@@ -108,6 +117,7 @@ class Run:
     def files(self, kind):
         """Step -> file of a .pvd file; nothing where there is none."""
         path = self.folder / f"{kind}.pvd"
+        require_ordinary(path)
         try:
             records = xml.etree.ElementTree.parse(path).getroot().findall(".//DataSet") if path.exists() else []
             return {int(float(record.attrib["timestep"])): self.folder / record.attrib["file"] for record in records}

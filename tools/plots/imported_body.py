@@ -7,6 +7,7 @@ import re
 
 import meshio
 import numpy as np
+from run_folder import check_ordinary
 
 FACES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))  # of a hexahedron, outwards
 ROUNDING = 1e-6  # of the extent of the body
@@ -16,6 +17,7 @@ PLACE = re.compile(r"([xyz])(?: +(min|max)| *= *(\S+))")
 def read(path):
     """None for a file that is gone, or that meshio does not read."""
     try:
+        check_ordinary(path)
         with contextlib.redirect_stderr(io.StringIO()), contextlib.redirect_stdout(io.StringIO()):
             return meshio.read(path, file_format="gmsh")
     except (Exception, SystemExit):  # meshio exits on some files and raises what it likes on others
@@ -54,7 +56,7 @@ class ImportedBody:
         mesh = read(geometry["Mesh file"])
         try:
             return cls(mesh, geometry) if mesh else None
-        except (KeyError, ValueError, IndexError):
+        except Exception:  # a damaged mesh can lead anywhere
             return None
 
     def blocks(self, kind):

@@ -5,4 +5,6 @@ import pathlib
 import sys
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent.parent / "python"))
+from orthocone.outside import (  # noqa: E402, F401
+    BadFile, check_ordinary, content_of, object_of, one_line, text_of, write_whole)
 from orthocone.run_folder import OPEN, SLIP, STICK, ContactFile, Run as RunFolder, read_csv  # noqa: E402, F401

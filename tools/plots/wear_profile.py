@@ -7,7 +7,7 @@ import sys
 
 import numpy as np
 from matplotlib.tri import LinearTriInterpolator, Triangulation
-from run_folder import RunFolder
+from run_folder import BadFile, RunFolder, one_line
 
 
 def arguments():
@@ -73,4 +73,9 @@ def main():
 
 
 if __name__ == "__main__":
-    main()
+    try:
+        main()
+    except (OSError, BadFile, KeyError) as problem:
+        words = f"no field {problem} in the contact file" if isinstance(problem, KeyError) else problem
+        print(f"wear_profile: {one_line(words)}", file=sys.stderr)
+        sys.exit(4)

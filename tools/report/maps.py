@@ -5,6 +5,7 @@ import base64
 import contextlib
 import io
 
+import checked
 import numpy as np
 from lines import QUANTITIES, Line, fields_of
 from load_program import choose_steps, spread_steps
@@ -14,6 +15,7 @@ MOST_FRAMES = 60
 MOST_SMALL_MAPS = 15
 MOST_VALUES = 375_000  # nodes times frames: six bytes each keep the page below some 3 MB
 FIELDS = ("slip_magnitude", "pressure", "friction_criterion", "accumulated_slip", "dissipated_energy")
+NEEDED = (*FIELDS, "friction_traction", "slip", "status")
 WORN = "wear_depth"  # of runs whose surface wears
 
 
@@ -41,7 +43,7 @@ class Maps:
     def file(self, step):
         def contact():
             with contextlib.redirect_stderr(io.StringIO()):  # meshio prints before it gives up
-                return self.data.run.contact(step, self.kind)
+                return checked.fields(self.data.run.contact(step, self.kind), NEEDED, (WORN,))
         return self.data.read(self.name(step), contact)
 
     def name(self, step):

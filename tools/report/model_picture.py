@@ -3,6 +3,7 @@
 """Three drawings of the model: contact surface from above, ellipses of friction and slip, cylinder from the side."""
 import math
 
+import checked
 import numpy as np
 import svg
 from drawing import HEIGHT, WIDTH, Frame, area_of, counterface, ground, hatched, load_words
@@ -189,13 +190,13 @@ def layer_lines(data, frame, width):
     """Lines between the layers of cells, and the number of layers."""
     mesh = data.parameters.get("Mesh", {})
     layers = mesh["Cells"].split(",")[2].strip() if data.box else mesh.get("Layers", "1")
-    heights = data.height * layer_heights(int(layers), float(mesh.get("Layer grading", 1)))[1:-1]
+    heights = data.height * layer_heights(*checked.layers(layers, mesh.get("Layer grading", 1)))[1:-1]
     return "".join(svg.line(frame(-width / 2, z), frame(width / 2, z), "mesh") for z in heights), layers
 
 
 def side_view(data, below):
     """`below` is a second body of lower_picture.py, or None."""
-    width = data.box[0] if data.box else 2 * data.number("Geometry", "Radius")
+    width = data.box[0] if data.box else 2 * data.size("Radius")
     least, largest = np.array([-width / 2, 0]), np.array([width / 2, data.height])
     if below:
         least, largest = np.minimum(least, below.low), np.maximum(largest, below.high)

@@ -11,6 +11,7 @@ import numpy as np
 import worn
 from markup import element, escape, table
 from payload import payload_of, run_names
+from run_folder import text_of
 from units import unit_of
 
 HERE = pathlib.Path(__file__).resolve().parent
@@ -64,14 +65,14 @@ def facts(data):
     steps = f"{data.n_solved} of {data.n_planned}" + (f", {jumped} jumped" if jumped else "")
     rows = [("model", given["Mesh"].get("Model")), ("load steps", steps),
             ("contact solver", given["Contact solver"].get("Method"))]
-    if summary:
+    if "model" in summary and "contact_solver" in summary:
         model, solver = summary["model"], summary["contact_solver"]
         rows = [("model", f"{model['kind']} ({model['reason']})"),
                 ("mesh", f"{model['cells']} cells of degree {model['degree']}, {model['dofs']} degrees of freedom"),
                 ("contact nodes", f"{model['contact_nodes']} in the model"), rows[1],
                 ("contact solver", f"{solver['method']}, tolerance {solver['tolerance']:g}, {solver['iterations']} "
                  "iterations"),
-                ("versions", ", ".join(f"{name} {version}" for name, version in summary["versions"].items()))]
+                ("versions", ", ".join(f"{name} {version}" for name, version in summary.get("versions", {}).items()))]
     return table((), [(name, fallback(value)) for name, value in rows], "facts")
 
 
@@ -126,7 +127,7 @@ def parameters(data):
     given = next((data.path / name for name in ("input.prm", "input.json") if (data.path / name).is_file()), None)
     details = ""
     if given:
-        words = escape(given.read_text(encoding="utf-8", errors="replace"))
+        words = escape(text_of(given, errors="replace"))
         details = element("details", element("summary", f"The file as given ({given.name})") + element("pre", words))
     return element("div", groups, "groups") + details
 
@@ -168,9 +169,9 @@ def ledger(data):
 
 def phases(data):
     seconds = dict(data.summary.get("seconds", {}))
-    if not seconds:
-        return element("p", "No summary.json: the times of the phases are not known.")
     total = seconds.pop("total", sum(seconds.values()))
+    if not total > 0:
+        return element("p", "No summary.json, or no times in it: those of the phases are not known.")
     rest = total - sum(seconds.values())
     if rest > 0:
         seconds["rest"] = rest
@@ -235,11 +236,12 @@ def make(runs):
     """The page of the first run, with the others over it in the charts."""
     data = runs[0]
     name = data.path.resolve().name
-    payload, drawn = payload_of(runs), model(data)  # first: they note what the page leaves out
+    # First: they note what the page leaves out.
+    payload, drawn = payload_of(runs), data.read("parameters.prm", lambda: model(data))
     parts = {"title": escape(name), "status": status(data), "tiles": tiles(data), "runs": run_list(runs),
              "facts": data.read("summary.json", lambda: facts(data)),
              "warnings": warnings(data), "model": drawn, "parameters": parameters(data), "ledger": ledger(data),
-             **optional_sections(runs), "phases": phases(data), "data": safe_json(payload),
+             **optional_sections(runs), "phases": phases(data), "data": data.read("history.csv", lambda: safe_json(payload)),
              "style": (HERE / "report.css").read_text(),
              "script": "\n".join((HERE / script).read_text() for script in SCRIPTS)}
     template = (HERE / "template.html").read_text()

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 """Everything that the scripts of the page draw: tables, thinned where they are long, and the maps."""
+import checked
 import cycle_table
 import loops
 import numpy as np
@@ -37,7 +38,8 @@ def probes(data):
     names = data.read("probe-*.csv", data.run.probe_names)
     steps = chosen_steps(data, len(PROBE) * len(names), "Charts of the probes") if names else []
     return [{"name": name, "place": data.probe_places.get(name),
-             "table": table(data.read(f"probe-{name}.csv", lambda name=name: data.run.probe(name)), PROBE, steps)}
+             "table": table(data.read(f"probe-{name}.csv", lambda name=name: checked.columns(data.run.probe(name))), PROBE,
+                            steps)}
             for name in names]
 
 
@@ -90,7 +92,8 @@ def payload_of(runs):
             "checks": table(data.checks, CHECKS, steps) if data.checks else None,
             "timing": table(data.timing, ("seconds",), steps),
             "probes": probes(data), "maps": data.maps.payload(frames), "periodic": thresholds,
-            "wear": worn.profiles(data, numbers) if worn.is_worn(data) and data.n_solved else None,
+            "wear": (data.read("history.csv", lambda: worn.profiles(data, numbers))
+                     if worn.is_worn(data) and data.n_solved else None),
             "radius": data.radius, "centre": numbers(data.centre),
             "outline": [[numbers(point) for point in polygon] for polygon in data.outline], "mu": data.mu, "angle": data.angle,
             "tolerance": data.number("Contact solver", "Tolerance", 0)}

@@ -4,21 +4,19 @@
 import functools
 import re
 
+import checked
 import numpy as np
 import outline
 from cycle_table import jumped_energy
 from imported_body import ImportedBody
 from load_program import LoadProgram
 from maps import Maps
-from run_folder import RunFolder
+from run_folder import BadFile, RunFolder
 
 NEEDED = ("step", "residual", "stick_area", "max_slip", "max_pressure", "total_dissipation", "n_open", "n_stick",
-          "n_slip")
+          "n_slip", "ux", "uy", "uz", "force_x", "force_y", "force_z", "elastic_energy", "dissipation")
+OF_CYCLES = ("cycle", "n_cycles", "last_step")
 CHECKS = ("equilibrium", "penetration", "complementarity", "friction_cone", "slip_rule", "energy_defect")
-
-
-class BadFile(Exception):
-    """A file of the run cannot be understood."""
 
 
 class RunData:
@@ -26,16 +24,15 @@ class RunData:
         self.path = path
         self.notes = []
         self.run = RunFolder(path)
-        self.history = self.read("history.csv", lambda: self.run.history)
-        self.read("history.csv", self.check_history)
+        self.history = self.read("history.csv", lambda: checked.columns(self.run.history, NEEDED))
         self.steps = np.asarray(self.history.get("step", ()), dtype=int)
         self.n_solved = len(self.steps)
-        self.parameters = self.read("parameters.prm", lambda: self.run.parameters)
+        self.parameters = self.read("parameters.prm", lambda: checked.parameters(self.run.parameters))
         self.program = self.read("parameters.prm", lambda: LoadProgram(self.parameters["Load program"]))
-        self.summary = self.read("summary.json", lambda: self.run.summary, optional=True) or {}
-        self.timing = self.read("timing.csv", lambda: self.run.timing, optional=True) or {}
-        self.checks = self.read("checks.csv", lambda: self.run.checks)
-        self.cycles = self.read("cycles.csv", lambda: self.run.cycles)
+        self.summary = self.read("summary.json", lambda: checked.summary(self.run.summary), optional=True) or {}
+        self.timing = self.read("timing.csv", lambda: checked.columns(self.run.timing), optional=True) or {}
+        self.checks = self.read("checks.csv", lambda: checked.columns(self.run.checks))
+        self.cycles = self.read("cycles.csv", lambda: checked.columns(self.run.cycles, OF_CYCLES, OF_CYCLES, "last_step"))
         self.blocks = self.program.blocks(self.steps)
         # Of friction that varies the page shows that of the centre, which the summary has.
         self.friction_varies = any(re.search("[xy]", text) for text in self.friction_texts())
@@ -50,7 +47,7 @@ class RunData:
         self.has_gap = obstacle.get("Gap", "0") != "0" or bool(obstacle.get("Gap file"))
         self.shape = self.parameters["Geometry"].get("Shape", "cylinder")
         self.box = self.read("parameters.prm", self.sizes)
-        self.height = self.box[2] if self.box else self.number("Geometry", "Height")
+        self.height = self.box[2] if self.box else self.size("Height")
         self.probe_places = self.places_of_probes()
         self.energy = self.read("history.csv", self.energy_ledger)
 
@@ -65,21 +62,18 @@ class RunData:
             if optional:
                 return None
             raise
-        except OSError:
+        except (OSError, BadFile):
             raise
         except Exception as error:
-            cause = "a line is incomplete" if isinstance(error, TypeError) and name.endswith(".csv") else error
+            cause = f"no {error}" if isinstance(error, KeyError) else error
             raise BadFile(f"{self.path / name}: cannot be understood ({cause})") from error
 
-    def check_history(self):
-        for name in NEEDED if self.history else ():
-            if name not in self.history:
-                raise ValueError(f"no column {name}")
-            if not isinstance(self.history[name], np.ndarray):
-                raise ValueError(f"column {name} does not hold numbers only")
-
     def number(self, section, entry, default=None):
-        return self.read("parameters.prm", lambda: float(self.parameters[section].get(entry, default)))
+        return self.read("parameters.prm", lambda: checked.number(self.parameters[section].get(entry, default), name=entry))
+
+    def size(self, entry):
+        """A length of the body, mm."""
+        return self.read("parameters.prm", lambda: checked.number(self.parameters["Geometry"][entry], 0, entry))
 
     @functools.cached_property
     def body(self):
@@ -106,7 +100,7 @@ class RunData:
         if self.box:
             return [np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * self.box[:2] / 2]
         angles = np.linspace(0, 2 * np.pi, 96, endpoint=False)
-        return [self.number("Geometry", "Radius") * np.stack([np.cos(angles), np.sin(angles)], axis=1)]
+        return [self.size("Radius") * np.stack([np.cos(angles), np.sin(angles)], axis=1)]
 
     @functools.cached_property
     def centre(self):
@@ -128,7 +122,8 @@ class RunData:
         """l_x, l_y, l_z of a box, in mm; None for another shape."""
         if self.shape != "box":
             return None
-        return tuple(float(size) for size in self.parameters["Geometry"]["Sizes"].split(","))
+        l_x, l_y, l_z = (checked.number(size, 0, "Sizes") for size in self.parameters["Geometry"]["Sizes"].split(","))
+        return l_x, l_y, l_z
 
     def friction_texts(self):
         words = ("associated", "collinear")
@@ -141,14 +136,16 @@ class RunData:
                 return self.mu
             if text == "collinear":
                 return 1.0, 1.0
-            x, y = text.split(",")
-            return float(x), float(y)
+            x, y = (checked.number(number, name=entry) for number in text.split(","))
+            if min(x, y) < 0 or (min(x, y) == 0 and (max(x, y) > 0 or entry != "Coefficients")):
+                raise ValueError(f"{entry} = {text}")
+            return x, y
         return self.read("parameters.prm", two)
 
     def places_of_probes(self):
         text = self.parameters.get("Output", {}).get("Probes", "")
         places = re.findall(r"([\w-]+)\s*:\s*(\S+)\s+([^\s;]+)", text)
-        return self.read("parameters.prm", lambda: {name: (float(x), float(y)) for name, x, y in places})
+        return self.read("parameters.prm", lambda: {name: (checked.number(x), checked.number(y)) for name, x, y in places})
 
     # --- the state of the run ---
 

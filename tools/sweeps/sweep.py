@@ -15,10 +15,12 @@ import sys
 sys.dont_write_bytecode = True  # the source tree stays clean
 import sweep_page  # noqa: E402
 import sweep_runs  # noqa: E402
+from run_folder import BadFile, content_of, object_of, one_line, write_whole  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-MOST_RUNS = 100000
-MOST_BYTES, MOST_DEEP = 500_000_000, 20  # of a file that is read, and of includes
+MOST_RUNS, MOST_JOBS = 100000, 1000
+MOST_BYTES_OF_NAME, MOST_BYTES_OF_PATH = 255, 4000  # of a run's folder, and of the study's: Linux takes no more
+MOST_FILES = 1000  # that a scene includes or names: the program takes no more
 FILE_ENTRIES = ("Obstacle/Gap file", "Geometry/Mesh file", "Lower geometry/Mesh file")
 
 
@@ -34,7 +36,7 @@ def values_of(text):
             first, last, number = float(parts[0]), float(parts[1]), int(parts[2])
         except ValueError:
             number = 0
-        if not 2 <= number <= MOST_RUNS or not math.isfinite(first) or not math.isfinite(last):
+        if not 2 <= number <= MOST_RUNS or not math.isfinite(first) or not math.isfinite(last - first):
             raise WrongInput(f"--vary: '{text}': allowed is FIRST:LAST:NUMBER with two numbers and a count from 2 to "
                              f"{MOST_RUNS}, or words separated by commas")
         return [f"{first + (last - first) * i / (number - 1):.10g}" for i in range(number)]
@@ -67,27 +69,20 @@ def settings_of(point, templates):
     return settings + [f"{name}={value}" for name, value in point.items() if "/" in name]
 
 
-def content_of(path):
-    """The bytes of a file that comes from outside: ordinary, and no larger than the program reads."""
-    if path.exists() and not path.is_file():
-        raise WrongInput(f"{path}: is no ordinary file; a study reads its files several times")
-    if path.is_file() and path.stat().st_size > MOST_BYTES:
-        raise WrongInput(f"{path}: has {path.stat().st_size} bytes: allowed are {MOST_BYTES}")
-    return path.read_bytes()
-
-
-def texts_of(path, seen=()):
-    """The bytes of a parameter file, and of all that it includes or names. The program says what is wrong with includes that
-    lead to themselves, or too deep."""
-    content = content_of(path)
-    texts = [content]
-    if len(seen) > MOST_DEEP:
-        return texts
-    for line in content.decode("utf-8", "replace").splitlines():
-        match = re.match(r"\s*(?:include\s+|set\s+(?:Gap|Mesh) file\s*=\s*)(\S.*?)\s*(?:#.*)?$", line)
-        other = path.parent / match[1] if match else None
-        if other and other.is_file() and other.resolve() not in seen:
-            texts += texts_of(other, (*seen, path.resolve()))
+def texts_of(scene):
+    """The bytes of a parameter file, and of all that it includes or names, each once. The program says what is wrong with
+    includes that lead to themselves, too deep, or to too many files."""
+    seen, waiting, texts = set(), [scene], []
+    while waiting and len(seen) < MOST_FILES:
+        path = waiting.pop(0)
+        if path.resolve() in seen:
+            continue
+        seen.add(path.resolve())
+        texts.append(content_of(path))
+        for line in texts[-1].decode("utf-8", "surrogateescape").splitlines():
+            match = re.match(r"\s*(?:include\s+|set\s+(?:Gap|Mesh) file\s*=\s*)(\S.*?)\s*(?:#.*)?$", line)
+            if match and (other := path.parent / match[1]).is_file():
+                waiting.append(other)
     return texts
 
 
@@ -99,7 +94,7 @@ def other_files_of(options, points):
     if options.file.suffix == ".json":
         for section, entry in (name.split("/") for name in FILE_ENTRIES):
             try:
-                files.add(options.file.parent / json.loads(content_of(options.file))[section][entry])
+                files.add(options.file.parent / object_of(options.file)[section][entry])
             except (ValueError, KeyError, TypeError):
                 pass  # it names none, or the program says what is wrong with it
     return sorted(file for file in files if file.is_file())
@@ -132,8 +127,17 @@ def folder_name(point):
     return re.sub(r"[^\w.,=+ -]", "_", words)
 
 
+class ArgumentParser(argparse.ArgumentParser):
+    def error(self, message):
+        raise WrongInput(f"{message}; '--help' explains")
+
+
 def parse(arguments):
-    parser = argparse.ArgumentParser(prog="tools/sweep", description="A parameter study.")
+    for word in arguments:
+        if any("\ud800" <= letter <= "\udfff" for letter in word):  # bytes that Python could not decode
+            raise WrongInput(f"'{word}' is no UTF-8: allowed are words and names of files that are text, for the table and the "
+                             "page name them")
+    parser = ArgumentParser(prog="tools/sweep", description="A parameter study.")
     parser.add_argument("file", type=pathlib.Path, metavar="FILE.prm")
     parser.add_argument("--vary", action="append", required=True, metavar="NAME=VALUES",
                         help="FIRST:LAST:NUMBER, or words separated by commas; may be repeated: a grid")
@@ -149,14 +153,14 @@ def parse(arguments):
 
 def earlier_study(path, study):
     """What sweep.json says of the runs in its folder. It may be damaged, or somebody else's."""
+    remedy = "nobody knows what the runs beside it are of; remove it with them, or --output DIR takes another folder"
     try:
-        earlier = json.loads(content_of(path))
-    except (ValueError, RecursionError):
-        earlier = None
-    if not isinstance(earlier, dict) or {key: type(value) for key, value in earlier.items()} != \
-            {key: type(value) for key, value in study.items()} or not all(isinstance(text, str) for text in earlier["set"]):
-        raise WrongInput(f"{path}: is damaged, so that nobody knows what the runs beside it are of; remove it with them, or "
-                         "--output DIR takes another folder")
+        earlier = object_of(path)
+    except BadFile as error:
+        raise WrongInput(f"{error}; {remedy}") from error
+    if {key: type(value) for key, value in earlier.items()} != {key: type(value) for key, value in study.items()} or \
+            not all(isinstance(text, str) for text in earlier["set"]):
+        raise WrongInput(f"{path}: is damaged; {remedy}")
     return earlier
 
 
@@ -175,15 +179,17 @@ def require_same_study(folder, study, anew):
     elif folder.exists() and any(folder.iterdir()):
         raise WrongInput(f"{folder}: is not empty, and holds no study; --output DIR takes another folder")
     folder.mkdir(parents=True, exist_ok=True)
-    sweep_runs.write_whole(path, json.dumps(study, indent=2) + "\n")
+    write_whole(path, json.dumps(study, indent=2) + "\n")
 
 
 def run_study(options):
     grid = grid_of(options.vary)
     check_use(grid, options.set)
-    content_of(options.file)  # OSError if it cannot be read
-    if options.jobs < 1:
-        raise WrongInput(f"--jobs = {options.jobs}: allowed is a whole number from 1 on")
+    content_of(options.file)  # an error if it cannot be read
+    if not 1 <= options.jobs <= MOST_JOBS:
+        raise WrongInput(f"--jobs = {options.jobs}: allowed is a whole number from 1 to {MOST_JOBS}")
+    if not os.access(options.program, os.X_OK) or options.program.is_dir():
+        raise WrongInput(f"{options.program}: is no program; build it first")
     names = [name for name, _ in grid]
     if (n_points := math.prod(len(values) for _, values in grid)) > MOST_RUNS:
         raise WrongInput(f"--vary: makes {n_points} runs: allowed are {MOST_RUNS}")
@@ -192,7 +198,13 @@ def run_study(options):
     if len(set(folders)) < len(points):
         raise WrongInput(f"--vary: makes {len(points)} runs, {len(set(folders))} of them with names of their own: allowed are "
                          "runs each with its own")
+    if (longest := max(len(name.encode()) for name in folders)) > MOST_BYTES_OF_NAME:
+        raise WrongInput(f"--vary: makes names of folders of {longest} bytes: allowed are {MOST_BYTES_OF_NAME}; vary a short "
+                         "NAME that stands in --set for a long one")
     output = options.output or pathlib.Path("output") / f"sweep-{options.file.stem}"
+    if len(str(output).encode()) > MOST_BYTES_OF_PATH or len(output.parts) > MOST_BYTES_OF_PATH // 20:
+        raise WrongInput(f"--output: the name has {len(str(output).encode())} bytes and {len(output.parts)} parts: allowed are "
+                         f"{MOST_BYTES_OF_PATH} and {MOST_BYTES_OF_PATH // 20}")
     fixed = [] if options.fields else ["Output/Contact fields=0", "Output/Volume fields=0"]
     require_same_study(output, {"file": str(options.file.resolve()), "set": options.set, "names": names,
                                 "fields": options.fields,
@@ -210,13 +222,14 @@ def run_study(options):
 
 
 def main():
+    sys.stdout.reconfigure(errors="backslashreplace")  # a terminal need not have all letters of a name
     try:
         return run_study(parse(sys.argv[1:]))
-    except WrongInput as error:
-        print(f"sweep: {error}", file=sys.stderr)
+    except (WrongInput, BadFile) as error:
+        print(f"sweep: {one_line(error)}", file=sys.stderr)
         return 2
     except OSError as error:
-        print(f"sweep: {error.filename}: {error.strerror}", file=sys.stderr)
+        print(f"sweep: {one_line(f'{error.filename}: {error.strerror}' if error.filename else error)}", file=sys.stderr)
         return 4
 
 

@@ -9,6 +9,7 @@ import sys
 import matplotlib
 
 matplotlib.use("Agg")
+matplotlib.rcParams["text.parse_math"] = False  # names and words of the user are no formulas
 import matplotlib.pyplot as plt  # noqa: E402
 from sweep_runs import UNITS, write_whole  # noqa: E402
 

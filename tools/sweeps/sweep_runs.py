@@ -10,11 +10,10 @@ import queue
 import signal
 import subprocess
 import sys
-import tempfile
 import threading
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "plots"))
-from run_folder import RunFolder  # noqa: E402
+from run_folder import RunFolder, write_whole  # noqa: E402
 
 # Column, unit, and where summary.json has it.
 COLUMNS = [
@@ -32,19 +31,6 @@ COLUMNS = [
 ]
 OWN_COLUMNS = {"exit", "status", "cpu_seconds", "folder"} | {name for name, _, _ in COLUMNS}
 UNITS = {name: unit for name, unit, _ in COLUMNS}
-
-
-def write_whole(path, text):
-    """Under its name the file is complete, or as it was. What has a name in the folder already is not written through."""
-    descriptor, part = tempfile.mkstemp(prefix=f".{path.name}.", dir=path.parent)
-    try:
-        with open(descriptor, "w", encoding="utf-8", newline="") as file:
-            file.write(text)
-        os.chmod(part, 0o644)
-        os.replace(part, path)
-    except BaseException:
-        os.unlink(part)
-        raise
 
 
 class Run:
@@ -78,8 +64,8 @@ class Worker:
     def __init__(self, program):
         # All symbols are looked up at the start, not once more in every run; BLAS makes no threads of its own.
         environment = {**os.environ, "LD_BIND_NOW": "1", "OPENBLAS_NUM_THREADS": "1"}
-        self.process = subprocess.Popen([program, "--batch"], stdin=subprocess.PIPE, stdout=subprocess.PIPE, text=True,
-                                        env=environment)
+        self.process = subprocess.Popen([program, "--batch"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
+                                        encoding="utf-8", errors="replace", env=environment)
 
     def answer(self, words):
         try:
@@ -149,9 +135,11 @@ def run_all(runs, options):
 
 
 def value_at(summary, path):
+    """A number; None where the summary has none."""
     for key in path:
         summary = summary.get(key) if isinstance(summary, dict) else None
-    return summary
+    is_number = isinstance(summary, (int, float)) and abs(summary) <= sys.float_info.max
+    return summary if is_number else None
 
 
 def write_table(runs, path):
@@ -159,7 +147,7 @@ def write_table(runs, path):
     rows = []
     for run in runs:
         summary = run.summary() if run.exit in (0, 3) else {}
-        row = {**run.point, "exit": run.exit, "status": summary.get("status", run.message or "not run")}
+        row = {**run.point, "exit": run.exit, "status": str(summary.get("status", run.message or "not run"))}
         row |= {name: value_at(summary, where) for name, _, where in COLUMNS}
         rows.append(row | {"cpu_seconds": run.cpu_seconds, "folder": f"runs/{run.folder.name}"})
     text = io.StringIO(newline="")
