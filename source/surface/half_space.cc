@@ -26,25 +26,26 @@ HalfSpaceKernel from_edges(const std::vector<SurfacePatch::Point> &points, const
 {
   HalfSpaceKernel kernel;
   for (const SurfacePatch::Point &point : points)
-    for (const PatchEdge &edge : source.edges)
-      kernel.add_edge(edge, point.position, point.share / source.area);
+    for (const SurfacePatch::Edge &edge : source.edges)
+      kernel.add_edge(edge.line, point.position, point.share * edge.density);
   return kernel;
 }
 
 /// The same for patches far away. Distances between points of two patches have the sum of both spreads, and
-/// so have these four distances: the error falls with the fourth power of size over distance.
+/// so have these four distances, the columns of its symmetric root with both signs: the error falls with the
+/// fourth power of size over distance, and a surface that is turned by a right angle has the same kernels.
 HalfSpaceKernel from_afar(const SurfacePatch &patch, const SurfacePatch &source)
 {
-  const double xx = patch.spread(0, 0) + source.spread(0, 0);
-  const double xy = patch.spread(0, 1) + source.spread(0, 1);
-  const double yy = patch.spread(1, 1) + source.spread(1, 1);
-  const double a = std::sqrt(xx), b = xy / a, c = std::sqrt(yy - b * b);
+  const Matrix2d spread = patch.spread + source.spread;
+  const double root = std::sqrt(spread.determinant());
+  const Matrix2d half = (spread + root * Matrix2d::Identity()) / std::sqrt(spread.trace() + 2 * root);
+  const double a = half(0, 0), b = half(0, 1), c = half(1, 1);
   const double x = patch.centre[0] - source.centre[0], y = patch.centre[1] - source.centre[1];
   HalfSpaceKernel kernel;
-  kernel.add_point(x + a, y + b + c, 0.25);
-  kernel.add_point(x + a, y + b - c, 0.25);
-  kernel.add_point(x - a, y - b + c, 0.25);
-  kernel.add_point(x - a, y - b - c, 0.25);
+  kernel.add_point(x + a + b, y + b + c, 0.25);
+  kernel.add_point(x + a - b, y + b - c, 0.25);
+  kernel.add_point(x - a + b, y - b + c, 0.25);
+  kernel.add_point(x - a - b, y - b - c, 0.25);
   return kernel;
 }
 

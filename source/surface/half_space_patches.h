@@ -8,10 +8,19 @@
 
 namespace orthocone
 {
-/// The part of a contact surface that one of its places stands for.
+/// The part of a contact surface that one of its places stands for, and how the place's force is spread over
+/// it: evenly where the place is in the middle, else so that the place is the centre of the force. A gap and
+/// a body are taken at the place, and the force must not act beside it.
 struct SurfacePatch
 {
-  /// A quadrature point and its share of the area.
+  /// An edge, and the traction of a unit of force to its left, 1/mm^2.
+  struct Edge
+  {
+    PatchEdge line;
+    double density;
+  };
+
+  /// A quadrature point and its share of the force.
   struct Point
   {
     Eigen::Vector2d position;
@@ -19,10 +28,10 @@ struct SurfacePatch
   };
 
   double area = 0;                                  ///< mm^2
-  Eigen::Vector2d centre = Eigen::Vector2d::Zero(); ///< of gravity, mm
-  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero(); ///< mean square distance from the centre, mm^2
-  double radius = 0;                                ///< of a circle about the centre that holds it, mm
-  std::vector<PatchEdge> edges;                     ///< around it
+  Eigen::Vector2d centre = Eigen::Vector2d::Zero(); ///< of the force, mm
+  Eigen::Matrix2d spread = Eigen::Matrix2d::Zero(); ///< mean square distance of the force from it, mm^2
+  double radius = 0;                                ///< of a circle about the centre that holds the patch, mm
+  std::vector<Edge> edges;                          ///< around it, or around each of its parts
   std::vector<Point> points;
   std::vector<Point> close_points; ///< twice as many per direction, for forces next to them
 };

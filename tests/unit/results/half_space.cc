@@ -4,6 +4,8 @@
 
 #include <orthocone/surface/half_space.h>
 
+#include <cmath>
+
 namespace orthocone::test
 {
 namespace
@@ -49,6 +51,32 @@ TEST(HalfSpaceScene, IsAPlaneWhereItIsAMillionTimesStiffer)
   EXPECT_NEAR(stiff.totals().total_dissipation / rigid.totals().total_dissipation, 1, close);
   EXPECT_NEAR(stiff.totals().elastic_energy / rigid.totals().elastic_energy, 1, close);
   EXPECT_LT(soft.totals().force[2], 0.8 * rigid.totals().force[2]);
+}
+
+/// Hertz: F = 4/3 E* sqrt(R d^3) (Johnson, Contact Mechanics, 1985, (4.23)). Cells outside of the contact are
+/// eight times as large as those in it, and nothing may press there.
+TEST(HalfSpaceScene, CarriesHertzOverAnAbruptlyGradedMesh)
+{
+  constexpr double radius = 120, approach = 0.003, modulus = 80000, nu = 0.4999;
+  Parameters parameters;
+  parameters.mesh.core_cells = 16;
+  parameters.mesh.core_ratio = 0.085;
+  parameters.mesh.rings = 3;
+  parameters.mesh.rim_grading = 2.5;
+  parameters.mesh.layers = 2;
+  parameters.mesh.degree = 1;
+  parameters.material = {};
+  parameters.material.young_modulus = 1e12;
+  parameters.material.poisson_ratio = 0;
+  parameters.friction.mu = {{0, 0}};
+  parameters.obstacle.kind = ObstacleKind::half_space;
+  parameters.obstacle.material = {modulus, nu};
+  parameters.obstacle.gap = "(x^2+y^2)/240";
+  parameters.load.legs = {move_to(0, 0, -approach, 1)};
+  TestScene scene(with_model(parameters, ModelKind::quarter));
+  scene.march();
+  const double force = 4. / 3 * modulus / (1 - nu * nu) * std::sqrt(radius * approach * approach * approach);
+  EXPECT_NEAR(scene.totals().force[2] / force, 1, 0.01);
 }
 
 TEST(HalfSpaceScene, HasASumOfCompliances)

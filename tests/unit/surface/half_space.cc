@@ -70,6 +70,62 @@ TEST(HalfSpacePatches, TileTheSurface)
   }
 }
 
+/// Cells that are nine times as large from the middle of each side on, sheared so that they are no
+/// rectangles.
+Eigen::Vector2d abruptly_graded(const double u, const double v)
+{
+  const auto graded = [](const double t)
+  { return std::abs(t) <= 0.5 ? 0.2 * t : std::copysign(0.1 + 1.8 * (std::abs(t) - 0.5), t); };
+  return {graded(u) + 0.2 * graded(v), graded(v)};
+}
+
+// Gap and body are taken at the node: beside it, the displacement of a slope is that of another place.
+TEST(HalfSpacePatches, ForceHasItsCentreAtTheNode)
+{
+  for (const unsigned int degree : {1, 2, 3})
+  {
+    const ContactSurface surface = square_surface(4, degree, {}, abruptly_graded);
+    const WholeSurface whole = ModelSymmetry().whole(surface);
+    const auto patches = surface_patches(surface, whole, 3);
+    const unsigned int side = 4 * degree + 1;
+    for (std::size_t i = 0; i < patches.size(); ++i)
+    {
+      const std::size_t node = whole.nodes[i].node;
+      const auto &at = surface.nodes[node].position;
+      Eigen::Vector2d centre = Eigen::Vector2d::Zero();
+      for (const auto *const points : {&patches[i].points, &patches[i].close_points})
+        for (const SurfacePatch::Point &point : *points)
+        {
+          EXPECT_GT(point.share, 0);
+          centre += point.share / 2 * point.position;
+        }
+      EXPECT_LE((centre - patches[i].centre).norm(), 1e-12);
+      const std::size_t column = node % side, row = node / side;
+      const bool is_inside = column > 0 && column + 1 < side && row > 0 && row + 1 < side;
+      const bool is_on_two_lines = column % degree == 0 && row % degree == 0;
+      EXPECT_TRUE(!is_inside || !is_on_two_lines ||
+                  (centre - Eigen::Vector2d(at[0], at[1])).norm() <= 1e-8 * patches[i].radius)
+          << node;
+    }
+  }
+}
+
+// Turned by a right angle, x is y and y is -x.
+TEST(HalfSpace, TurnsWithTheSurface)
+{
+  const ContactSurface surface = square_surface(6, 1, {}, abruptly_graded);
+  ContactSurface turned = surface;
+  for (ContactNode &node : turned.nodes)
+    node.position = {{-node.position[1], node.position[0]}};
+  const MatrixXd w = compliance(surface), of_turned = compliance(turned);
+  const Index n = w.rows() / 3;
+  MatrixXd turn = MatrixXd::Zero(3 * n, 3 * n);
+  for (Index i = 0; i < n; ++i)
+    turn.block<3, 3>(3 * i, 3 * i) << 1, 0, 0, 0, 0, -1, 0, 1, 0; // normal, x, y
+  EXPECT_LE((of_turned - turn * w * turn.transpose()).lpNorm<Eigen::Infinity>(),
+            1e-9 * w.lpNorm<Eigen::Infinity>());
+}
+
 // Whatever the patches, a uniform pressure does the same work: all that is wrong of it is quadrature.
 double error_of_work(const unsigned int degree, const unsigned int cells, const unsigned int n_points)
 {
