@@ -7,6 +7,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <optional>
+#include <utility>
 
 namespace orthocone
 {
@@ -95,64 +97,81 @@ Vector2d centre_wanted(const Vector2d &place, const Vector2d &centre, const doub
   return centre + std::clamp((off - smooth) / (jump - smooth), 0., 1.) * (place - centre);
 }
 
+/// Shares of a force, and moments of its parts about a place, in units of the side of a square.
+struct Shares
+{
+  std::vector<double> of_parts;
+  Vector2d centre = Vector2d::Zero();
+  Matrix2d spread = Matrix2d::Zero(); ///< about the centre
+};
+
+/// Shares a exp(slope . distance) / sum of parts with areas a.
+Shares exponential_shares(const std::vector<PatchPart> &parts, const Vector2d &place, const double area,
+                          const Vector2d &slope)
+{
+  Shares shares;
+  double sum = 0;
+  for (const PatchPart &part : parts)
+  {
+    const Vector2d distance = (part.centre - place) / std::sqrt(area);
+    const double share = part.area / area * std::exp(slope.dot(distance));
+    shares.of_parts.push_back(share);
+    sum += share;
+    shares.centre += share * distance;
+    shares.spread += share * distance * distance.transpose();
+  }
+  for (double &share : shares.of_parts)
+    share /= sum;
+  shares.centre /= sum;
+  shares.spread = shares.spread / sum - shares.centre * shares.centre.transpose();
+  return shares;
+}
+
+/// Newton's change of the slope, with the distance of the centre that it moves. Nothing where the parts are
+/// in a line and the place is well beside it.
+std::optional<std::pair<Vector2d, double>> change_of_slope(const Shares &shares)
+{
+  constexpr double flat = 1e-9, beside = 0.2; // of the spread along the line, and of its root
+  const Eigen::SelfAdjointEigenSolver<Matrix2d> axes(shares.spread);
+  const double largest = std::max(axes.eigenvalues()[1], 0.);
+  std::pair<Vector2d, double> change{Vector2d::Zero(), 0};
+  for (Eigen::Index i = 0; i < 2; ++i)
+  {
+    const Vector2d axis = axes.eigenvectors().col(i);
+    const double along = axis.dot(shares.centre);
+    if (axes.eigenvalues()[i] > flat * largest)
+    {
+      change.first -= along / axes.eigenvalues()[i] * axis;
+      change.second = std::max(change.second, std::abs(along));
+    }
+    else if (std::abs(along) > beside * std::sqrt(largest))
+      return std::nullopt;
+  }
+  return change;
+}
+
 /// Shares of a force among the parts of a patch whose centre is `place`. Of all such shares they are the ones
-/// that tell least beside the areas, a exp(slope . distance) / sum (maximum entropy: Sukumar, Int. J. Numer.
-/// Meth. Eng. 61, 2004, 2159), which are positive. Newton's method minimizes the logarithm of the sum, which
-/// is convex. Two parts, as those of a node within the side of a face, have their centre on a line; the
-/// nearest point to a place that is almost on it is taken. No shares have their centre at the edge of the
-/// surface, or at a place that hangs: there the area's are taken.
-std::vector<double> shares_of(const std::vector<PatchPart> &parts, const Vector2d &place)
+/// that tell least beside the areas (maximum entropy: Sukumar, Int. J. Numer. Meth. Eng. 61, 2004, 2159),
+/// which are positive. Newton's method minimizes the logarithm of their sum, which is convex. Two parts, as
+/// those of a node within the side of a face, have their centre on a line; the nearest point to a place that
+/// is almost on it is taken. No shares have their centre at the edge of the surface, or at a place that
+/// hangs: there the area's are taken.
+std::vector<double> shares_of(const std::vector<PatchPart> &parts, const Vector2d &place, const double area)
 {
   constexpr unsigned int most_steps = 100;
-  constexpr double rounding = 1e-9, flat = 1e-9, beside = 0.2, largest_exponent = 50;
-  double area = 0;
-  for (const PatchPart &part : parts)
-    area += part.area;
-  const double length = std::sqrt(area);
-  std::vector<double> even, shares;
-  for (const PatchPart &part : parts)
-    even.push_back(part.area / area);
+  constexpr double rounding = 1e-9, largest_exponent = 50;
   Vector2d slope = Vector2d::Zero();
-  for (unsigned int step = 0; step < most_steps; ++step)
+  for (unsigned int step = 0; step < most_steps && slope.norm() <= largest_exponent; ++step)
   {
-    double sum = 0;
-    Vector2d centre = Vector2d::Zero();
-    Matrix2d spread = Matrix2d::Zero();
-    shares = even;
-    for (std::size_t i = 0; i < parts.size(); ++i)
-    {
-      const Vector2d distance = (parts[i].centre - place) / length;
-      shares[i] *= std::exp(slope.dot(distance));
-      sum += shares[i];
-      centre += shares[i] * distance;
-      spread += shares[i] * distance * distance.transpose();
-    }
-    for (double &share : shares)
-      share /= sum;
-    centre /= sum;
-    spread = spread / sum - centre * centre.transpose();
-    const Eigen::SelfAdjointEigenSolver<Matrix2d> axes(spread);
-    const double width = std::sqrt(std::max(axes.eigenvalues()[1], 0.));
-    Vector2d change = Vector2d::Zero();
-    double off = 0;
-    for (Eigen::Index axis = 0; axis < 2; ++axis)
-    {
-      const double along = axes.eigenvectors().col(axis).dot(centre);
-      if (axes.eigenvalues()[axis] > flat * axes.eigenvalues()[1])
-      {
-        off = std::max(off, std::abs(along));
-        change -= along / axes.eigenvalues()[axis] * axes.eigenvectors().col(axis);
-      }
-      else if (std::abs(along) > beside * width)
-        return even;
-    }
-    if (off <= rounding)
-      return shares;
-    if (slope.norm() > largest_exponent)
-      return even;
-    slope += change / std::max(1., change.norm()); // far off, the exponentials are not quadratic
+    Shares shares = exponential_shares(parts, place, area, slope);
+    const auto change = change_of_slope(shares);
+    if (!change)
+      break;
+    if (change->second <= rounding)
+      return shares.of_parts;
+    slope += change->first / std::max(1., change->first.norm()); // far off, exponentials are not quadratic
   }
-  return even;
+  return exponential_shares(parts, place, area, Vector2d::Zero()).of_parts;
 }
 
 bool are_opposite(const SurfacePatch::Edge &one, const SurfacePatch::Edge &other)
@@ -184,7 +203,8 @@ SurfacePatch patch_of(const std::vector<PatchPart> &parts, const Vector2d &place
     patch.area += part.area;
     centre += part.area * part.centre;
   }
-  const std::vector<double> shares = shares_of(parts, centre_wanted(place, centre / patch.area, patch.area));
+  const std::vector<double> shares =
+      shares_of(parts, centre_wanted(place, centre / patch.area, patch.area), patch.area);
   for (std::size_t i = 0; i < parts.size(); ++i)
   {
     const Quadrilateral &corners = parts[i].corners;
