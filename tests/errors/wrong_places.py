@@ -61,6 +61,7 @@ ROWS = [
     ("wear_law_of_holm", *setting("Wear", "Law", "holm", "none | archard | energy")),
     ("wear_coefficient_negative", *setting("Wear", "Coefficient", "-1e-8", "a number >= 0 and <= 1e+06")),
     ("wear_coefficient_of_a_unit", *setting("Wear", "Coefficient", "1e-8 mm3/Nmm", "a number >= 0 and <= 1e+06")),
+    ("wear_deep_steps", *setting("Wear", "Deep steps", "both", "implicit | explicit")),
     ("wear_jump_negative", *setting("Wear", "Largest depth of a jump", "-0.1", "a number >= 0 and <= 1e+06")),
     ("legs_component_twice", *legs("uz -0.1 ux 0.1 uz 0 : 5", "a component once in a leg; uz is named twice")),
     ("legs_motion_and_force",

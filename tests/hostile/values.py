@@ -37,6 +37,7 @@ REFUSED = {
     "Load program/Cycles": ["+1", "1.5", "1e6", ""],
     "Load program/Stop when periodic": ["-1e-300", "1.0", "nan", "never"],
     "Wear/Law": ["archard energy", "1", ""], "Wear/Coefficient": ["1e7", "nan", "1e-8 %"],
+    "Wear/Deep steps": ["both", "Implicit explicit"],
     "Wear/Largest depth of a jump": ["-1", "inf", "0.1 mm"],
     "Load program/Jump when periodic": ["1", "inf", ""], "Load program/Jump cycles": ["-1", "1000001", "1.5"],
     "Contact solver/Method": ["NEWTON", "newton newton", "gauss_seidel", ""],

@@ -122,6 +122,15 @@ class ThreadTest(RunTest):
             self.assertEqual(result.returncode, WRONG_INPUT)
             self.assertEqual(result.stderr, f"run: DEAL_II_NUM_THREADS = {number}: allowed is a whole number > 0\n")
 
+    def test_number_of_threads_of_the_program_itself(self):
+        """The program looks before deal.II does, for a package has no ./run."""
+        for number in ("0", "abc", "-1", "", "000", "1" * 1000):
+            result = subprocess.run([PROGRAM, "--version"], cwd=self.folder, text=True, capture_output=True, timeout=60,
+                                    check=False, env={**os.environ, "DEAL_II_NUM_THREADS": number})
+            self.assertEqual(result.returncode, WRONG_INPUT)
+            self.assertEqual(result.stderr,
+                             f"orthocone: DEAL_II_NUM_THREADS = {number[:40]}: allowed is a whole number > 0\n")
+
     def test_address_space_of_run(self):
         script = f"ulimit -v 500000; exec '{ROOT}/run' nothing.prm"
         result = subprocess.run(["sh", "-c", script], cwd=self.folder, text=True, capture_output=True, timeout=60, check=False)
