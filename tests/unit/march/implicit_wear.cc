@@ -13,17 +13,17 @@ namespace
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-constexpr double compliance = 2e-4; // of the node in every direction, mm/N
-constexpr double area = 0.5;        // mm^2
-constexpr double pressed = 30;      // before the step, N
-constexpr double way = 4;           // of the step, mm
+constexpr double own_compliance = 2e-4; // of the node in every direction, mm/N
+constexpr double area = 0.5;            // mm^2
+constexpr double pressed = 30;          // before the step, N
+constexpr double way = 4;               // of the step, mm
 
 /// A law that wears `z` times the flattening of the node on its way, with friction of 0.1.
 WearLaw law_of(const WearKind kind, const double z)
 {
   WearOptions options;
   options.law = kind;
-  options.coefficient = z * compliance * area / way / (kind == WearKind::energy ? 0.1 : 1);
+  options.coefficient = z * own_compliance * area / way / (kind == WearKind::energy ? 0.1 : 1);
   ContactSurface surface;
   surface.nodes = {{{{0, 0}}, area, {{0, 1, 2}}, {{true, true, true}}}};
   return {options, surface};
@@ -32,16 +32,16 @@ WearLaw law_of(const WearKind kind, const double z)
 /// The force of the node behind a step that slides it by `way` at a fixed height.
 double force_behind(const WearLaw &wear)
 {
-  const DenseCompliance body(compliance * Eigen::Matrix3d::Identity());
+  const DenseCompliance body(own_compliance * Eigen::Matrix3d::Identity());
   const ContactSystem system(body, {{0.1, 0.1, 0.1, 0.1}});
-  const ContactStep step(system, Vector3d(-compliance * pressed, way, 0));
+  const ContactStep step(system, Vector3d(-own_compliance * pressed, way, 0));
   ContactState before(Vector3d::Zero()), after(Vector3d(0, way, 0));
   before.force = after.force = Vector3d(pressed, -0.1 * pressed, 0);
   before.status = after.status = {NodeStatus::slip};
   VectorXd unknowns = after.force;
-  const ImplicitWear implicit(wear, {}, VectorXd::Constant(1, compliance));
+  const ImplicitWear implicit(wear, {}, VectorXd::Constant(1, own_compliance));
   const VectorXd depths = implicit.depths(step, before, after, unknowns);
-  EXPECT_NEAR(depths[0], compliance * (pressed - unknowns[0]), 1e-12 * compliance * pressed);
+  EXPECT_NEAR(depths[0], own_compliance * (pressed - unknowns[0]), 1e-12 * own_compliance * pressed);
   return unknowns[0];
 }
 } // namespace
@@ -76,8 +76,8 @@ TEST(ImplicitWear, IsForDeepStepsAlone)
     options.deep_steps = deep;
     ContactSurface surface;
     surface.nodes = {{{{0, 0}}, area, {{0, 1, 2}}, {{true, true, true}}}};
-    after.wear_depth[0] = z * compliance * pressed;
-    return ImplicitWear({options, surface}, {}, VectorXd::Constant(1, compliance)).is_for(before, after);
+    after.wear_depth[0] = z * own_compliance * pressed;
+    return ImplicitWear({options, surface}, {}, VectorXd::Constant(1, own_compliance)).is_for(before, after);
   };
   EXPECT_FALSE(is_for(0.89, DeepWear::implicitly));
   EXPECT_TRUE(is_for(0.91, DeepWear::implicitly));
