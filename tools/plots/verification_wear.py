@@ -42,11 +42,10 @@ def fretted_pressure(runs, ax):
     approach = (3 * force[first] * RADIUS / (4 * STIFFNESS))**(2 / 3) / RADIUS
     approach = 0.0027 + (approach - 0.0027) * force[-1] / force[first]
     radius, pressure = on_surface(run, last, "pressure")
-    c = math.sqrt(history["stick_area"][-5] / math.pi)
-    r = np.linspace(0, 0.99 * c, 300)
-    ax.plot(r, limit_pressure(r, approach, c), **LINE)
-    ax.plot(radius, pressure, **DOTS)
     start = math.sqrt(history["stick_area"][first] / math.pi)
+    r = np.linspace(0, 0.99 * start, 300)
+    ax.plot(r, limit_pressure(r, approach, start), **LINE)
+    ax.plot(radius, pressure, **DOTS)
     ax.axvline(start, color=GREEN, linewidth=1, linestyle="--", label="sticks in the first cycle")
     ax.set(xlim=(0, 0.7), ylim=(0, 2000))
     label(ax, "Fretting: pressure after 10$^5$ cycles", "r in mm", "pressure in MPa")
