@@ -237,34 +237,38 @@ SolverReport StepSolver::solve_to(ContactState &state, const Attempt &attempt, V
 }
 
 /// Solves a step again that has worn deeper than pressure flattens, with the depth as an unknown. How far
-/// nodes slide depends on the depth in partial slip, so that both are found by turns. Where that fails, the
-/// step stays as it was, and its check says so.
+/// nodes slide depends on the depth in partial slip, so that both are found by turns. Where they do not
+/// settle, the step stays the explicit one that it was, and its check says so.
 void StepSolver::wear_implicitly(const ContactState &before, ContactState &state, const Attempt &attempt,
                                  VectorXd unknowns, SolverReport &report) const
 {
   constexpr unsigned int most_turns = 10;
   constexpr double settled = 1e-4; // of the largest depth
   Attempt worn = attempt;
+  ContactState found = state;
+  SolverReport of_found = report;
   for (unsigned int turn = 0; turn < most_turns; ++turn)
   {
-    const VectorXd depths = implicit_wear_.depths(attempt.problem, before, state, unknowns);
+    const VectorXd depths = implicit_wear_.depths(attempt.problem, before, found, unknowns);
     if (depths.size() == 0)
       return;
-    const bool is_settled =
-        turn > 0 && (depths - worn.worn).lpNorm<Eigen::Infinity>() <= settled * depths.maxCoeff();
-    if (is_settled)
+    if (turn > 0 && (depths - worn.worn).lpNorm<Eigen::Infinity>() <= settled * depths.maxCoeff())
+    {
+      state = std::move(found);
+      report = std::move(of_found);
       return;
+    }
     worn.problem = with_depths(attempt.problem, depths);
     worn.worn = depths;
     VectorXd solution = unknowns;
     SolverReport again = solver_->solve(worn.problem, solution);
-    again.iterations += report.iterations;
+    again.iterations += of_found.iterations;
     if (!again.converged)
       return;
-    state = before;
-    accept_unknowns(state, worn, solution);
-    report = std::move(again);
-    report.last_part = solved(worn.problem, solution);
+    found = before;
+    accept_unknowns(found, worn, solution);
+    of_found = std::move(again);
+    of_found.last_part = solved(worn.problem, solution);
   }
 }
 
