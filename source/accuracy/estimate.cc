@@ -21,6 +21,7 @@ constexpr double bytes_per_number = 8;
 constexpr double gigabyte = 1e9;
 constexpr double dense_matrices = 1.5;   // the compliance, and what inner iterations use of it
 constexpr double of_counterbody = 1;     // one more: its compliance, then the sum
+constexpr double of_deep_wear = 1.5;     // the same: W with the depth, and its copy in single precision
 constexpr double bytes_per_step = 100;   // in the lists of files
 constexpr double memory_bandwidth = 8e9; // bytes/s that one core of a usual machine reads
 
@@ -118,6 +119,8 @@ static Estimate of_factorization(const Parameters &parameters, const ModelSize &
       step_gigabytes(parameters.load, size.contact_nodes);
   if (parameters.obstacle.kind != ObstacleKind::rigid)
     result.gigabytes += of_counterbody * n_contact * n_contact * bytes_per_number / gigabyte;
+  if (parameters.wear.law != WearKind::none && parameters.wear.deep_steps == DeepWear::implicitly)
+    result.gigabytes += of_deep_wear * n_contact * n_contact * bytes_per_number / gigabyte;
   const unsigned int dim = symmetry.is_axisymmetric() ? 2 : 3;
   const double n_cell = dim * std::pow(parameters.mesh.degree + 1, dim);
   const double assembly =

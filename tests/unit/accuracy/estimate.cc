@@ -22,6 +22,20 @@ TEST(Estimate, OfTheSizeAloneIsAtMostThatOfTheMesh)
   }
 }
 
+/// A step that wears deep is solved with a compliance of its own beside W.
+TEST(Estimate, HasTheSecondMatrixOfDeepSteps)
+{
+  const SymmetryPlanes quarter{true, true};
+  Parameters parameters;
+  const Body body(parameters, quarter);
+  const double dry = estimate(parameters, body, quarter).gigabytes;
+  parameters.wear.law = WearKind::archard;
+  const double rows = 3 * model_size(parameters, quarter).contact_nodes;
+  EXPECT_GE(estimate(parameters, body, quarter).gigabytes - dry, 8e-9 * rows * rows);
+  parameters.wear.deep_steps = DeepWear::explicitly;
+  EXPECT_EQ(estimate(parameters, body, quarter).gigabytes, dry);
+}
+
 TEST(Estimate, OfAUsualMachineIsNearThatOfTheFactorization)
 {
   const SymmetryPlanes quarter{true, true};
