@@ -174,9 +174,15 @@ const Entry *EntryTable::find(const std::string &name) const
   return found == entries_.end() ? nullptr : &*found;
 }
 
-std::string EntryTable::path_of(const std::string &path) const
+bool EntryTable::is_path(const std::string &name) const
+{
+  const Entry *const entry = find(name);
+  return entry != nullptr && entry->is_path;
+}
+
+std::string EntryTable::path_beside(const std::string &file_name, const std::string &path)
 {
   namespace fs = std::filesystem;
-  return fs::absolute(fs::path(file_).parent_path() / path).lexically_normal().string();
+  return path.empty() ? "" : fs::absolute(fs::path(file_name).parent_path() / path).lexically_normal().string();
 }
 } // namespace orthocone

@@ -40,6 +40,7 @@ struct Entry
   std::string help; ///< ends with the allowed values
   Allowed allowed;
   std::function<void(const std::string &)> assign;
+  bool is_path = false; ///< names a file, relative to that of the entry
 
   std::string section() const { return name.substr(0, name.find('/')); }
   std::string own_name() const { return name.substr(name.find('/') + 1); }
@@ -60,16 +61,30 @@ public:
         {section_ + "/" + name, text, help + " Allowed: " + allowed.description + ".", allowed, assign});
   }
 
+  /// Declares an entry whose text names a file. `assign` receives the texts that it accepts.
+  void add_path(const std::string &name, const std::string &text, const Allowed &allowed,
+                const std::string &help, const std::function<void(const std::string &)> &assign)
+  {
+    add(name, text, allowed, help, assign);
+    entries_.back().is_path = true;
+  }
+
   const std::vector<Entry> &entries() const { return entries_; }
 
   /// The entry "Section/Entry", or null.
   const Entry *find(const std::string &name) const;
 
+  /// Whether the entry "Section/Entry" is there and names a file.
+  bool is_path(const std::string &name) const;
+
   /// Sets the file of the next values; it need not exist.
   void read_from(const std::string &file_name) { file_ = file_name; }
 
   /// The absolute path of `path`, which is relative to that file, or to the working directory without one.
-  std::string path_of(const std::string &path) const;
+  std::string path_of(const std::string &path) const { return path_beside(file_, path); }
+
+  /// The absolute path of `path`, which is relative to the folder of `file_name`; "" stays "".
+  static std::string path_beside(const std::string &file_name, const std::string &path);
 
 private:
   std::vector<Entry> entries_;

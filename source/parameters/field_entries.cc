@@ -170,7 +170,7 @@ void add_path(EntryTable &table, const std::string &name, std::string &value, co
     return std::none_of(text.begin(), text.end(),
                         [](const unsigned char c) { return c < ' ' || c == '#' || c == '\\'; });
   };
-  table.add(name, value, Allowed("a path without '#' and '\\', or nothing", test), help,
-            [&value, &table](const std::string &text) { value = text.empty() ? "" : table.path_of(text); });
+  table.add_path(name, value, Allowed("a path without '#' and '\\', or nothing", test), help,
+                 [&value, &table](const std::string &text) { value = table.path_of(text); });
 }
 } // namespace orthocone::entries

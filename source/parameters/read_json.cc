@@ -113,6 +113,23 @@ std::string wrong_section(const std::string &name, const Json &value)
     return fault + "{\"" + name.substr(0, slash) + "\": {\"" + name.substr(slash + 1) + "\": " + given + "}}";
   return not_a_section(name);
 }
+
+/// The text for a copy of the file in any folder: with the whole paths of files that entries name. A file
+/// without such a path keeps its form.
+std::string json_for_any_folder(const std::string &file_name, std::string content, Json json,
+                                const EntryTable &table)
+{
+  bool changes = false;
+  for (auto &[section, entries] : json.items())
+    for (auto &[entry, value] : entries.items())
+      if (table.is_path(section + "/" + entry) && value.is_string())
+      {
+        const std::string whole = EntryTable::path_beside(file_name, value.get<std::string>());
+        changes = changes || whole != value;
+        value = whole;
+      }
+  return changes ? json.dump(2) + "\n" : std::move(content);
+}
 } // namespace
 
 std::string read_json(const std::string &file_name, EntryTable &table)
@@ -139,6 +156,6 @@ std::string read_json(const std::string &file_name, EntryTable &table)
   }
   if (!sets_anything)
     throw InputError(sets_no_entry(file_name));
-  return content;
+  return json_for_any_folder(file_name, std::move(content), json, table);
 }
 } // namespace orthocone

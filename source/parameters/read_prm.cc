@@ -84,7 +84,7 @@ void read_all(const std::vector<Statement> &statements, EntryTable &table)
 
 std::string read_prm(const std::string &file_name, EntryTable &table)
 {
-  const StatementFile file = read_statements(file_name);
+  const StatementFile file = read_statements(file_name, table);
   read_all(file.statements, table);
   if (std::none_of(file.statements.begin(), file.statements.end(),
                    [](const Statement &statement) { return statement.kind == Statement::Kind::set; }))

@@ -97,19 +97,14 @@ std::string included_path(const std::string &including, const std::string &inclu
   return (fs::equivalent(path, direct, code) ? direct : path).string();
 }
 
-/// The line for a copy of the file in any folder: with the whole path where the entry names a file.
-std::string text_for_any_folder(const Line &line, const std::optional<Statement> &statement)
-{
-  if (!statement || statement->kind != Statement::Kind::set || statement->name != "Gap file" ||
-      statement->value.empty() || fs::path(statement->value).is_absolute())
-    return line.raw;
-  const fs::path path = fs::path(statement->file).parent_path() / statement->value;
-  return "  set Gap file = " + fs::absolute(path).lexically_normal().string() + "\n";
-}
-
 class Reader
 {
 public:
+  explicit Reader(const EntryTable &table)
+      : table_(table)
+  {
+  }
+
   void read(const std::string &file_name, const std::string &asked_from);
 
   StatementFile result;
@@ -117,7 +112,10 @@ public:
 private:
   void check_include(const std::string &file_name, const std::string &asked_from);
   void include(const std::string &file_name, const Line &line);
+  std::string text_for_any_folder(const Line &line, const Statement &statement);
 
+  const EntryTable &table_;
+  std::string section_; ///< that is open
   std::vector<std::string> open_files_;
   unsigned int n_files_ = 0;
 };
@@ -146,6 +144,17 @@ void Reader::include(const std::string &file_name, const Line &line)
   result.text += "# end of " + shown_path(name) + "\n";
 }
 
+/// The line for a copy of the file in any folder: with the whole path where the entry names a file.
+std::string Reader::text_for_any_folder(const Line &line, const Statement &statement)
+{
+  if (statement.kind == Statement::Kind::subsection)
+    section_ = statement.name;
+  if (statement.kind != Statement::Kind::set || !table_.is_path(section_ + "/" + statement.name) ||
+      fs::path(statement.value).is_absolute())
+    return line.raw;
+  return "  set " + statement.name + " = " + EntryTable::path_beside(statement.file, statement.value) + "\n";
+}
+
 void Reader::read(const std::string &file_name, const std::string &asked_from)
 {
   check_include(file_name, asked_from);
@@ -156,7 +165,7 @@ void Reader::read(const std::string &file_name, const std::string &asked_from)
     else
     {
       const auto statement = parse(line, file_name);
-      result.text += text_for_any_folder(line, statement);
+      result.text += statement ? text_for_any_folder(line, *statement) : line.raw;
       if (statement)
         result.statements.push_back(*statement);
       else if (!line.text.empty())
@@ -168,9 +177,9 @@ void Reader::read(const std::string &file_name, const std::string &asked_from)
 }
 } // namespace
 
-StatementFile read_statements(const std::string &file_name)
+StatementFile read_statements(const std::string &file_name, const EntryTable &table)
 {
-  Reader reader;
+  Reader reader(table);
   reader.read(file_name, "");
   return std::move(reader.result);
 }

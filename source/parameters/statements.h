@@ -5,6 +5,8 @@
 // its file and line. deal.II's own reader cannot do this for included files.
 #pragma once
 
+#include "entries.h"
+
 #include <string>
 #include <vector>
 
@@ -30,9 +32,11 @@ struct Statement
 struct StatementFile
 {
   std::vector<Statement> statements;
-  std::string text; ///< as written, with included files between two comments
+  /// As written, with included files between two comments and the whole paths of files that entries name.
+  std::string text;
 };
 
-/// Reads a .prm file. Throws FileError if it cannot be read, and InputError for lines that are no statements.
-StatementFile read_statements(const std::string &file_name);
+/// Reads a .prm file, whose table says which entries name files. Throws FileError if it cannot be read, and
+/// InputError for lines that are no statements.
+StatementFile read_statements(const std::string &file_name, const EntryTable &table);
 } // namespace orthocone

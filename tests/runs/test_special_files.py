@@ -3,7 +3,9 @@
 """Parameter files that are no plain files: pipes, devices, standard input, and includes without end.
 
 Usage: test_special_files.py PROGRAM [unittest options]"""
+import json
 import os
+import shutil
 import subprocess
 import sys
 import threading
@@ -22,6 +24,10 @@ class SpecialFileTest(RunTest):
 
     def put(self, name, text):
         (self.folder / name).write_text(text)
+
+    def run_well(self, output, file):
+        result = self.run_program(output, file=file)
+        self.assertEqual((result.returncode, result.stderr), (DONE, ""))
 
     def assert_rejected(self, result, code, expression):
         self.assertEqual(result.returncode, code, result.stderr)
@@ -88,15 +94,29 @@ class SpecialFileTest(RunTest):
         self.assertEqual((result.returncode, result.stderr), (DONE, ""))
         self.assert_same_files("first", "second", ["history.csv", "parameters.prm"])
 
-    def test_the_input_of_a_run_finds_its_gap_file(self):
-        self.put("case.prm", SCENE + "subsection Obstacle\n  set Gap file = gap.txt\nend\n")
-        self.put("gap.txt", "# a hump\n-10 10 3 -10 10 3\n0.4 0.2 0.4\n0.2 0 0.2\n0.4 0.2 0.4\n")
-        self.assertEqual(self.run_program("first", file=self.folder / "case.prm").returncode, DONE)
-        self.assertGreater(int(self.rows("first")[0]["n_open"]), 0)
-        for copy in ("input.prm", "parameters.prm"):
-            result = self.run_program("second", file=self.folder / "first" / copy)
-            self.assertEqual((result.returncode, result.stderr), (DONE, ""))
-            self.assert_same_files("first", "second", ["history.csv", "parameters.prm"])
+    def test_the_input_of_a_run_finds_its_files(self):
+        """Files of all entries that name one, in both formats, seen from a folder that is not theirs."""
+        scene = self.folder / "scene"
+        (scene / "parts").mkdir(parents=True)
+        (scene / "parts/gap.txt").write_text("# a hump\n-20 20 3 -20 20 3\n0.4 0.2 0.4\n0.2 0 0.2\n0.4 0.2 0.4\n")
+        shutil.copy(ROOT / "prm/import/cylinder_coarse.msh", scene / "parts/body.msh")
+        quarter = {"Shape": "file", "Contact surface": "base", "Held surface": "top", "Symmetry surfaces": "x0, y0",
+                   "Mesh file": "parts/body.msh"}
+        mesh = {"Degree": "1"}
+        entries = {"Geometry": quarter, "Mesh": mesh, "Obstacle": {"Gap file": "parts/gap.txt", "Kind": "body"},
+                   "Lower geometry": quarter, "Lower mesh": mesh, "Load program": {"Legs": "0 0 -0.1 : 1"}}
+        (scene / "case.json").write_text(json.dumps(entries))
+        sections = ("".join([f"subsection {name}\n", *(f"set {entry} = {value}\n" for entry, value in values.items()),
+                             "end\n"]) for name, values in entries.items())
+        (scene / "parts/all.prm").write_text("".join(sections).replace("parts/", ""))
+        (scene / "case.prm").write_text("include parts/all.prm\n")
+        for ending in ("prm", "json"):
+            self.run_well("first", scene / f"case.{ending}")
+            self.assertGreater(int(self.rows("first")[0]["n_open"]), 0)
+            for copy in (f"input.{ending}", "parameters.prm"):
+                with self.subTest(ending=ending, copy=copy):
+                    self.run_well("second", self.folder / "first" / copy)
+                    self.assert_same_files("first", "second", ["history.csv", "parameters.prm"])
 
     def test_an_entry_twice_in_a_section(self):
         self.put("case.prm", SCENE.replace("  set Layers     = 1\n", "  set Layers     = 1\n  set Core cells = 4\n"))
