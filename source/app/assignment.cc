@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include "assignment.h"
 
+#include "commands.h"
+
 #include <orthocone/base/text.h>
 #include <orthocone/output/history.h>
 #include <orthocone/scene/lower_body.h>
@@ -56,14 +58,7 @@ fs::path run_folder_of(const CommandLine &line)
 void require_bodies_that_meet(const CommandLine &line, const Parameters &parameters,
                               const ModelSymmetry &symmetry)
 {
-  try
-  {
-    require_cover(parameters, symmetry);
-  }
-  catch (const InputError &error)
-  {
-    throw InputError(shown_path(line.parameter_file) + ": " + error.what());
-  }
+  naming_file(line, [&] { require_cover(parameters, symmetry); });
 }
 
 void keep_parameters(const RunFolder &folder, Assignment &task, const Parameters &parameters)

@@ -7,7 +7,6 @@
 
 #include <orthocone/base/memory.h>
 #include <orthocone/base/message.h>
-#include <orthocone/base/text.h>
 #include <orthocone/body/shapes/body_mesh.h>
 #include <orthocone/output/step_problem.h>
 
@@ -16,32 +15,25 @@
 
 namespace orthocone
 {
-int fail(const ExitCode code, const std::string &message)
+int fail(const Ending &ending)
 {
   leave_word_to_first_rank();
-  std::cerr << shown_message("orthocone: " + message) +
+  std::cerr << shown_message("orthocone: " + ending.message) +
                    "\n"; // in one piece, or words of mpirun may get in between
-  return static_cast<int>(code);
+  return static_cast<int>(ending.code);
 }
 
 ModelChoice resolve(const CommandLine &line, const Parameters &parameters)
 {
-  try
-  {
-    check_parameters(parameters);
-    const ModelChoice choice = choose_model(parameters);
-    require_shareable(parameters, choice);
-    require_writable_problems(parameters, choice.symmetry);
-    require_refined_cells(parameters.geometry, parameters.mesh, choice.symmetry);
-    return choice;
-  }
-  catch (const InputError &error)
-  {
-    throw InputError(shown_path(line.parameter_file) + ": " + error.what());
-  }
-  catch (const TooLargeError &error)
-  {
-    throw InputError(shown_path(line.parameter_file) + ": " + error.what());
-  }
+  return naming_file(line,
+                     [&]
+                     {
+                       check_parameters(parameters);
+                       const ModelChoice choice = choose_model(parameters);
+                       require_shareable(parameters, choice);
+                       require_writable_problems(parameters, choice.symmetry);
+                       require_refined_cells(parameters.geometry, parameters.mesh, choice.symmetry);
+                       return choice;
+                     });
 }
 } // namespace orthocone

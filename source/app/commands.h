@@ -3,15 +3,36 @@
 #pragma once
 
 #include "command_line.h"
+#include "ending.h"
 
-#include <orthocone/base/errors.h>
+#include <orthocone/base/text.h>
 #include <orthocone/parameters/parameters.h>
 #include <orthocone/scene/model_choice.h>
 
 namespace orthocone
 {
 /// Prints on standard error why the program ends. Returns the exit code.
-int fail(ExitCode code, const std::string &message);
+int fail(const Ending &ending);
+
+/// What `function` returns. InputError and TooLargeError become an InputError that names the parameter file.
+template<typename Function>
+auto naming_file(const CommandLine &line, const Function &function)
+{
+  const auto named = [&](const std::exception &error)
+  { return InputError(shown_path(line.parameter_file) + ": " + error.what()); };
+  try
+  {
+    return function();
+  }
+  catch (const InputError &error)
+  {
+    throw named(error);
+  }
+  catch (const TooLargeError &error)
+  {
+    throw named(error);
+  }
+}
 
 /// Checks entries against each other. Throws InputError, which names the file.
 ModelChoice resolve(const CommandLine &line, const Parameters &parameters);

@@ -13,12 +13,7 @@
 #include <orthocone/base/version.h>
 #include <orthocone/results/described_columns.h>
 
-#include <deal.II/base/exceptions.h>
-
-#include <filesystem>
 #include <iostream>
-#include <new>
-#include <sstream>
 #include <string>
 #include <vector>
 
@@ -78,32 +73,9 @@ int guarded_dispatch(const int argc, const char *const *const argv)
   {
     return dispatch(argc, argv);
   }
-  catch (const InputError &error)
+  catch (...)
   {
-    return fail(ExitCode::wrong_input, error.what());
-  }
-  catch (const FileError &error)
-  {
-    return fail(ExitCode::file_error, error.what());
-  }
-  catch (const std::filesystem::filesystem_error &error)
-  {
-    return fail(ExitCode::file_error, shown_path(error.path1().string()) + ": " + error.code().message());
-  }
-  catch (const dealii::ExceptionBase &error)
-  {
-    std::ostringstream text;
-    error.print_info(text);
-    return fail(ExitCode::unsolved_step, trimmed(text.str()));
-  }
-  catch (const std::bad_alloc &)
-  {
-    return fail(ExitCode::unsolved_step,
-                "memory runs out; a coarser mesh or a reduced Mesh/Model needs less");
-  }
-  catch (const std::exception &error)
-  {
-    return fail(ExitCode::unsolved_step, error.what());
+    return fail(ending_of_exception());
   }
 }
 } // namespace orthocone

@@ -12,7 +12,7 @@
 
 namespace orthocone
 {
-QuasiStaticProblem::Outcome QuasiStaticProblem::march_on()
+Ending QuasiStaticProblem::march_on()
 {
   log_.start_steps(state_.step, steps_);
   let_steps_finish();

@@ -86,8 +86,8 @@ CriticalFrictionRecord QuasiStaticProblem::critical_friction_of_model() const
   return {critical.factor, {{position[0], position[1]}}};
 }
 
-QuasiStaticProblem::Outcome QuasiStaticProblem::run(const std::optional<Checkpoint> &checkpoint,
-                                                    const std::function<void()> &on_resumed)
+Ending QuasiStaticProblem::run(const std::optional<Checkpoint> &checkpoint,
+                               const std::function<void()> &on_resumed)
 {
   const BlasThreads threads(state_.force.size()); // also for the parts that a resumed run computes again
   begin(checkpoint);
@@ -95,7 +95,7 @@ QuasiStaticProblem::Outcome QuasiStaticProblem::run(const std::optional<Checkpoi
     on_resumed();
   try
   {
-    const Outcome outcome = march_on();
+    const Ending outcome = march_on();
     finish(outcome);
     return outcome;
   }
@@ -112,7 +112,7 @@ QuasiStaticProblem::Outcome QuasiStaticProblem::run(const std::optional<Checkpoi
 }
 
 /// The earlier failure is the one to report; a disk that is full is likely to be full for the summary, too.
-void QuasiStaticProblem::finish_if_possible(const Outcome &outcome)
+void QuasiStaticProblem::finish_if_possible(const Ending &outcome)
 {
   try
   {
@@ -164,7 +164,7 @@ void QuasiStaticProblem::take_stock()
 }
 
 /// Saves the state before the step that failed; the message begins with why it failed.
-QuasiStaticProblem::Outcome QuasiStaticProblem::with_checkpoint(Outcome outcome)
+Ending QuasiStaticProblem::with_checkpoint(Ending outcome)
 {
   try
   {
@@ -195,7 +195,7 @@ void QuasiStaticProblem::save_checkpoint()
   checkpoint_pause_ = asked == 0 ? 0 : std::max(asked, least_pause * watch.seconds());
 }
 
-void QuasiStaticProblem::finish(const Outcome &outcome)
+void QuasiStaticProblem::finish(const Ending &outcome)
 {
   take_stock();
   const std::string status = outcome.code == ExitCode::done ? "complete" : outcome.message;

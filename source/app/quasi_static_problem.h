@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
+#include "ending.h"
 #include "thread_chooser.h"
 
 #include <orthocone/accuracy/mesh_search.h>
@@ -18,13 +19,6 @@ namespace orthocone
 class QuasiStaticProblem : private MarchObserver
 {
 public:
-  /// How a run ended; `message` says why it did not come to its end.
-  struct Outcome
-  {
-    ExitCode code = ExitCode::done;
-    std::string message{};
-  };
-
   /// Builds, factorizes and condenses the body, unless `chosen` has it already; writes only the log. Throws
   /// InputError or FileError. `folder`, `log` and `threads` must outlive the problem.
   QuasiStaticProblem(ChosenModel chosen, const ModelChoice &choice, const RunFolder &folder, Log &log,
@@ -32,14 +26,14 @@ public:
 
   /// Solves all steps and writes the run folder, from the start or from a checkpoint on. The files of solved
   /// steps stay if one fails. `on_resumed` is called once the files have their content at the checkpoint.
-  Outcome run(const std::optional<Checkpoint> &checkpoint, const std::function<void()> &on_resumed = {});
+  Ending run(const std::optional<Checkpoint> &checkpoint, const std::function<void()> &on_resumed = {});
 
 private:
   ChosenModel with_scene(ChosenModel chosen, const ModelChoice &choice) const;
   void announce(const ModelChoice &choice, const Body &body) const;
   CriticalFrictionRecord critical_friction_of_model() const;
   void begin(const std::optional<Checkpoint> &checkpoint);
-  Outcome march_on();
+  Ending march_on();
   bool goes_on(const LoadStep &next) override;
   bool is_to_stop() override;
   bool accepts(const MarchedStep &marched) override;
@@ -49,11 +43,11 @@ private:
   void write(const SolvedStep &solved);
   void write_unsolved(const LoadStep &step);
   void end_cycle(const CycleRow &row, ContactState &state);
-  Outcome with_checkpoint(Outcome outcome);
+  Ending with_checkpoint(Ending outcome);
   void save_checkpoint();
   void take_stock();
-  void finish(const Outcome &outcome);
-  void finish_if_possible(const Outcome &outcome);
+  void finish(const Ending &outcome);
+  void finish_if_possible(const Ending &outcome);
 
   const Parameters parameters_;
   const RunFolder &folder_;
@@ -72,7 +66,7 @@ private:
   StepChecker checker_;
   CycleWatch cycles_;
   RunOutput output_;
-  Outcome outcome_{};                     ///< why the march did not go on
+  Ending outcome_{};                      ///< why the march did not go on
   std::optional<CycleRow> ended_cycle_{}; ///< a cycle that the last step has ended
   Stopwatch since_checkpoint_;
   const std::uint32_t gap_file_;       ///< input_files_checksum()

@@ -13,8 +13,6 @@
 #include <orthocone/body/shapes/mesh_ladder.h>
 #include <orthocone/march/rank_memory.h>
 
-#include <filesystem>
-#include <new>
 #include <optional>
 #include <utility>
 
@@ -22,8 +20,6 @@ namespace orthocone
 {
 namespace
 {
-namespace fs = std::filesystem;
-
 /// Refuses a model for which there is not enough memory, before anything is touched.
 void require_memory_for(const Assignment &task, const Parameters &parameters)
 {
@@ -31,18 +27,7 @@ void require_memory_for(const Assignment &task, const Parameters &parameters)
   limit.gigabytes = of_first_rank(limit.gigabytes); // all must find the same
   Parameters chosen = parameters;
   chosen.mesh.backend = choose_backend(parameters, task.model.symmetry, limit.gigabytes).backend;
-  try
-  {
-    require_memory(chosen, task.model.symmetry, limit);
-  }
-  catch (const TooLargeError &error)
-  {
-    throw InputError(shown_path(task.line.parameter_file) + ": " + error.what());
-  }
-  catch (const InputError &error)
-  {
-    throw InputError(shown_path(task.line.parameter_file) + ": " + error.what());
-  }
+  naming_file(task.line, [&] { require_memory(chosen, task.model.symmetry, limit); });
 }
 
 /// Refuses what can be known of a model without long work, before anything is touched.
@@ -104,7 +89,7 @@ void go_on(Assignment &task, const Checkpoint &checkpoint)
 }
 
 /// Chooses the mesh, prepares the folder, and solves the steps. Throws what the libraries throw.
-QuasiStaticProblem::Outcome solve(Assignment &task, const RunFolder &folder)
+Ending solve(Assignment &task, const RunFolder &folder)
 {
   const Parameters &given = task.file.parameters;
   folder.require_own(probe_files(given.output.probes));
@@ -150,24 +135,18 @@ void keep_failure(const RunFolder &folder, const Assignment &task, const std::st
     folder.write("summary.json", summary_json_before_steps(message, task.file.parameters));
 }
 
-QuasiStaticProblem::Outcome out_of_memory()
-{
-  return {ExitCode::unsolved_step, "memory runs out; a coarser mesh or a reduced Mesh/Model needs less"};
-}
-
 /// Reports what was not done. Where the march has ended, all processes know it, and the first one reports it.
 /// Returns the exit code.
-int report_end(const QuasiStaticProblem::Outcome &outcome, const RunFolder &folder, const bool is_thrown)
+int report_end(const Ending &outcome, const RunFolder &folder, const bool is_thrown)
 {
   if (outcome.code == ExitCode::done || (!is_thrown && !is_first_rank()))
     return static_cast<int>(outcome.code);
   const bool has_steps = outcome.code == ExitCode::unsolved_step && !is_thrown;
-  return fail(outcome.code,
-              outcome.message + (has_steps
-                                     ? "\nIn " + folder.path() +
-                                           ": log.txt has every step, history.csv and contact.pvd those "
-                                           "that are solved, summary.json this message."
-                                     : ""));
+  return fail({outcome.code,
+               outcome.message + (has_steps ? "\nIn " + folder.path() +
+                                                  ": log.txt has every step, history.csv and contact.pvd "
+                                                  "those that are solved, summary.json this message."
+                                            : "")});
 }
 } // namespace
 
@@ -176,32 +155,18 @@ int run(const CommandLine &line, const ParameterFile &file)
   Assignment task{line, file, resolve(line, file.parameters), ThreadChooser(line)};
   require_model_of(task);
   const RunFolder folder(is_first_rank() ? std::optional(run_folder_of(line)) : std::nullopt);
-  QuasiStaticProblem::Outcome outcome;
+  Ending outcome;
   bool is_thrown = true;
   try
   {
     outcome = solve(task, folder);
     is_thrown = false;
   }
-  catch (const std::bad_alloc &)
+  catch (...)
   {
-    outcome = out_of_memory();
-  }
-  catch (const InputError &)
-  {
-    throw;
-  }
-  catch (const FileError &)
-  {
-    throw;
-  }
-  catch (const fs::filesystem_error &)
-  {
-    throw;
-  }
-  catch (const std::exception &error)
-  {
-    outcome = {ExitCode::unsolved_step, error.what()};
+    outcome = ending_of_exception();
+    if (outcome.code != ExitCode::unsolved_step)
+      throw; // the folder has nothing to keep
   }
   if (is_thrown)
     keep_failure(folder, task, outcome.message);

@@ -31,7 +31,7 @@ std::string text_of(const LoadStep &step, const unsigned int component, const st
     return wrench_names[component] + between + rounded(step.force[component]) + (turns ? " N mm" : " N");
   const double motion = step.motion[component];
   return motion_names[component] + between +
-         (turns ? to_text(motion * 180 / pi) + " degrees" : to_text(motion) + " mm");
+         (turns ? to_text(motion / radians_per_degree) + " degrees" : to_text(motion) + " mm");
 }
 
 bool is_driven(const LoadStep &step, const unsigned int component)

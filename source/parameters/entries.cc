@@ -183,6 +183,7 @@ bool EntryTable::is_path(const std::string &name) const
 std::string EntryTable::path_beside(const std::string &file_name, const std::string &path)
 {
   namespace fs = std::filesystem;
-  return path.empty() ? "" : fs::absolute(fs::path(file_name).parent_path() / path).lexically_normal().string();
+  return path.empty() ? ""
+                      : fs::absolute(fs::path(file_name).parent_path() / path).lexically_normal().string();
 }
 } // namespace orthocone

@@ -20,7 +20,7 @@ std::string word_of(const NodeStatus status)
 
 double degrees(const SolvedStep &step, const unsigned int axis)
 {
-  return step.state.motion.rotation()[axis] * 180 / pi;
+  return step.state.motion.rotation()[axis] / radians_per_degree;
 }
 
 double dissipated(const SolvedStep &step)

@@ -29,7 +29,7 @@ public:
       if (leg.targets[i])
       {
         by_force_[i] = leg.targets[i]->by_force;
-        motion_[i] = leg.motion(i).value_or(0) * (i < first_rotation ? 1 : pi / 180);
+        motion_[i] = leg.motion(i).value_or(0) * (i < first_rotation ? 1 : radians_per_degree);
       }
   }
 

@@ -30,7 +30,7 @@ double between(const double start, const double end, const double share)
 double unit_of(const Drive &drive, const unsigned int component)
 {
   constexpr unsigned int first_rotation = 3;
-  return !drive.by_force && component >= first_rotation ? pi / 180 : 1;
+  return !drive.by_force && component >= first_rotation ? radians_per_degree : 1;
 }
 
 using Drives = std::array<Drive, n_rigid_components>; // at the end of a leg

@@ -20,8 +20,8 @@ Matrix2d turn_by(const double angle)
 {
   constexpr double right_angle = 90;
   const double quarters = angle / right_angle;
-  double cosine = std::cos(angle * pi / 180);
-  double sine = std::sin(angle * pi / 180);
+  double cosine = std::cos(angle * radians_per_degree);
+  double sine = std::sin(angle * radians_per_degree);
   if (quarters == std::round(quarters))
   {
     cosine = std::round(cosine);
