@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""Error against time of meshes: degree, uniform or graded, axisymmetric or solid, cases A, B and C.
+"""Error against time of meshes: degree and volumetric quadrature, uniform or graded, axisymmetric or solid, cases A, B and C.
 
 One proportional step to the peak, then three steps up to a fifth of it. Errors are relative to a run that is finer than
 all others; the order of its own error is its difference to a second, coarser one."""
@@ -26,6 +26,7 @@ UNIFORM = {"axisymmetric": {1: (4, 8, 16, 32, 64), 2: (4, 8, 16, 32, 64), 3: (4,
 GRADED = {"axisymmetric": {1: (4, 8, 16, 24), 2: (4, 8, 12, 16, 24), 3: (3, 4, 6, 8, 12), 4: (3, 4, 6, 8, 12)},
           "quarter": {1: (4, 8, 12, 16), 2: (3, 4, 6, 8, 10), 3: (2, 3, 4, 6, 8)}}
 WORDS = ("coarse", "medium", "fine")  # of Mesh/Resolution
+QUADRATURES = {1: ("full",), 2: ("full", "projected"), 3: ("full", "projected"), 4: ("full", "projected")}
 REFERENCES = {"axisymmetric": (4, 64, 40, 0.86, 48, 0.78), "quarter": (3, 12, 10, 0.55, 14, 0.45)}
 SECOND = {"axisymmetric": (4, 48, 28, 0.82, 36, 0.72), "quarter": (3, 10, 7, 0.55, 12, 0.45)}
 QUICK = {"axisymmetric": (4, 6, 6, 0.5, 12, 0.5), "quarter": (3, 4, 3, 0.4, 6, 0.36)}
@@ -50,29 +51,29 @@ def uniform(degree, n):
     return {"Mesh/Degree": degree, "Mesh/Core cells": n, "Mesh/Layers": n}
 
 
-def case_point(case, model, family, size, settings, file=None):
-    columns = {"case": case, "model": model, "family": family, "size": size}
-    return program_point(columns, f"paper/{file or f'case_{case}'}.prm", {**PROGRAM, "Mesh/Model": model, **settings})
+def case_point(case, model, family, size, settings, quadrature, file=None):
+    columns = {"case": case, "model": model, "family": family, "size": size, "quadrature": quadrature}
+    return program_point(columns, f"paper/{file or f'case_{case}'}.prm",
+                         {**PROGRAM, "Mesh/Model": model, **settings, "Mesh/Volumetric quadrature": quadrature})
 
 
 def ladders(case, model, is_quick):
     n = 1 if is_quick else None
-    for degree, sizes in UNIFORM[model].items():
-        for size in sizes[:n]:
-            yield case_point(case, model, "uniform", size, uniform(degree, size))
-    for degree, sizes in GRADED[model].items():
-        for size in sizes[:n]:
-            yield case_point(case, model, "graded", size, graded(degree, size))
+    for family, ladder, mesh in (("uniform", UNIFORM, uniform), ("graded", GRADED, graded)):
+        for degree, sizes in ladder[model].items():
+            for size in sizes[:n]:
+                for quadrature in QUADRATURES[degree]:
+                    yield case_point(case, model, family, size, mesh(degree, size), quadrature)
 
 
 def marked(case, model, is_quick):
-    """The meshes that have names; those of the paper's kind as full bodies, too."""
+    """The meshes that have names; those of the paper's kind, whose quadrature is full, as full bodies, too."""
     for word in WORDS[:1] if is_quick else WORDS:
-        yield case_point(case, model, "resolution", word, {"Mesh/Resolution": word})
+        yield case_point(case, model, "resolution", word, {"Mesh/Resolution": word}, "projected")
     for kind in [model] if is_quick or model == "axisymmetric" else [model, "full"]:
-        yield case_point(case, kind, "resolution", "paper", {"Mesh/Resolution": "paper"})
+        yield case_point(case, kind, "resolution", "paper", {"Mesh/Resolution": "paper"}, "full")
         if model != "axisymmetric":
-            yield case_point(case, kind, "bricks", "paper", {}, f"case_{case}_q1")
+            yield case_point(case, kind, "bricks", "paper", {}, "full", f"case_{case}_q1")
 
 
 def fields_of(run, kind):
@@ -119,7 +120,7 @@ def reference_file(context, case):
 
 def reference_points(sections, size, meshes):
     """Case A has one reference for both of its models."""
-    return [case_point(case, model, "reference", size, entries(*meshes[model]))
+    return [case_point(case, model, "reference", size, entries(*meshes[model]), "projected")
             for case, model in sections if (case, model) != ("a", "quarter")]
 
 

@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 """Charts and tables of the study discretization."""
+import itertools
+
 import matplotlib.pyplot as plt
 import style
 from matplotlib.lines import Line2D
@@ -14,6 +16,12 @@ PICTURES = {"discretization_quantities": QUANTITIES, "discretization_fields": FI
 DEGREES = (1, 2, 3, 4)
 LEAST = 3e-4  # percent; smaller errors are drawn there
 BOUNDS = (5, 1, 0.3)  # percent, of the table
+PALE = 0.35
+ELEMENTS = ((1, "full"), *((degree, quadrature) for degree in DEGREES[1:] for quadrature in ("full", "projected")))
+
+
+def is_pale(degree, quadrature):
+    return degree > 1 and quadrature == "full"
 
 
 def error(row, name):
@@ -31,12 +39,13 @@ def chosen(rows, case, **wanted):
 
 
 def _draw_ladders(axes, rows, case, model, name):
-    for degree in DEGREES:
-        for family, look in (("uniform", {"ls": ":", "mfc": "white", "lw": 1.2}), ("graded", {"ls": "-", "lw": 1.2})):
-            line = sorted(chosen(rows, case, model=model, family=family, degree=degree),
-                          key=lambda row: int(row["size"]))
-            axes.plot([seconds(row) for row in line], [error(row, name) for row in line], "o", ms=3.5,
-                      color=style.COLOURS[degree - 1], **look)
+    """From degree 2 on full quadrature is pale, under the projected one."""
+    looks = {"uniform": {"ls": ":", "mfc": "white"}, "graded": {"ls": "-"}}
+    for degree, quadrature, family in itertools.product(DEGREES, ("full", "projected"), looks):
+        line = sorted(chosen(rows, case, model=model, family=family, degree=degree, quadrature=quadrature),
+                      key=lambda row: int(row["size"]))
+        axes.plot([seconds(row) for row in line], [error(row, name) for row in line], "o", ms=3.5, lw=1.2,
+                  color=style.COLOURS[degree - 1], alpha=PALE if is_pale(degree, quadrature) else 1, **looks[family])
 
 
 def _draw_named(axes, rows, case, model, name):
@@ -61,7 +70,8 @@ def _handles():
     handles = [Line2D([], [], color=style.COLOURS[degree - 1], lw=2, label=f"degree {degree}") for degree in DEGREES]
     look = {"color": "#555555", "marker": "o", "ms": 4}
     handles += [Line2D([], [], ls=":", mfc="white", label="uniform", **look),
-                Line2D([], [], label="graded", **look)]
+                Line2D([], [], label="graded", **look),
+                Line2D([], [], alpha=PALE, label="full (degree 2 to 4)", **look)]
     look = {"color": "k", "ls": ""}
     handles += [Line2D([], [], marker="d", mfc="none", label="coarse, medium, fine", **look),
                 Line2D([], [], marker="*", ms=9, label="paper's mesh, degree 2", **look),
@@ -115,13 +125,13 @@ def _fastest(rows, names, bound):
 
 
 def _table_of_fastest(rows, sections):
-    text = "| case, model | three errors within | degree 1 | degree 2 | degree 3 | degree 4 |\n"
-    text += "|---|---|---|---|---|---|\n"
+    text = "| case, model | three errors within | " + " | ".join(f"degree {degree}, {word}" for degree, word in ELEMENTS)
+    text += " |\n" + "|---" * (2 + len(ELEMENTS)) + "|\n"
     for case, model in sections:
         for bound in BOUNDS:
             meshes = [row for family in ("uniform", "graded") for row in chosen(rows, case, model=model, family=family)]
-            cells = [_fastest([row for row in meshes if row["degree"] == str(degree)], list(QUANTITIES)[:3], bound)
-                     for degree in DEGREES]
+            cells = [_fastest([row for row in meshes if (row["degree"], row["quadrature"]) == (str(degree), quadrature)],
+                              list(QUANTITIES)[:3], bound) for degree, quadrature in ELEMENTS]
             text += f"| {case.upper()}, {model} | {bound:g} % | {' | '.join(cells)} |\n"
     return text
 
