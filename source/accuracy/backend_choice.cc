@@ -37,7 +37,10 @@ std::string what_multigrid_is_not_for(const Parameters &parameters)
   constexpr double nearly_incompressible = 0.495; // docs/stability.md, "On the whole body"
   const double nu = parameters.material.poisson_ratio;
   const std::string entry = what_multigrid_cannot(parameters);
-  return entry.empty() && nu >= nearly_incompressible ? "Material/Poisson ratio = " + to_text(nu) : entry;
+  if (!entry.empty() || nu < nearly_incompressible ||
+      parameters.mesh.resolved_volumetric_quadrature() == VolumetricQuadrature::projected)
+    return entry;
+  return "Material/Poisson ratio = " + to_text(nu) + " with full volumetric quadrature";
 }
 
 std::string described(const Estimate &cost, const double seconds)

@@ -54,6 +54,14 @@ double stretch_of(const Parameters &coarsest, const ModelSymmetry &symmetry)
     return 1;
   return stretch(BodyMesh(coarsest.geometry, coarsest.mesh, symmetry.planes()).triangulation());
 }
+/// V-cycles as a multiple of those of steel (nu = 0.3). Smoothers see shapes that hardly change volume as
+/// soft: with projected elements, cycles grow with the logarithm of lambda / mu = 2 nu / (1 - 2 nu). Within
+/// 25 % of the table in docs/stability.md, "On the whole body".
+double cycles_of_volume(const double poisson_ratio)
+{
+  constexpr double of_steel = 0.4, of_each_digit = 2;
+  return 1 + of_each_digit * std::max(0., std::log10(of_steel / (1 - 2 * poisson_ratio)));
+}
 } // namespace
 
 double multigrid_gigabytes(const Parameters &parameters, const ModelSize &size, const ModelSymmetry &symmetry)
@@ -89,7 +97,8 @@ Estimate multigrid_estimate(const Parameters &parameters, const ModelSize &size,
   const Parameters coarsest = on_coarsest(parameters);
   const double cycles_per_step =
       (in_later_cycles + (in_first_cycle - in_later_cycles) / std::max(1U, parameters.load.cycles)) *
-      std::max(1., stretch_of(coarsest, symmetry) / even);
+      std::max(1., stretch_of(coarsest, symmetry) / even) *
+      cycles_of_volume(parameters.material.poisson_ratio);
   const CoarsestCost cost = cost_of_coarsest(coarsest, symmetry);
   Estimate result{};
   result.gigabytes = multigrid_gigabytes(parameters, size, symmetry);

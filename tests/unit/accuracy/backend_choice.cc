@@ -158,6 +158,34 @@ TEST(BackendChoice, CountsNoCyclesThatMayBeJumped)
   EXPECT_EQ(seconds_of_condensed(parameters), of_two);
 }
 
+/// V-cycles of case B on 76320 unknowns (docs/stability.md, "On the whole body").
+TEST(BackendChoice, KnowsThatNearlyIncompressibleBodiesTakeMoreCycles)
+{
+  Parameters parameters = refined(3);
+  parameters.mesh.degree = 2;
+  const auto seconds_with = [&](const double poisson_ratio)
+  {
+    parameters.material.poisson_ratio = poisson_ratio;
+    return multigrid_estimate(parameters, model_size(parameters, quarter), quarter).step_seconds;
+  };
+  const double of_steel = seconds_with(0.3);
+  const std::pair<double, double> measured[] = {
+      {0.495, 676. / 166}, {0.499, 1032. / 166}, {0.4999, 1551. / 166}};
+  for (const auto &[poisson_ratio, ratio] : measured)
+    EXPECT_NEAR(seconds_with(poisson_ratio) / of_steel, ratio, 0.25 * ratio) << poisson_ratio;
+  EXPECT_EQ(seconds_with(0.1), of_steel);
+}
+
+TEST(BackendChoice, LeavesNearlyIncompressibleBodiesToMultigridWhereTheMemoryAsksForIt)
+{
+  Parameters parameters = refined(2);
+  parameters.mesh.degree = 2;
+  parameters.material.poisson_ratio = 0.4999;
+  const double enough = multigrid_gigabytes(parameters, model_size(parameters, quarter), quarter);
+  EXPECT_EQ(chosen(parameters, 1.01 * enough), BodyBackend::multigrid);
+  EXPECT_NE(chosen(parameters), BodyBackend::multigrid);
+}
+
 TEST(BackendChoice, NamesTheEntryThatMultigridIsNotFor)
 {
   const auto expect_named = [](const Parameters &parameters, const std::string &entry)
@@ -168,7 +196,8 @@ TEST(BackendChoice, NamesTheEntryThatMultigridIsNotFor)
   };
   Parameters other = refined(4);
   other.material.poisson_ratio = 0.499;
-  expect_named(other, "Material/Poisson ratio = 0.499");
+  other.mesh.volumetric_quadrature = VolumetricQuadrature::full;
+  expect_named(other, "Material/Poisson ratio = 0.499 with full volumetric quadrature");
   other = refined(4);
   other.contact_solver.method = "gauss-seidel";
   expect_named(other, "Contact solver/Method = gauss-seidel");
