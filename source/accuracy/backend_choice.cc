@@ -37,10 +37,11 @@ std::string what_multigrid_is_not_for(const Parameters &parameters)
   constexpr double nearly_incompressible = 0.495; // docs/stability.md, "On the whole body"
   const double nu = parameters.material.poisson_ratio;
   const std::string entry = what_multigrid_cannot(parameters);
-  if (!entry.empty() || nu < nearly_incompressible ||
-      parameters.mesh.resolved_volumetric_quadrature() == VolumetricQuadrature::projected)
-    return entry;
-  return "Material/Poisson ratio = " + to_text(nu) + " with full volumetric quadrature";
+  const bool locks = nu >= nearly_incompressible &&
+                     parameters.mesh.resolved_volumetric_quadrature() == VolumetricQuadrature::full;
+  return entry.empty() && locks
+             ? "Material/Poisson ratio = " + to_text(nu) + " with full volumetric quadrature"
+             : entry;
 }
 
 std::string described(const Estimate &cost, const double seconds)

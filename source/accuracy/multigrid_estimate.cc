@@ -54,6 +54,7 @@ double stretch_of(const Parameters &coarsest, const ModelSymmetry &symmetry)
     return 1;
   return stretch(BodyMesh(coarsest.geometry, coarsest.mesh, symmetry.planes()).triangulation());
 }
+
 /// V-cycles as a multiple of those of steel (nu = 0.3). Smoothers see shapes that hardly change volume as
 /// soft: with projected elements, cycles grow with the logarithm of lambda / mu = 2 nu / (1 - 2 nu). Within
 /// 25 % of the table in docs/stability.md, "On the whole body".

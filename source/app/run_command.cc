@@ -166,7 +166,7 @@ int run(const CommandLine &line, const ParameterFile &file)
   {
     outcome = ending_of_exception();
     if (outcome.code != ExitCode::unsolved_step)
-      throw; // the folder has nothing to keep
+      throw; // no step has failed: the folder stays as it is
   }
   if (is_thrown)
     keep_failure(folder, task, outcome.message);

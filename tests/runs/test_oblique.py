@@ -81,6 +81,12 @@ class ObliqueTest(RunTest):
         self.assertLess(coarse, 0.02 * LOOP)
         self.assertLess(fine, coarse / 2)  # layers of a quarter of the height
 
+    def test_neither_bending_nor_steps_of_a_body_matter(self):
+        of = self.dissipated("cylinder of radius 6 mm", **CYLINDER, layers=8, steps=20)
+        wide = {**CYLINDER, "radius": 12, "core": 0.06, "rings": 8}  # turns by a sixteenth
+        for name, scene, steps in (("cylinder of radius 12 mm", wide, 20), ("cylinder, 100 steps", CYLINDER, 100)):
+            self.assertAlmostEqual(self.dissipated(name, **scene, layers=8, steps=steps), of, delta=0.03 * of)
+
 
 if __name__ == "__main__":
     main()
