@@ -20,7 +20,7 @@ function(orthocone_install component)
 endfunction()
 
 orthocone_install(contact base surface contact)
-orthocone_install(body parameters body)
+orthocone_install(body entries body)
 
 # Eigen's templates must mean the same in the libraries and in what uses them. A header refuses to be compiled for a
 # processor with wider registers than those of every one.

@@ -6,8 +6,8 @@
 #include <orthocone/base/ranks.h>
 #include <orthocone/base/text.h>
 #include <orthocone/contact/solvers/contact_method.h>
-#include <orthocone/parameters/computed_steps.h>
-#include <orthocone/parameters/values.h>
+#include <orthocone/scene/computed_steps.h>
+#include <orthocone/scene/options.h>
 
 #include <iomanip>
 #include <sstream>

@@ -5,7 +5,7 @@
 #include <orthocone/base/stopwatch.h>
 #include <orthocone/body/backends/stiffness_factor.h>
 #include <orthocone/march/step_solver.h>
-#include <orthocone/parameters/lower_body.h>
+#include <orthocone/scene/parameters.h>
 #include <orthocone/scene/load_program.h>
 
 #include <algorithm>

@@ -4,7 +4,7 @@
 
 #include <orthocone/accuracy/estimate.h>
 #include <orthocone/base/errors.h>
-#include <orthocone/parameters/lower_body.h>
+#include <orthocone/scene/parameters.h>
 
 #include <iomanip>
 #include <limits>

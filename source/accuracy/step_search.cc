@@ -7,7 +7,7 @@
 #include <orthocone/accuracy/first_cycle.h>
 #include <orthocone/base/memory.h>
 #include <orthocone/body/shapes/mesh_ladder.h>
-#include <orthocone/parameters/computed_steps.h>
+#include <orthocone/scene/computed_steps.h>
 #include <orthocone/scene/load_program.h>
 
 #include <algorithm>

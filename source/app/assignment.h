@@ -6,7 +6,7 @@
 #include "thread_chooser.h"
 
 #include <orthocone/output/run_folder.h>
-#include <orthocone/parameters/parameters.h>
+#include <orthocone/scene/parameters.h>
 #include <orthocone/scene/model_choice.h>
 
 #include <filesystem>

@@ -8,11 +8,10 @@
 #include <orthocone/accuracy/memory_need.h>
 #include <orthocone/base/text.h>
 #include <orthocone/body/backends/stiffness_factor.h>
-#include <orthocone/body/shapes/mesh_files.h>
+#include <orthocone/scene/mesh_files.h>
 #include <orthocone/body/shapes/mesh_ladder.h>
 #include <orthocone/output/summary.h>
-#include <orthocone/parameters/computed_steps.h>
-#include <orthocone/parameters/lower_body.h>
+#include <orthocone/scene/computed_steps.h>
 #include <orthocone/scene/load_program.h>
 
 #include <iostream>
@@ -83,11 +82,7 @@ void print_lower_mesh(const Parameters &parameters, const ModelChoice &model)
 {
   if (parameters.obstacle.kind != ObstacleKind::body)
     return;
-  const std::string line = of_lower_body(
-      [&] {
-        return describe_lower_mesh(parameters, Body(lower_parameters(parameters), model.symmetry).unknowns());
-      });
-  std::cout << line << "\n";
+  std::cout << describe_lower_mesh(parameters, Body(parameters.lower, model.symmetry).unknowns()) << "\n";
 }
 
 void print_model(const Parameters &parameters, const ModelChoice &model)

@@ -6,7 +6,7 @@
 #include "ending.h"
 
 #include <orthocone/base/text.h>
-#include <orthocone/parameters/parameters.h>
+#include <orthocone/scene/parameters.h>
 #include <orthocone/scene/model_choice.h>
 
 namespace orthocone

@@ -4,7 +4,7 @@
 
 #include "command_line.h"
 
-#include <orthocone/parameters/parameters.h>
+#include <orthocone/scene/parameters.h>
 #include <orthocone/scene/model_choice.h>
 
 #include <string>

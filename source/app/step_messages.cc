@@ -5,8 +5,8 @@
 #include <orthocone/base/version.h>
 #include <orthocone/contact/solvers/diagnosis.h>
 #include <orthocone/output/motion_text.h>
-#include <orthocone/parameters/parameters.h>
-#include <orthocone/parameters/values.h>
+#include <orthocone/scene/parameters.h>
+#include <orthocone/scene/options.h>
 
 #include <iomanip>
 #include <sstream>

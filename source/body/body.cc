@@ -4,28 +4,28 @@
 
 namespace orthocone
 {
-Body::Solid::Solid(const Parameters &parameters, const SymmetryPlanes &planes)
-    : mesh(parameters.geometry, parameters.mesh, planes),
-      discretization(mesh.triangulation(), parameters.mesh, parameters.geometry.top_face)
+Body::Solid::Solid(const BodyOptions &options, const SymmetryPlanes &planes)
+    : mesh(options.geometry, options.mesh, planes),
+      discretization(mesh.triangulation(), options.mesh, options.geometry.top_face)
 {
 }
 
-Body::Section::Section(const Parameters &parameters)
-    : mesh(parameters.geometry, parameters.mesh),
-      discretization(mesh.triangulation(), parameters.mesh, parameters.geometry.top_face)
+Body::Section::Section(const BodyOptions &options)
+    : mesh(options.geometry, options.mesh),
+      discretization(mesh.triangulation(), options.mesh, options.geometry.top_face)
 {
 }
 
-Body::Shape Body::shape_of(const Parameters &parameters, const ModelSymmetry &symmetry)
+Body::Shape Body::shape_of(const BodyOptions &options, const ModelSymmetry &symmetry)
 {
   if (symmetry.is_axisymmetric())
-    return Shape(std::in_place_type<Section>, parameters);
-  return Shape(std::in_place_type<Solid>, parameters, symmetry.planes());
+    return Shape(std::in_place_type<Section>, options);
+  return Shape(std::in_place_type<Solid>, options, symmetry.planes());
 }
 
-Body::Body(const Parameters &parameters, const ModelSymmetry &symmetry)
-    : materials_(parameters),
-      shape_(shape_of(parameters, symmetry))
+Body::Body(const BodyOptions &options, const ModelSymmetry &symmetry)
+    : materials_(options),
+      shape_(shape_of(options, symmetry))
 {
 }
 

@@ -16,36 +16,23 @@ namespace orthocone
 using Eigen::Index;
 using Eigen::VectorXd;
 
-namespace
-{
-/// Accuracy of solutions: well below the tolerance of the contact solver and the bound Checks/Equilibrium,
-/// and above rounding.
-double accuracy_of(const Parameters &parameters)
-{
-  constexpr double share = 1e-3, share_of_check = 0.1, least = 1e-12;
-  return std::max(
-      std::min(share * parameters.contact_solver.tolerance, share_of_check * parameters.checks.equilibrium),
-      least);
-}
-} // namespace
-
 struct MultigridBody::Modules
 {
-  Modules(const Parameters &parameters, const ModelSymmetry &symmetry, const Body &mesh,
+  Modules(const BodyOptions &options, const ModelSymmetry &symmetry, double accuracy, const Body &mesh,
           const std::function<LocalAxes(const ContactSurface &)> &axes_of, PhaseSeconds &seconds)
       : frame(mesh.unknowns(), axes_of(mesh.unknowns().contact_surface())),
         stiffness(timed(
             seconds.assembly, [&]
-            { return std::make_unique<MatrixFreeStiffness<double>>(mesh.solid(), parameters.material); })),
+            { return std::make_unique<MatrixFreeStiffness<double>>(mesh.solid(), options.material); })),
         cycle(timed(seconds.factorization,
                     [&]
                     {
-                      return std::make_unique<VCycle>(mesh.solid(), parameters.mesh, parameters.geometry,
-                                                      parameters.material);
+                      return std::make_unique<VCycle>(mesh.solid(), options.mesh, options.geometry,
+                                                      options.material);
                     })),
         compliance(frame, *stiffness, *cycle,
-                   node_compliance(mesh.unknowns().contact_surface(), symmetry, parameters.material),
-                   accuracy_of(parameters))
+                   node_compliance(mesh.unknowns().contact_surface(), symmetry, options.material),
+                   accuracy)
   {
   }
 
@@ -55,13 +42,13 @@ struct MultigridBody::Modules
   MultigridCompliance compliance;
 };
 
-MultigridBody::MultigridBody(const Parameters &parameters, const ModelSymmetry &symmetry,
+MultigridBody::MultigridBody(const BodyOptions &options, const ModelSymmetry &symmetry, const double accuracy,
                              const std::function<LocalAxes(const ContactSurface &)> &axes_of,
                              const std::function<void(const Body &)> &on_meshed, PhaseSeconds &seconds)
-    : mesh_(timed(seconds.mesh, [&] { return Body(parameters, symmetry); }))
+    : mesh_(timed(seconds.mesh, [&] { return Body(options, symmetry); }))
 {
   on_meshed(mesh_);
-  modules_ = std::make_unique<const Modules>(parameters, symmetry, mesh_, axes_of, seconds);
+  modules_ = std::make_unique<const Modules>(options, symmetry, accuracy, mesh_, axes_of, seconds);
 }
 
 MultigridBody::~MultigridBody() = default;

@@ -4,14 +4,13 @@
 
 #include <orthocone/base/errors.h>
 #include <orthocone/base/text.h>
-#include <orthocone/parameters/gap_file.h>
-#include <orthocone/parameters/gmsh_file.h>
-#include <orthocone/parameters/parameters.h>
+#include <orthocone/scene/gap_file.h>
+#include <orthocone/body/shapes/gmsh_file.h>
+#include <orthocone/scene/parameters.h>
 
 #include <boost/crc.hpp>
 
 #include <algorithm>
-#include <set>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -46,33 +45,14 @@ std::string other_files(const Parameters &parameters)
   return text;
 }
 
-/// Whether a run may go on with another value of an entry. It may concern steps to come, output, and how a
-/// step is solved and judged, but not what was computed.
-bool may_change(const std::string &entry)
+/// Whether all pieces of an earlier list are among those now.
+bool has_all_pieces(const std::string &now, const std::string &earlier)
 {
-  static const std::set<std::string> free_entries{"Contact solver/Maximum iterations",
-                                                  "Contact solver/Method",
-                                                  "Contact solver/Relaxation",
-                                                  "Contact solver/Rho factor",
-                                                  "Load program/Cycles",
-                                                  "Load program/Jump cycles",
-                                                  "Load program/Jump when periodic",
-                                                  "Load program/Stop when periodic",
-                                                  "Output/Checkpoint",
-                                                  "Output/Contact fields",
-                                                  "Output/Problems",
-                                                  "Output/Volume fields"};
-  return entry.compare(0, 7, "Checks/") == 0 || free_entries.count(entry) > 0;
-}
-
-/// Whether all earlier probes are among those now: probes may be added.
-bool has_all_probes(const std::string &now, const std::string &earlier)
-{
-  const auto probes = split(now, ';');
+  const auto pieces = split(now, ';');
   const auto before = split(earlier, ';');
   return std::all_of(before.begin(), before.end(),
-                     [&](const std::string &probe)
-                     { return std::find(probes.begin(), probes.end(), probe) != probes.end(); });
+                     [&](const std::string &piece)
+                     { return std::find(pieces.begin(), pieces.end(), piece) != pieces.end(); });
 }
 
 void require_same_past(const Checkpoint &checkpoint, const Parameters &parameters, const RunFolder &folder,
@@ -85,14 +65,15 @@ void require_same_past(const Checkpoint &checkpoint, const Parameters &parameter
                      " was started with " + earlier[entry] + "; allowed for --resume is " + allowed +
                      " (or start anew, with another --output DIR)");
   };
-  for (const auto &[entry, value] : entry_values(parameters))
-    if (entry == "Output/Probes")
+  const DeclaredParameters declared(parameters);
+  for (const Entry &entry : declared.list.entries())
+    if (const std::string value = entry.text(); entry.may_grow())
     {
-      if (!has_all_probes(value, earlier[entry]))
-        refuse(entry, value, "what has these probes and perhaps more");
+      if (!has_all_pieces(value, earlier[entry.name()]))
+        refuse(entry.name(), value, "what has these probes and perhaps more");
     }
-    else if (!may_change(entry) && earlier[entry] != value)
-      refuse(entry, value, "the same value");
+    else if (!entry.may_change() && earlier[entry.name()] != value)
+      refuse(entry.name(), value, "the same value");
   if (input_files_checksum(parameters) != checkpoint.gap_file)
     throw InputError(
         file + ": " + other_files(parameters) + " than when the run in " + folder.path() +

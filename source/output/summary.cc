@@ -8,8 +8,9 @@
 #include <orthocone/base/text.h>
 #include <orthocone/contact/problem/law_errors.h>
 #include <orthocone/march/implicit_wear.h>
-#include <orthocone/parameters/parameters.h>
-#include <orthocone/parameters/values.h>
+#include <orthocone/body/shapes/shape_kind.h>
+#include <orthocone/scene/parameters.h>
+#include <orthocone/scene/options.h>
 #include <orthocone/scene/load_program.h>
 
 #include <algorithm>
@@ -193,19 +194,12 @@ static std::string describe_counterbody(const Parameters &parameters)
                ? std::string("orthotropic")
                : "E " + to_text(material.young_modulus) + " MPa, nu " + to_text(material.poisson_ratio);
   };
-  const GeometryOptions &lower = parameters.lower.geometry;
-  const std::string outline =
-      lower.is_from_file() ? shown_path(lower.mesh_file)
-      : lower.shape == BodyShape::box
-          ? "box, " + to_text(lower.sizes[0]) + " x " + to_text(lower.sizes[1]) + " x " +
-                to_text(lower.sizes[2]) + " mm"
-          : "cylinder, radius " + to_text(lower.radius) + " mm, height " + to_text(lower.height) + " mm";
   switch (parameters.obstacle.kind)
   {
   case ObstacleKind::half_space:
     return "elastic half-space, " + constants(parameters.obstacle.material);
   case ObstacleKind::body:
-    return "elastic body (" + outline + "), " + constants(parameters.lower.material);
+    return "elastic body (" + kind_of(parameters.lower.geometry).describe(parameters.lower.geometry) + "), " + constants(parameters.lower.material);
   case ObstacleKind::rigid:
     break;
   }

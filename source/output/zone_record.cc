@@ -3,7 +3,8 @@
 #include <orthocone/output/zone_record.h>
 
 #include <orthocone/base/text.h>
-#include <orthocone/parameters/parameters.h>
+#include <orthocone/body/shapes/shape_kind.h>
+#include <orthocone/scene/parameters.h>
 
 #include <algorithm>
 #include <cmath>
@@ -17,23 +18,6 @@ constexpr double least_spacings = 4; // docs/accuracy.md, "Zones that the mesh d
 bool is_narrow(const double width)
 {
   return width > 0 && width < least_spacings;
-}
-
-/// What makes the cells smaller where a zone is, in terms of the shape's entries. The mesh of a Resolution or
-/// an Accuracy has its cells at the rim.
-std::string remedy(const GeometryOptions &geometry)
-{
-  switch (geometry.shape)
-  {
-  case BodyShape::box:
-    return "more Mesh/Cells";
-  case BodyShape::file:
-    return "more Mesh/Refinements, or a Geometry/Mesh file with smaller cells there";
-  case BodyShape::cylinder:
-    break;
-  }
-  return "Mesh/Resolution = custom (and Accuracy = 0) with more Core cells, and a Core ratio that puts "
-         "the core about the zone";
 }
 
 std::string in_spacings(const double width)
@@ -75,7 +59,7 @@ std::vector<std::string> zone_warnings(const Parameters &parameters, const ZoneR
   {
     warnings.push_back(what + " is " + in_spacings(width) +
                        " wide where it is widest, and four are the least; " + wrong +
-                       " may be wrong by tens of percent: take " + remedy(parameters.geometry));
+                       " may be wrong by tens of percent: take " + kind_of(parameters.geometry).finer_cells(parameters));
   };
   if (is_narrow(record.contact))
     warn("Mesh: in all load steps the contact", record.contact, "pressure, slip and dissipation");

@@ -3,7 +3,7 @@
 #include <orthocone/results/tables.h>
 
 #include <orthocone/base/numbers.h>
-#include <orthocone/parameters/values.h>
+#include <orthocone/scene/options.h>
 
 namespace orthocone
 {

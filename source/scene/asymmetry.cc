@@ -4,7 +4,6 @@
 
 #include <orthocone/body/materials/material.h>
 #include <orthocone/body/shapes/shape.h>
-#include <orthocone/parameters/lower_body.h>
 #include <orthocone/scene/first_contact.h>
 #include <orthocone/scene/friction_field.h>
 #include <orthocone/scene/load_program.h>
@@ -22,7 +21,7 @@ std::unique_ptr<Shape> lower_shape(const Parameters &parameters)
 {
   if (parameters.obstacle.kind != ObstacleKind::body)
     return nullptr;
-  return of_lower_body([&] { return make_shape(parameters.lower.geometry, parameters.lower.mesh); });
+  return make_shape(parameters.lower.geometry, parameters.lower.mesh);
 }
 
 /// The same as Shape::asymmetry() of the lower body; empty if there is none.
@@ -31,7 +30,7 @@ std::string asymmetry_of_lower(const Shape *const lower, const ModelSymmetry &sy
   if (lower == nullptr)
     return {};
   return symmetry.is_axisymmetric() ? "Obstacle/Kind = body has no section (r, z)"
-                                    : with_lower_sections(lower->asymmetry(symmetry));
+                                    : lower->asymmetry(symmetry);
 }
 
 std::string first_of(const std::initializer_list<std::string> reasons)

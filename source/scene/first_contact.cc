@@ -5,6 +5,7 @@
 #include <orthocone/base/errors.h>
 #include <orthocone/base/numbers.h>
 #include <orthocone/base/text.h>
+#include <orthocone/scene/load_path.h>
 #include <orthocone/surface/rigid_motion.h>
 
 #include <algorithm>
@@ -18,34 +19,22 @@ namespace
 {
 constexpr unsigned int normal_component = 2;
 
-/// The held face on its way through the program, as long as motions alone determine where it is.
-class Way
+/// Whether a force other than 0 takes over from a motion along z in this leg.
+bool leaves_motion(const PathLeg &leg)
 {
-public:
-  void pass(const Leg &leg)
-  {
-    constexpr unsigned int first_rotation = 3;
-    for (unsigned int i = 0; i < n_rigid_components; ++i)
-      if (leg.targets[i])
-      {
-        by_force_[i] = leg.targets[i]->by_force;
-        motion_[i] = leg.motion(i).value_or(0) * (i < first_rotation ? 1 : radians_per_degree);
-      }
-  }
+  const Drive &before = leg.before[normal_component], &after = leg.after[normal_component];
+  return after.by_force && after.value != 0 && !before.by_force;
+}
 
-  /// Whether a force other than 0 takes over from a motion along z in this leg.
-  bool is_left_by(const Leg &leg) const
-  {
-    const auto &target = leg.targets[normal_component];
-    return target && target->by_force && target->value != 0 && !by_force_[normal_component];
-  }
-
-  const RigidMotion &motion() const { return motion_; }
-
-private:
-  RigidMotion motion_{};
-  std::array<bool, n_rigid_components> by_force_{};
-};
+/// The motion of the held face before a leg, as far as motions alone determine where it is.
+RigidMotion motion_before(const PathLeg &leg)
+{
+  constexpr unsigned int first_rotation = 3;
+  RigidMotion motion;
+  for (unsigned int i = 0; i < n_rigid_components; ++i)
+    motion[i] = leg.before[i].by_force ? 0 : leg.before[i].value * (i < first_rotation ? 1 : radians_per_degree);
+  return motion;
+}
 
 double least_gap(const Obstacle &obstacle, const SurfaceSample &sample, const RigidMotion &held)
 {
@@ -66,22 +55,11 @@ void require_contact_before_force(const Parameters &parameters, const Obstacle &
 {
   constexpr double rounding = 1e-12;
   const double height = sample.held_centre[2];
-  const LoadOptions &load = parameters.load;
-  Way way;
-  const auto pass = [&](const std::vector<Leg> &legs, const std::string &entry)
-  {
-    for (std::size_t i = 0; i < legs.size(); ++i)
-    {
-      if (way.is_left_by(legs[i]))
-        if (const double gap = least_gap(obstacle, sample, way.motion()); gap > rounding * height)
-          throw InputError("Load program/" + entry + ": Fz presses from leg " + std::to_string(i + 1) +
-                           " on, where a gap of " + to_text(gap) +
-                           " mm is open: allowed is a leg before it that closes the gap by a motion of uz");
-      way.pass(legs[i]);
-    }
-  };
-  pass(load.preload, "Preload");
-  for (unsigned int cycle = 0; cycle < std::min(load.cycles, 2u); ++cycle)
-    pass(load.legs, "Legs");
+  for (const PathLeg &leg : load_path(parameters.load))
+    if (leaves_motion(leg))
+      if (const double gap = least_gap(obstacle, sample, motion_before(leg)); gap > rounding * height)
+        throw InputError(leg.entry + ": Fz presses from leg " + std::to_string(leg.number) +
+                         " on, where a gap of " + to_text(gap) +
+                         " mm is open: allowed is a leg before it that closes the gap by a motion of uz");
 }
 } // namespace orthocone

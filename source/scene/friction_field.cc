@@ -5,7 +5,7 @@
 #include <orthocone/base/errors.h>
 #include <orthocone/base/numbers.h>
 #include <orthocone/base/text.h>
-#include <orthocone/parameters/parameters.h>
+#include <orthocone/scene/parameters.h>
 
 #include <algorithm>
 #include <cmath>
@@ -51,10 +51,7 @@ std::string entry_text(const std::string &entry, const FrictionOptions &options)
 {
   Parameters parameters;
   parameters.friction = options;
-  for (const auto &[name, value] : entry_values(parameters))
-    if (name == entry)
-      return entry + " = " + value;
-  return entry;
+  return entry_text(parameters, entry);
 }
 
 /// Throws InputError unless both numbers at a place are positive, or, if `may_be_none`, both 0.

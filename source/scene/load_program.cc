@@ -3,6 +3,7 @@
 #include <orthocone/scene/load_program.h>
 
 #include <orthocone/base/numbers.h>
+#include <orthocone/scene/load_path.h>
 
 #include <algorithm>
 #include <cmath>
@@ -32,8 +33,6 @@ double unit_of(const Drive &drive, const unsigned int component)
   constexpr unsigned int first_rotation = 3;
   return !drive.by_force && component >= first_rotation ? radians_per_degree : 1;
 }
-
-using Drives = std::array<Drive, n_rigid_components>; // at the end of a leg
 
 /// Sets a component of a step that ends at the `share` of its leg, which starts from `before`.
 void set_component(LoadStep &step, const unsigned int i, const Drive &before, const Leg &leg)
@@ -65,29 +64,38 @@ LoadStep step_of(const Leg &leg, const Drives &reached, const unsigned int k, co
   return step;
 }
 
-/// Appends the steps of `legs`. The first leg starts from `reached`, which becomes the end of the last leg.
-void append(const std::vector<Leg> &legs, const unsigned int cycle, Drives &reached,
-            std::vector<LoadStep> &steps)
+/// The steps of the legs of one cycle, or of the preload.
+class CycleSteps
 {
-  unsigned int phase = 0;
-  unsigned int phase_of_part = 0; // behind the phases of all steps: StartForces distinguishes both
-  for (const Leg &leg : legs)
-    phase_of_part += leg.steps;
-  for (const Leg &leg : legs)
+public:
+  CycleSteps(const std::vector<Leg> &legs, std::vector<LoadStep> &steps)
+      : steps_(steps)
   {
+    for (const Leg &leg : legs)
+      phase_of_part_ += leg.steps;
+  }
+
+  void append(const PathLeg &path_leg)
+  {
+    const Leg &leg = *path_leg.leg;
     for (unsigned int k = 1; k <= leg.steps; ++k)
     {
-      const auto number = static_cast<unsigned int>(steps.size()) + 1;
-      steps.push_back(step_of(leg, reached, k, leg.steps, {number, cycle, phase++}));
+      const auto number = static_cast<unsigned int>(steps_.size()) + 1;
+      steps_.push_back(
+          step_of(leg, path_leg.before, k, leg.steps, {number, path_leg.cycle, phase_++}));
       for (unsigned int part = 1; leg.parts > 1 && part <= leg.parts; ++part)
-        steps.back().parts.push_back(step_of(leg, reached, (k - 1) * leg.parts + part, leg.steps * leg.parts,
-                                             {number, cycle, phase_of_part + part - 1}));
-      phase_of_part += leg.parts;
+        steps_.back().parts.push_back(step_of(leg, path_leg.before, (k - 1) * leg.parts + part,
+                                              leg.steps * leg.parts,
+                                              {number, path_leg.cycle, phase_of_part_ + part - 1}));
+      phase_of_part_ += leg.parts;
     }
-    for (unsigned int i = 0; i < n_rigid_components; ++i)
-      reached[i] = leg.targets[i].value_or(reached[i]);
   }
-}
+
+private:
+  std::vector<LoadStep> &steps_;
+  unsigned int phase_ = 0;
+  unsigned int phase_of_part_ = 0; // behind the phases of all steps: StartForces distinguishes both
+};
 
 /// Whether `test` holds for a target of a component.
 template<typename Test>
@@ -108,14 +116,16 @@ LoadProgram::LoadProgram(LoadOptions load)
 
 LoadSteps LoadProgram::steps() const
 {
-  // The first cycle starts from the end of the preload, and all others from the end of a cycle.
-  constexpr unsigned int n_different_cycles = 2;
-  Drives reached{};
   std::vector<LoadStep> steps;
-  append(load_.preload, 0, reached, steps);
-  const std::size_t n_preload = steps.size();
-  for (unsigned int cycle = 1; cycle <= std::min(load_.cycles, n_different_cycles); ++cycle)
-    append(load_.legs, cycle, reached, steps);
+  std::size_t n_preload = 0;
+  std::optional<CycleSteps> cycle;
+  for (const PathLeg &leg : load_path(load_))
+  {
+    if (leg.number == 1)
+      cycle.emplace(leg.cycle == 0 ? load_.preload : load_.legs, steps);
+    cycle->append(leg);
+    n_preload = leg.cycle == 0 ? steps.size() : n_preload;
+  }
   const std::size_t n_cycle = (n_steps() - n_preload) / std::max(1U, load_.cycles);
   return {std::move(steps), n_cycle, n_steps()};
 }

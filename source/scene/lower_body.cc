@@ -2,9 +2,10 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/scene/lower_body.h>
 
+#include <orthocone/base/errors.h>
 #include <orthocone/base/stopwatch.h>
 #include <orthocone/base/text.h>
-#include <orthocone/parameters/lower_body.h>
+#include <orthocone/scene/surface_sample.h>
 
 #include <cmath>
 
@@ -81,7 +82,7 @@ NodeVector depths(const ContactSurface &own)
 LowerBody::LowerBody(const Parameters &parameters, const ModelSymmetry &symmetry,
                      const ContactSurface &surface, const LocalAxes &axes, PhaseSeconds &seconds)
     : body_(
-          lower_parameters(parameters), symmetry, [](const ContactSurface &) { return own_axes(); },
+          parameters.lower, symmetry, [](const ContactSurface &) { return own_axes(); },
           [](const Body &) {}, seconds),
       map_(timed(
           seconds.condensation, [&]
@@ -100,11 +101,7 @@ void require_cover(const Parameters &parameters, const ModelSymmetry &symmetry)
   if (parameters.obstacle.kind != ObstacleKind::body)
     return;
   const Body upper(parameters, symmetry);
-  of_lower_body(
-      [&]
-      {
-        const Body lower(lower_parameters(parameters), symmetry);
-        require(surface_cover(upper.unknowns().contact_surface(), lower.unknowns().contact_surface()));
-      });
+  const Body lower(parameters.lower, symmetry);
+  require(surface_cover(upper.unknowns().contact_surface(), lower.unknowns().contact_surface()));
 }
 } // namespace orthocone

@@ -4,7 +4,7 @@
 
 #include <orthocone/base/errors.h>
 #include <orthocone/base/text.h>
-#include <orthocone/parameters/values.h>
+#include <orthocone/scene/options.h>
 #include <orthocone/scene/asymmetry.h>
 #include <orthocone/scene/surface_sample.h>
 

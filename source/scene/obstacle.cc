@@ -4,8 +4,8 @@
 
 #include <orthocone/base/errors.h>
 #include <orthocone/base/text.h>
-#include <orthocone/parameters/expression.h>
-#include <orthocone/parameters/gap_file.h>
+#include <orthocone/entries/expression.h>
+#include <orthocone/scene/gap_file.h>
 #include <orthocone/surface/half_space.h>
 
 #include <algorithm>

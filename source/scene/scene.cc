@@ -6,7 +6,6 @@
 #include <orthocone/base/stopwatch.h>
 #include <orthocone/body/backends/factorized_body.h>
 #include <orthocone/multigrid/multigrid_body.h>
-#include <orthocone/parameters/lower_body.h>
 #include <orthocone/scene/change_length.h>
 
 #include <stdexcept>
@@ -34,13 +33,23 @@ void check_fields(const Obstacle &obstacle, const FrictionField &friction, const
           symmetry.name() + " model: " + why + "; allowed is Mesh/Model = full");
 }
 
+/// Accuracy of solutions: well below the tolerance of the contact solver and the bound Checks/Equilibrium,
+/// and above rounding.
+double accuracy_of_solutions(const Parameters &parameters)
+{
+  constexpr double share = 1e-3, share_of_check = 0.1, least = 1e-12;
+  return std::max(
+      std::min(share * parameters.contact_solver.tolerance, share_of_check * parameters.checks.equilibrium),
+      least);
+}
+
 std::unique_ptr<const ElasticBody> make_body(const Parameters &parameters, const ModelSymmetry &symmetry,
                                              const std::function<LocalAxes(const ContactSurface &)> &axes_of,
                                              const std::function<void(const Body &)> &on_meshed,
                                              PhaseSeconds &seconds)
 {
   if (parameters.mesh.backend == BodyBackend::multigrid)
-    return std::make_unique<MultigridBody>(parameters, symmetry, axes_of, on_meshed, seconds);
+    return std::make_unique<MultigridBody>(parameters, symmetry, accuracy_of_solutions(parameters), axes_of, on_meshed, seconds);
   return std::make_unique<FactorizedBody>(parameters, symmetry, axes_of, on_meshed, seconds);
 }
 
@@ -51,8 +60,7 @@ std::unique_ptr<const LowerBody> make_lower(const Parameters &parameters, const 
 {
   if (parameters.obstacle.kind != ObstacleKind::body)
     return nullptr;
-  return of_lower_body(
-      [&] { return std::make_unique<LowerBody>(parameters, symmetry, body.surface(), axes, seconds); });
+  return std::make_unique<LowerBody>(parameters, symmetry, body.surface(), axes, seconds);
 }
 
 /// Null where the obstacle is rigid.

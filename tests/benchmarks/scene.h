@@ -6,7 +6,7 @@
 #include <orthocone/body/fe/stiffness.h>
 #include <orthocone/body/shapes/body_mesh.h>
 #include <orthocone/contact/solvers/contact_solver.h>
-#include <orthocone/parameters/parameters.h>
+#include <orthocone/scene/parameters.h>
 
 namespace orthocone::benchmarks
 {

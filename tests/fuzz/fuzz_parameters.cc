@@ -4,7 +4,7 @@
 // The reader of parameter files: any bytes give parameters, or one of the two errors with a message of one
 // line. Parameters that are accepted are also checked, and read again from what is written of them.
 #include <orthocone/base/errors.h>
-#include <orthocone/parameters/parameters.h>
+#include <orthocone/scene/parameters.h>
 
 #include <unistd.h>
 

@@ -4,7 +4,7 @@
 // The paper's cases on meshes that are graded to the rim, the base and the clamped face.
 #include "results/scenes.h"
 
-#include <orthocone/parameters/parameters.h>
+#include <orthocone/scene/parameters.h>
 
 #include <string>
 #include <tuple>

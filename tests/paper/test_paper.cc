@@ -4,7 +4,7 @@
 // The shipped files of the paper's cases: printed slips, convergence, and agreement of the contact solvers.
 #include "results/scenes.h"
 
-#include <orthocone/parameters/parameters.h>
+#include <orthocone/scene/parameters.h>
 
 #include <string>
 

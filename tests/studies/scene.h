@@ -5,7 +5,7 @@
 #include "experiments.h"
 
 #include <orthocone/march/march.h>
-#include <orthocone/parameters/parameters.h>
+#include <orthocone/scene/parameters.h>
 #include <orthocone/scene/load_program.h>
 #include <orthocone/scene/scene.h>
 

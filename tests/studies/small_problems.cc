@@ -5,7 +5,7 @@
 #include <orthocone/base/text.h>
 #include <orthocone/contact/problem/critical_friction.h>
 #include <orthocone/contact/solvers/contact_solver.h>
-#include <orthocone/parameters/values.h>
+#include <orthocone/scene/options.h>
 
 #include <cmath>
 #include <iostream>

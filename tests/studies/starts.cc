@@ -4,7 +4,7 @@
 
 #include <orthocone/base/numbers.h>
 #include <orthocone/base/text.h>
-#include <orthocone/parameters/values.h>
+#include <orthocone/scene/options.h>
 
 #include <algorithm>
 #include <array>

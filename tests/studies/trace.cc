@@ -4,7 +4,7 @@
 
 #include <orthocone/base/stopwatch.h>
 #include <orthocone/base/text.h>
-#include <orthocone/parameters/values.h>
+#include <orthocone/scene/options.h>
 
 #include <iostream>
 #include <stdexcept>

@@ -6,7 +6,7 @@
 #pragma once
 
 #include <orthocone/accuracy/accuracy.h>
-#include <orthocone/parameters/options.h>
+#include <orthocone/scene/options.h>
 #include <orthocone/scene/model_choice.h>
 
 #include <functional>

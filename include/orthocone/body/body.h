@@ -16,7 +16,7 @@ namespace orthocone
 class Body
 {
 public:
-  Body(const Parameters &parameters, const ModelSymmetry &symmetry);
+  Body(const BodyOptions &options, const ModelSymmetry &symmetry);
 
   const BodyUnknowns &unknowns() const;
 
@@ -50,18 +50,18 @@ public:
 private:
   struct Solid
   {
-    Solid(const Parameters &parameters, const SymmetryPlanes &planes);
+    Solid(const BodyOptions &options, const SymmetryPlanes &planes);
     BodyMesh mesh;
     Discretization discretization;
   };
   struct Section
   {
-    explicit Section(const Parameters &parameters);
+    explicit Section(const BodyOptions &options);
     SectionMesh mesh;
     SectionDiscretization discretization;
   };
   using Shape = std::variant<Solid, Section>;
-  static Shape shape_of(const Parameters &parameters, const ModelSymmetry &symmetry);
+  static Shape shape_of(const BodyOptions &options, const ModelSymmetry &symmetry);
 
   Materials materials_;
   Shape shape_;

@@ -20,7 +20,7 @@ class MultigridBody : public ElasticBody
 public:
   /// The parameters of FactorizedBody. The model must be a solid. Throws what Body throws, std::runtime_error
   /// if the coarsest mesh cannot be factorized, and SolveError if its nodes cannot be aggregated.
-  MultigridBody(const Parameters &parameters, const ModelSymmetry &symmetry,
+  MultigridBody(const BodyOptions &options, const ModelSymmetry &symmetry, double accuracy,
                 const std::function<LocalAxes(const ContactSurface &)> &axes_of,
                 const std::function<void(const Body &)> &on_meshed, PhaseSeconds &seconds);
   ~MultigridBody() override;

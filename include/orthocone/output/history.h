@@ -6,7 +6,7 @@
 #pragma once
 
 #include <orthocone/output/run_folder.h>
-#include <orthocone/parameters/options.h>
+#include <orthocone/scene/options.h>
 #include <orthocone/results/cycles.h>
 #include <orthocone/results/solved_step.h>
 

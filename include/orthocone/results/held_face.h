@@ -3,7 +3,7 @@
 #pragma once
 
 #include <orthocone/body/body_unknowns.h>
-#include <orthocone/parameters/options.h>
+#include <orthocone/scene/options.h>
 #include <orthocone/surface/rigid_motion.h>
 
 namespace orthocone

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <orthocone/contact/problem/contact_step.h>
-#include <orthocone/parameters/options.h>
+#include <orthocone/scene/options.h>
 #include <orthocone/surface/contact_surface.h>
 
 #include <optional>

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
-#include <orthocone/parameters/body_options.h>
+#include <orthocone/body/options.h>
 #include <orthocone/surface/model_symmetry.h>
 #include <orthocone/surface/rigid_motion.h>
 

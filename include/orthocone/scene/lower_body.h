@@ -3,6 +3,7 @@
 #pragma once
 
 #include <orthocone/body/backends/factorized_body.h>
+#include <orthocone/scene/options.h>
 #include <orthocone/surface/mortar.h>
 
 namespace orthocone

@@ -16,10 +16,10 @@ Stiffness announced_stiffness(const Body &mesh, const std::function<void(const B
 }
 } // namespace
 
-FactorizedBody::FactorizedBody(const Parameters &parameters, const ModelSymmetry &symmetry,
+FactorizedBody::FactorizedBody(const BodyOptions &options, const ModelSymmetry &symmetry,
                                const std::function<LocalAxes(const ContactSurface &)> &axes_of,
                                const std::function<void(const Body &)> &on_meshed, PhaseSeconds &seconds)
-    : mesh_(timed(seconds.mesh, [&] { return Body(parameters, symmetry); })),
+    : mesh_(timed(seconds.mesh, [&] { return Body(options, symmetry); })),
       stiffness_(announced_stiffness(mesh_, on_meshed, seconds.assembly)),
       factor_(timed(seconds.factorization,
                     [&] { return StiffnessFactor(stiffness_.matrix(), mesh_.unknowns().n_interior()); })),

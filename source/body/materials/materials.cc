@@ -2,17 +2,17 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/body/materials/materials.h>
 
-#include <orthocone/parameters/gmsh_file.h>
+#include <orthocone/body/shapes/gmsh_file.h>
 
 namespace orthocone
 {
-Materials::Materials(const Parameters &parameters)
-    : other_(parameters.material)
+Materials::Materials(const BodyOptions &options)
+    : other_(options.material)
 {
-  if (parameters.material.regions.empty())
+  if (options.material.regions.empty())
     return;
-  const GmshFile file = read_gmsh_file(parameters.geometry.mesh_file);
-  for (const MaterialRegion &region : parameters.material.regions)
+  const GmshFile file = read_gmsh_file(options.geometry.mesh_file);
+  for (const MaterialRegion &region : options.material.regions)
   {
     MaterialOptions isotropic;
     isotropic.young_modulus = region.young_modulus;

@@ -103,11 +103,11 @@ void Box::make_solid(const SymmetryPlanes &planes, dealii::Triangulation<3> &tri
 std::string Box::asymmetry(const ModelSymmetry &symmetry) const
 {
   if (symmetry.is_axisymmetric())
-    return no_body_of_revolution(geometry_.shape);
+    return no_body_of_revolution(geometry_);
   const unsigned int direction = symmetry.planes().normal_to_x ? 0 : 1;
   const unsigned int n = mesh_.cells[direction];
   return n % 2 == 0 ? ""
-                    : std::string("Mesh/Cells has an odd number along ") + "xy"[direction] + ", " +
+                    : mesh_.section + "/Cells has an odd number along " + "xy"[direction] + ", " +
                           std::to_string(n);
 }
 
@@ -119,10 +119,102 @@ ModelSize Box::size(const ModelSymmetry &symmetry) const
   return solid_size({nx * ny, 2 * (nx + ny), {{planes.normal_to_x ? ny : 0, planes.normal_to_y ? nx : 0}}},
                     mesh_.cells[2], mesh_.degree, geometry_.top_face);
 }
+
+class BoxKind : public ShapeKind
+{
+public:
+  BodyShape shape() const override { return BodyShape::box; }
+
+  void declare(GeometryOptions &geometry, Section &section) const override
+  {
+    section
+        .add("Sizes", geometry.sizes, three_numbers_codec(positive),
+             "l_x, l_y, l_z: lengths of a box along the axes in mm.")
+        .only_if(section.where<BodyShape>("Shape", geometry.shape, {BodyShape::box}));
+  }
+
+  void declare_cells(MeshOptions &mesh, const Condition &is_chosen, Section &section) const override
+  {
+    constexpr unsigned int most = 200;
+    section
+        .add("Cells", mesh.cells, three_counts_codec(most), "n_x, n_y, n_z: cells of a box along the axes.")
+        .only_if(is_chosen);
+    section
+        .add("Edge grading", mesh.edge_grading, number_codec(NumberRange{0, 10, false, true}),
+             "Of a box: each cell is this many times as thick as its neighbour towards the middle; 1 = "
+             "uniform.")
+        .only_if(is_chosen);
+  }
+
+  void check(const BodyOptions &body) const override
+  {
+    const MeshOptions &mesh = body.mesh;
+    for (const unsigned int d : {0, 1})
+      check_grading(mesh.section + "/Edge grading", mesh.edge_grading, (mesh.cells[d] + 1) / 2,
+                    std::to_string(mesh.cells[d]) + " cells along " + (d == 0 ? "x" : "y") +
+                        ": allowed is what leaves every cell 1e-6 of the side");
+    check_layers(mesh, mesh.cells[2]);
+  }
+
+  std::string chooser_of_mesh() const override { return "Mesh/Cells chooses the mesh of a box"; }
+
+  bool is_on_base(const GeometryOptions &geometry, const std::array<double, 2> &place) const override
+  {
+    constexpr double with_rounding = 1 + 1e-12;
+    return 2 * std::abs(place[0]) <= with_rounding * geometry.sizes[0] &&
+           2 * std::abs(place[1]) <= with_rounding * geometry.sizes[1];
+  }
+
+  std::string base_in_words(const GeometryOptions &geometry) const override
+  {
+    return "|x| <= " + to_text(geometry.sizes[0] / 2) + " and |y| <= " + to_text(geometry.sizes[1] / 2) +
+           ", halves of " + geometry.section + "/Sizes";
+  }
+
+  std::array<double, 2> half_widths(const GeometryOptions &geometry) const override
+  {
+    const auto [least, most] = std::minmax(geometry.sizes[0], geometry.sizes[1]);
+    return {{most / 2, least / 2}};
+  }
+
+  std::string height_entry(const GeometryOptions &geometry) const override
+  {
+    return "l_z of " + geometry.section + "/Sizes";
+  }
+
+  double rim_size(const BodyOptions &body) const override
+  {
+    const auto &sizes = body.geometry.sizes;
+    const MeshOptions &mesh = body.mesh;
+    double size = sizes[2] * end_share(mesh.cells[2], mesh.layer_grading);
+    for (const unsigned int d : {0, 1})
+      size = std::max(size, sizes[d] * end_share(mesh.cells[d], mesh.edge_grading));
+    return size / half_widths(body.geometry)[1];
+  }
+  std::string rim_unit() const override { return "half the shorter side"; }
+  std::string finer_rim() const override { return "cells, or Edge grading"; }
+
+  std::string finer_cells(const BodyOptions &body) const override
+  {
+    return "more " + body.mesh.section + "/Cells";
+  }
+
+  std::string describe(const GeometryOptions &geometry) const override
+  {
+    return "box, " + to_text(geometry.sizes[0]) + " x " + to_text(geometry.sizes[1]) + " x " +
+           to_text(geometry.sizes[2]) + " mm";
+  }
+
+  std::unique_ptr<Shape> make(const GeometryOptions &geometry, const MeshOptions &mesh) const override
+  {
+    return std::make_unique<Box>(geometry, mesh);
+  }
+};
 } // namespace
 
-std::unique_ptr<Shape> make_box(const GeometryOptions &geometry, const MeshOptions &mesh)
+const ShapeKind &box_kind()
 {
-  return std::make_unique<Box>(geometry, mesh);
+  static const BoxKind kind;
+  return kind;
 }
 } // namespace orthocone

@@ -109,7 +109,7 @@ std::string Cylinder::asymmetry(const ModelSymmetry &symmetry) const
 {
   return symmetry.is_axisymmetric() || mesh_.core_cells % 2 == 0
              ? ""
-             : "Mesh/Core cells = " + std::to_string(mesh_.core_cells) + " is odd";
+             : mesh_.section + "/Core cells = " + std::to_string(mesh_.core_cells) + " is odd";
 }
 
 void Cylinder::make_solid(const SymmetryPlanes &planes, dealii::Triangulation<3> &triangulation) const
@@ -162,10 +162,108 @@ ModelSize Cylinder::size(const ModelSymmetry &symmetry) const
   return solid_size({faces, 4 * core / n_copies + diameter, planes}, mesh_.layers, mesh_.degree,
                     geometry_.top_face);
 }
+
+class CylinderKind : public ShapeKind
+{
+public:
+  BodyShape shape() const override { return BodyShape::cylinder; }
+
+  void declare(GeometryOptions &geometry, Section &section) const override
+  {
+    const Condition is_chosen = section.where<BodyShape>("Shape", geometry.shape, {BodyShape::cylinder});
+    section.add("Radius", geometry.radius, number_codec(positive), "Radius of a cylinder in mm.")
+        .only_if(is_chosen)
+        .also_called({"r", "diameter", "d"});
+    section.add("Height", geometry.height, number_codec(positive), "Height of a cylinder in mm.")
+        .only_if(is_chosen)
+        .also_called({"length", "thickness"});
+  }
+
+  void declare_cells(MeshOptions &mesh, const Condition &is_chosen, Section &section) const override
+  {
+    constexpr unsigned int most = 200;
+    section
+        .add("Core cells", mesh.core_cells, count_codec(1, most), "Cells along a side of the core block.")
+        .only_if(is_chosen)
+        .also_called({"elements"});
+    section
+        .add("Rings", mesh.rings, count_codec(0, most),
+             "Cells from core to rim; 0 = as many as core cells.")
+        .only_if(is_chosen);
+    section.add("Layers", mesh.layers, count_codec(1, most), "Cells over the height.").only_if(is_chosen);
+    section
+        .add("Core ratio", mesh.core_ratio, number_codec(NumberRange{0.01, 1, true, false}),
+             "Distance of the core's corners from the axis / radius.")
+        .only_if(is_chosen);
+    section
+        .add("Rim grading", mesh.rim_grading, number_codec(NumberRange{0, 10, false, true}),
+             "Each ring is this many times as thick as the next inner one; 1 = uniform.")
+        .only_if(is_chosen);
+  }
+
+  void check(const BodyOptions &body) const override
+  {
+    const unsigned int n = body.mesh.n_rings();
+    check_grading(body.mesh.section + "/Rim grading", body.mesh.rim_grading, n,
+                  std::to_string(n) +
+                      " rings: allowed is what leaves every ring 1e-6 of their common thickness");
+    check_layers(body.mesh, body.mesh.layers);
+  }
+
+  bool is_on_base(const GeometryOptions &geometry, const std::array<double, 2> &place) const override
+  {
+    constexpr double with_rounding = 1 + 1e-12;
+    return std::hypot(place[0], place[1]) <= with_rounding * geometry.radius;
+  }
+
+  std::string base_in_words(const GeometryOptions &geometry) const override
+  {
+    return "points within " + geometry.section + "/Radius = " + to_text(geometry.radius) + " of the axis";
+  }
+
+  std::array<double, 2> half_widths(const GeometryOptions &geometry) const override
+  {
+    return {{geometry.radius, geometry.radius}};
+  }
+
+  std::string height_entry(const GeometryOptions &geometry) const override
+  {
+    return geometry.section + "/Height";
+  }
+
+  double rim_size(const BodyOptions &body) const override
+  {
+    const MeshOptions &mesh = body.mesh;
+    return std::max((1 - mesh.core_ratio) * last_share(mesh.n_rings(), mesh.rim_grading),
+                    body.geometry.height / body.geometry.radius *
+                        end_share(mesh.layers, mesh.layer_grading));
+  }
+  std::string rim_unit() const override { return "the radius"; }
+  std::string finer_rim() const override { return "rings, or Rim grading"; }
+
+  /// The mesh of a Resolution or an Accuracy has its cells at the rim.
+  std::string finer_cells(const BodyOptions &body) const override
+  {
+    return body.mesh.section +
+           "/Resolution = custom (and Accuracy = 0) with more Core cells, and a Core ratio that puts "
+           "the core about the zone";
+  }
+
+  std::string describe(const GeometryOptions &geometry) const override
+  {
+    return "cylinder, radius " + to_text(geometry.radius) + " mm, height " + to_text(geometry.height) + " mm";
+  }
+
+  std::unique_ptr<Shape> make(const GeometryOptions &geometry, const MeshOptions &mesh) const override
+  {
+    return std::make_unique<Cylinder>(geometry, mesh);
+  }
+};
 } // namespace
 
-std::unique_ptr<Shape> make_cylinder(const GeometryOptions &geometry, const MeshOptions &mesh)
+const ShapeKind &cylinder_kind()
 {
-  return std::make_unique<Cylinder>(geometry, mesh);
+  static const CylinderKind kind;
+  return kind;
 }
 } // namespace orthocone

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
+#include "../names_of_groups.h"
+#include "file_checks.h"
 #include "shapes.h"
 
 #include <orthocone/body/shapes/boundary.h>
@@ -69,7 +71,8 @@ class FileShape : public Shape
 {
 public:
   FileShape(const GeometryOptions &geometry, const MeshOptions &mesh)
-      : imported_(geometry),
+      : geometry_(geometry),
+        imported_(geometry),
         mesh_(mesh)
   {
   }
@@ -84,11 +87,11 @@ public:
   std::string asymmetry(const ModelSymmetry &symmetry) const override
   {
     if (symmetry.is_axisymmetric())
-      return no_body_of_revolution(BodyShape::file);
+      return no_body_of_revolution(geometry_);
     const unsigned int direction = symmetry.planes().normal_to_x ? 0 : 1;
     return (direction == 0 ? imported_.planes().normal_to_x : imported_.planes().normal_to_y)
                ? ""
-               : std::string("Geometry/Symmetry surfaces has none in ") + "xy"[direction] + " = 0";
+               : geometry_.section + "/Symmetry surfaces has none in " + "xy"[direction] + " = 0";
   }
 
   SymmetryPlanes own_planes() const override { return imported_.planes(); }
@@ -113,13 +116,87 @@ public:
   }
 
 private:
+  const GeometryOptions geometry_;
   const ImportedMesh imported_;
   const MeshOptions mesh_;
 };
+
+Codec<std::string> group_codec()
+{
+  return {"a name without '#', '\\', ',', ';' and ':', a number, or nothing",
+          [](const std::string &text, std::string &)
+          { return is_group_name(text) ? std::optional<std::string>(text) : std::nullopt; },
+          [](const std::string &name) { return name; }};
+}
+
+Codec<std::vector<std::string>> groups_codec()
+{
+  return list_codec<std::string>(
+      "names or numbers separated by commas, or nothing", ',', ", ",
+      [](const std::string &text)
+      { return !text.empty() && is_group_name(text) ? std::optional<std::string>(text) : std::nullopt; },
+      [](const std::string &name) { return name; });
+}
+
+class FileKind : public ShapeKind
+{
+public:
+  BodyShape shape() const override { return BodyShape::file; }
+
+  void declare(GeometryOptions &geometry, Section &section) const override
+  {
+    const Condition is_chosen = section.where<BodyShape>("Shape", geometry.shape, {BodyShape::file});
+    section
+        .add("Mesh file", geometry.mesh_file, path_codec(),
+             "Of a file: a mesh of hexahedra by Gmsh (format 2.1, 2.2 or 4.1, ASCII, mm), relative to the "
+             "folder of the parameter file. It has the modelled part of the body, and all of its base is at "
+             "z >= 0: the height of a node of the base is its gap.")
+        .path(geometry.mesh_file)
+        .only_if(is_chosen);
+    section
+        .add("Contact surface", geometry.contact_surface, group_codec(),
+             "Of a file: surface that is pressed on the plane: a physical one, or a place such as z min.")
+        .only_if(is_chosen);
+    section
+        .add("Held surface", geometry.held_surface, group_codec(),
+             "Of a file: surface that moves as a rigid one, of any shape, by its name or place (z max).")
+        .only_if(is_chosen);
+    section
+        .add("Symmetry surfaces", geometry.symmetry_surfaces, groups_codec(),
+             "Of a file: surfaces in x = 0 or y = 0, by names or places, about which the body is symmetric.")
+        .only_if(is_chosen);
+  }
+
+  void check(const BodyOptions &body) const override { check_mesh_file(body.geometry); }
+
+  std::string chooser_of_mesh() const override
+  {
+    return "the file has the mesh, which Mesh/Refinements and Adaptive refine";
+  }
+
+  bool has_known_sizes() const override { return false; }
+
+  std::string finer_cells(const BodyOptions &body) const override
+  {
+    return "more " + body.mesh.section + "/Refinements, or a " + body.geometry.section +
+           "/Mesh file with smaller cells there";
+  }
+
+  std::string describe(const GeometryOptions &geometry) const override
+  {
+    return shown_path(geometry.mesh_file);
+  }
+
+  std::unique_ptr<Shape> make(const GeometryOptions &geometry, const MeshOptions &mesh) const override
+  {
+    return std::make_unique<FileShape>(geometry, mesh);
+  }
+};
 } // namespace
 
-std::unique_ptr<Shape> make_file_shape(const GeometryOptions &geometry, const MeshOptions &mesh)
+const ShapeKind &file_kind()
 {
-  return std::make_unique<FileShape>(geometry, mesh);
+  static const FileKind kind;
+  return kind;
 }
 } // namespace orthocone

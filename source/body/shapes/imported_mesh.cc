@@ -80,10 +80,10 @@ void ImportedMesh::find_planes()
     const unsigned int d = off[0] <= off[1] ? 0 : 1;
     const std::string axis(1, "xy"[d]);
     if (off[d] > tolerance)
-      throw InputError("Geometry/Symmetry surfaces: " + shown(surface) + " reaches to |" + axis +
+      throw InputError(geometry_.section + "/Symmetry surfaces: " + shown(surface) + " reaches to |" + axis +
                        "| = " + to_text(off[d]) + " mm: allowed are surfaces in the plane x = 0 or y = 0");
     if (lowest_[d] < -tolerance)
-      throw InputError("Geometry/Symmetry surfaces: " + shown(surface) + " lies in " + axis +
+      throw InputError(geometry_.section + "/Symmetry surfaces: " + shown(surface) + " lies in " + axis +
                        " = 0, and the body reaches to " + axis + " = " + to_text(lowest_[d]) +
                        " mm: allowed is a body at " + axis + " >= 0");
     (d == 0 ? planes_.normal_to_x : planes_.normal_to_y) = true;
@@ -141,7 +141,7 @@ void ImportedMesh::check_outside(const std::string &entry, const std::string &su
   const std::size_t outside = faces_of(surface).size(),
                     given = group == nullptr ? outside : group->n_elements;
   if (outside != given)
-    faults.add("Geometry/" + entry + " = " + shown(surface) + " has " + std::to_string(given) +
+    faults.add(geometry_.section + "/" + entry + " = " + shown(surface) + " has " + std::to_string(given) +
                " faces, of which " + std::to_string(outside) +
                " are on the outside of the cells: allowed are all");
 }
@@ -149,7 +149,7 @@ void ImportedMesh::check_outside(const std::string &entry, const std::string &su
 /// Finds places where the contact surface is below its plane or does not look down on it.
 void ImportedMesh::check_contact(FaultList &faults) const
 {
-  const std::string given = "Geometry/Contact surface = " + shown(geometry_.contact_surface);
+  const std::string given = geometry_.section + "/Contact surface = " + shown(geometry_.contact_surface);
   std::vector<std::string> below, upwards;
   for (const auto vertex : vertices_of(contact_))
     if (const Point<3> &at = triangulation_.get_vertices()[vertex]; at[2] < 0)
@@ -179,7 +179,7 @@ void ImportedMesh::check_surfaces() const
     if (vertices.count(held) > 0)
       common.push_back(place(triangulation_.get_vertices()[held]));
   if (!common.empty())
-    faults.add("Geometry/Held surface = " + shown(geometry_.held_surface) +
+    faults.add(geometry_.section + "/Held surface = " + shown(geometry_.held_surface) +
                " has nodes of the contact surface, such as " + common.front() +
                ": allowed are surfaces that do not touch");
   check_contact(faults);

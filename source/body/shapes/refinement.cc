@@ -39,7 +39,7 @@ std::vector<bool> marks(const dealii::Triangulation<dim> &triangulation, const M
   for (const auto &[first, last] : options.refined_cells[round])
   {
     if (last >= is_marked.size())
-      throw InputError("Mesh/Refined cells: round " + std::to_string(round + 1) + " has cell " +
+      throw InputError(options.section + "/Refined cells: round " + std::to_string(round + 1) + " has cell " +
                        std::to_string(last) + ": allowed is a number up to " +
                        std::to_string(is_marked.size() - 1) + ", the last cell of the mesh then");
     std::fill(is_marked.begin() + first, is_marked.begin() + last + 1, true);

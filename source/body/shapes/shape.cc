@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include "shapes.h"
+#include <orthocone/body/shapes/shape.h>
 
-#include <orthocone/parameters/values.h>
+#include "shapes.h"
 
 #include <stdexcept>
 
@@ -13,22 +13,13 @@ void Shape::make_section(dealii::Triangulation<2> &) const
   throw std::logic_error("this shape is not a body of revolution");
 }
 
-std::string no_body_of_revolution(const BodyShape shape)
+std::string no_body_of_revolution(const GeometryOptions &geometry)
 {
-  return "Geometry/Shape = " + to_word(shape) + " is no body of revolution";
+  return geometry.shape_entry() + " is no body of revolution";
 }
 
 std::unique_ptr<Shape> make_shape(const GeometryOptions &geometry, const MeshOptions &mesh)
 {
-  switch (geometry.shape)
-  {
-  case BodyShape::cylinder:
-    return make_cylinder(geometry, mesh);
-  case BodyShape::box:
-    return make_box(geometry, mesh);
-  case BodyShape::file:
-    return make_file_shape(geometry, mesh);
-  }
-  throw std::logic_error("unknown shape");
+  return kind_of(geometry).make(geometry, mesh);
 }
 } // namespace orthocone

@@ -4,7 +4,7 @@
 #include <orthocone/accuracy/first_cycle.h>
 #include <orthocone/accuracy/mesh_search.h>
 #include <orthocone/body/shapes/mesh_ladder.h>
-#include <orthocone/parameters/parameters.h>
+#include <orthocone/scene/parameters.h>
 
 #include "body/even_mesh.h"
 

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/accuracy/first_cycle.h>
 #include <orthocone/accuracy/step_search.h>
-#include <orthocone/parameters/parameters.h>
+#include <orthocone/scene/parameters.h>
 
 #include <gtest/gtest.h>
 

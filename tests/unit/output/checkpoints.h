@@ -7,7 +7,7 @@
 #include "results/scenes.h"
 
 #include <orthocone/output/checkpoint.h>
-#include <orthocone/parameters/parameters.h>
+#include <orthocone/scene/parameters.h>
 
 namespace orthocone::test
 {

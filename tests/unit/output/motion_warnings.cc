@@ -3,7 +3,7 @@
 //
 // Warnings of strains and slides that the theory is not good for, by what the steps show.
 #include <orthocone/output/summary.h>
-#include <orthocone/parameters/parameters.h>
+#include <orthocone/scene/parameters.h>
 
 #include <gtest/gtest.h>
 

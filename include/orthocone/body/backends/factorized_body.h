@@ -16,7 +16,7 @@ class FactorizedBody : public ElasticBody
 public:
   /// `axes_of` returns the local axes of the contact nodes. `on_meshed` is called with the meshed body before
   /// the long work begins. Wall times are added to `seconds`. Throws what Body and StiffnessFactor throw.
-  FactorizedBody(const Parameters &parameters, const ModelSymmetry &symmetry,
+  FactorizedBody(const BodyOptions &options, const ModelSymmetry &symmetry,
                  const std::function<LocalAxes(const ContactSurface &)> &axes_of,
                  const std::function<void(const Body &)> &on_meshed, PhaseSeconds &seconds);
   FactorizedBody(const FactorizedBody &) = delete; // its modules refer to each other

@@ -3,7 +3,7 @@
 #pragma once
 
 #include <orthocone/body/body_unknowns.h>
-#include <orthocone/parameters/options.h>
+#include <orthocone/body/options.h>
 
 #include <deal.II/base/partitioner.h>
 #include <deal.II/dofs/dof_handler.h>

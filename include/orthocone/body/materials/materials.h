@@ -26,7 +26,7 @@ public:
   }
 
   /// With the regions of a mesh file, which has their names. Throws as read_gmsh_file() does.
-  explicit Materials(const Parameters &parameters);
+  explicit Materials(const BodyOptions &options);
 
   /// The material of the cells with this number; throws nothing.
   const Material &of(const dealii::types::material_id volume) const

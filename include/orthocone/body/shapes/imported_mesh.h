@@ -2,9 +2,9 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
-#include <orthocone/parameters/gmsh_file.h>
-#include <orthocone/parameters/options.h>
-#include <orthocone/parameters/surface_places.h>
+#include <orthocone/body/shapes/gmsh_file.h>
+#include <orthocone/body/options.h>
+#include <orthocone/body/shapes/surface_places.h>
 #include <orthocone/surface/model_symmetry.h>
 
 #include <deal.II/grid/tria.h>

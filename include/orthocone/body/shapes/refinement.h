@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
-#include <orthocone/parameters/options.h>
+#include <orthocone/body/options.h>
 
 #include <deal.II/grid/tria.h>
 

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
-#include <orthocone/base/contact_solver_options.h>
+#include <orthocone/contact/solvers/contact_solver_options.h>
 
 #include <memory>
 #include <string_view>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include <orthocone/body/shapes/mesh_files.h>
+#include <orthocone/scene/mesh_files.h>
 
 #include "body/bodies.h"
 #include "body/msh.h"

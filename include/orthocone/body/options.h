@@ -1,0 +1,270 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// Options of an elastic body, of the sections Geometry, Mesh and Material. A second body has the same ones in
+// sections of other names, so that each of the option structs knows the name of its own section.
+#pragma once
+
+#include <orthocone/entries/entry.h>
+
+namespace orthocone
+{
+/// How the upper face is held: clamped (it moves as a rigid plate) or guided (u_z is prescribed, and it is
+/// free sideways).
+enum class TopFace
+{
+  clamped,
+  guided,
+};
+
+template<>
+struct Words<TopFace>
+{
+  static constexpr std::array<std::pair<TopFace, std::string_view>, 2> table{
+      {{TopFace::clamped, "clamped"}, {TopFace::guided, "guided"}}};
+};
+
+/// Shape of the body.
+enum class BodyShape
+{
+  cylinder,
+  box,
+  file,
+};
+
+template<>
+struct Words<BodyShape>
+{
+  static constexpr std::array<std::pair<BodyShape, std::string_view>, 3> table{
+      {{BodyShape::cylinder, "cylinder"}, {BodyShape::box, "box"}, {BodyShape::file, "file"}}};
+};
+
+/// Part of the body that is modelled; axisymmetric is its section (r, z).
+enum class ModelKind
+{
+  automatic,
+  full,
+  half,
+  quarter,
+  axisymmetric,
+};
+
+template<>
+struct Words<ModelKind>
+{
+  static constexpr std::array<std::pair<ModelKind, std::string_view>, 5> table{
+      {{ModelKind::automatic, "auto"},
+       {ModelKind::full, "full"},
+       {ModelKind::half, "half"},
+       {ModelKind::quarter, "quarter"},
+       {ModelKind::axisymmetric, "axisymmetric"}}};
+};
+
+/// What chooses the cells of the mesh: the single entries (custom), or one word for all of them.
+enum class MeshResolution
+{
+  custom,
+  paper,
+  coarse,
+  medium,
+  fine,
+};
+
+template<>
+struct Words<MeshResolution>
+{
+  static constexpr std::array<std::pair<MeshResolution, std::string_view>, 5> table{
+      {{MeshResolution::custom, "custom"},
+       {MeshResolution::paper, "paper"},
+       {MeshResolution::coarse, "coarse"},
+       {MeshResolution::medium, "medium"},
+       {MeshResolution::fine, "fine"}}};
+};
+
+/// How the part of the stiffness that resists changes of volume is integrated: like the rest (full), or with
+/// the divergence projected to one degree less (projected). docs/theory.md, section 2, "Projected
+/// divergence".
+enum class VolumetricQuadrature
+{
+  automatic, ///< projected for degree 2 and more, where it is stable; full for degree 1
+  full,
+  projected,
+};
+
+template<>
+struct Words<VolumetricQuadrature>
+{
+  /// The last word is an older one for projected.
+  static constexpr std::array<std::pair<VolumetricQuadrature, std::string_view>, 4> table{
+      {{VolumetricQuadrature::automatic, "auto"},
+       {VolumetricQuadrature::full, "full"},
+       {VolumetricQuadrature::projected, "projected"},
+       {VolumetricQuadrature::projected, "reduced"}}};
+};
+
+/// Law of elasticity of the body.
+enum class MaterialLaw
+{
+  isotropic,
+  orthotropic,
+};
+
+template<>
+struct Words<MaterialLaw>
+{
+  static constexpr std::array<std::pair<MaterialLaw, std::string_view>, 2> table{
+      {{MaterialLaw::isotropic, "isotropic"}, {MaterialLaw::orthotropic, "orthotropic"}}};
+};
+
+/// How the elastic body is solved: factorized and condensed to its contact nodes, or by multigrid.
+enum class BodyBackend
+{
+  automatic,
+  condensed,
+  multigrid,
+};
+
+template<>
+struct Words<BodyBackend>
+{
+  static constexpr std::array<std::pair<BodyBackend, std::string_view>, 3> table{
+      {{BodyBackend::automatic, "auto"},
+       {BodyBackend::condensed, "condensed"},
+       {BodyBackend::multigrid, "multigrid"}}};
+};
+
+/// The entries of section Geometry; lengths in mm.
+struct GeometryOptions
+{
+  double radius = 10;
+  double height = 10;
+  TopFace top_face = TopFace::clamped;
+  BodyShape shape = BodyShape::cylinder;
+  std::array<double, 3> sizes{{20, 20, 10}}; ///< of a box, along x, y, z
+  std::string mesh_file{};                   ///< path, or empty
+  // Physical groups of that file, by name or number:
+  std::string contact_surface{};
+  std::string held_surface{};
+  std::vector<std::string> symmetry_surfaces{};
+  std::string section = "Geometry"; ///< in messages
+
+  /// "Geometry/Shape = box".
+  std::string shape_entry() const { return section + "/Shape = " + to_word(shape); }
+
+  bool is_from_file() const { return shape == BodyShape::file; } ///< whether Mesh file and the surfaces count
+
+  /// Distance of the held face from the base, mm; it means nothing for a body from a file.
+  double held_height() const { return shape == BodyShape::box ? sizes[2] : height; }
+};
+
+/// Cells of a mesh from `first` to `last`, both included; their numbers are those of the mesh's order.
+struct CellRange
+{
+  unsigned int first, last;
+};
+
+/// The entries of section Mesh: an o-grid disc extruded into layers, or the rows of cells of a box.
+struct MeshOptions
+{
+  ModelKind model = ModelKind::automatic;
+  unsigned int core_cells = 8;        ///< cells along a side of the core block
+  unsigned int rings = 0;             ///< cells from core to rim; 0: as many as core cells
+  unsigned int layers = 4;            ///< cells over the height
+  unsigned int degree = 2;            ///< polynomial degree of FE_Q
+  unsigned int quadrature_points = 0; ///< Gauss points per direction; 0: degree + 1
+  VolumetricQuadrature volumetric_quadrature = VolumetricQuadrature::automatic;
+  double core_ratio = 0.5;  ///< core corner radius / R
+  double rim_grading = 1;   ///< thickness of a ring / thickness of the next inner ring
+  double layer_grading = 1; ///< thickness of a layer / thickness of its neighbour towards mid-height
+  MeshResolution resolution = MeshResolution::custom;
+  double accuracy = 0;                          ///< wanted of `quantity_names`, percent; 0: the mesh is given
+  std::array<unsigned int, 3> cells{{8, 8, 4}}; ///< of a box, along x, y, z
+  double edge_grading = 1; ///< of a box: thickness of a cell / thickness of its neighbour towards the middle
+  unsigned int refinements = 0; ///< how often every cell is divided into eight, a section's into four
+  BodyBackend backend = BodyBackend::automatic;
+  unsigned int adaptive = 0; ///< rounds of refinement where the first cycle asks for it
+  std::vector<std::vector<CellRange>> refined_cells{}; ///< halved after all refinements, round by round
+  unsigned int coarsenings = 0; ///< how often cells that were halved are made larger again; no entry
+  std::string section = "Mesh"; ///< in messages
+
+  unsigned int n_rings() const { return rings == 0 ? core_cells : rings; } ///< the default resolved
+  /// Full or projected: the default resolved.
+  VolumetricQuadrature resolved_volumetric_quadrature() const
+  {
+    if (volumetric_quadrature != VolumetricQuadrature::automatic)
+      return volumetric_quadrature;
+    return degree >= 2 ? VolumetricQuadrature::projected : VolumetricQuadrature::full;
+  }
+  unsigned int n_quadrature_points() const { return quadrature_points == 0 ? degree + 1 : quadrature_points; }
+};
+
+/// The isotropic constants of a volume of an imported mesh.
+struct MaterialRegion
+{
+  std::string volume;   ///< name or number of the physical group
+  double young_modulus; ///< MPa
+  double poisson_ratio;
+};
+
+/// The entries of section Material: linear elasticity.
+struct MaterialOptions
+{
+  double young_modulus = 210000; ///< MPa
+  double poisson_ratio = 0.3;
+  MaterialLaw law = MaterialLaw::isotropic;
+  // For the orthotropic law:
+  std::array<double, 3> young_moduli{{210000, 210000, 210000}}; ///< E_x, E_y, E_z, MPa
+  std::array<double, 3> poisson_ratios{{0.3, 0.3, 0.3}};        ///< nu_xy, nu_xz, nu_yz
+  std::array<double, 3> shear_moduli{{80000, 80000, 80000}};    ///< G_xy, G_xz, G_yz, MPa
+  std::vector<MaterialRegion> regions{};
+  std::string section = "Material"; ///< in messages
+
+  bool is_orthotropic() const { return law == MaterialLaw::orthotropic; }
+  bool is_uniform_and_isotropic() const { return !is_orthotropic() && regions.empty(); }
+
+  /// The constants themselves, or, for the orthotropic law, those of Reuss's average over all directions
+  /// (Hill, Proc. Phys. Soc. A 65 (1952) 349-354), which are the same where the nine constants are isotropic.
+  MaterialOptions isotropic() const;
+
+  std::string regions_text() const; ///< of the entry Regions
+};
+
+/// An elastic body.
+struct BodyOptions
+{
+  GeometryOptions geometry{};
+  MeshOptions mesh{};
+  MaterialOptions material{};
+
+  /// A body in the sections "Lower geometry", "Lower mesh" and "Lower material".
+  static BodyOptions lower();
+};
+
+/// Adds the entries of Geometry, but Top face, which is that of the upper body alone.
+void declare_shape(GeometryOptions &geometry, Section &section);
+void declare_top_face(GeometryOptions &geometry, Section &section);
+
+/// Adds the entries that choose a mesh as a whole.
+void declare_mesh_choice(MeshOptions &mesh, Section &section);
+
+/// Adds the entries of the cells. `geometry` has the shape whose cells they are; it must outlive the section.
+void declare_cells(MeshOptions &mesh, const GeometryOptions &geometry, Section &section);
+
+/// Adds the entries of single cells that are halved, and of how the body is solved.
+void declare_backend(MeshOptions &mesh, Section &section);
+
+void declare_material(MaterialOptions &material, Section &section);
+
+/// Throws InputError where the entries of a body contradict each other, and FileError for a mesh file that
+/// cannot be read.
+void check_body(const BodyOptions &body);
+
+/// Throws InputError where the mesh is chosen by several entries, or by one that the shape does not know.
+void check_mesh_choice(const BodyOptions &body);
+
+/// Throws InputError unless the constants store energy under every strain, and the regions exist.
+void check_material(const BodyOptions &body);
+
+/// Adds a warning where full volumetric quadrature locks.
+void warn_of_locking(const BodyOptions &body, std::vector<std::string> &warnings);
+} // namespace orthocone

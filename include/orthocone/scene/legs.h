@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// Legs and probes as users write them. Nothing here throws.
+#pragma once
+
+#include <orthocone/scene/options.h>
+
+namespace orthocone
+{
+/// "ux uy uz : steps ; NAME value ... : steps ; ...", possibly empty, in mm, degrees, N and N mm. Each leg has
+/// at least one step, and names a component once.
+Codec<std::vector<Leg>> legs_codec();
+
+/// "name: x y ; ...", possibly empty, mm. Names become file names: they consist of letters, digits, '-' and
+/// '_', and each may occur once.
+Codec<std::vector<Probe>> probes_codec();
+} // namespace orthocone

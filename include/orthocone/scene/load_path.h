@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/scene/options.h>
+
+namespace orthocone
+{
+/// What drives the components of the held face, in users' units.
+using Drives = std::array<Drive, n_rigid_components>;
+
+/// A leg of a load program with what drives the held face before and behind it.
+struct PathLeg
+{
+  const Leg *leg;
+  std::string entry; ///< "Load program/Preload" or "Load program/Legs"
+  unsigned int number; ///< in the entry, from 1
+  unsigned int cycle;  ///< 0 in the preload
+  Drives before, after;
+
+  /// Where a component is behind the leg, mm or degrees; 0 where a force drives it, because it is unknown.
+  double motion(const unsigned int component) const
+  {
+    return after[component].by_force ? 0 : after[component].value;
+  }
+};
+
+/// The way of the held face through the load program, leg by leg: the preload, and the first two cycles. The
+/// first one starts from the end of the preload, and all others from the end of a cycle, so that the cycles
+/// behind the second are like it. `load` must outlive the result.
+std::vector<PathLeg> load_path(const LoadOptions &load);
+} // namespace orthocone

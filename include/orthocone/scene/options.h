@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// Plain option structs, one for each section of the parameter file. read_parameters() fills them once; they
+// are handed on as const references.
+#pragma once
+
+#include <orthocone/base/rigid_components.h>
+#include <orthocone/body/options.h>
+#include <orthocone/contact/solvers/contact_solver_options.h>
+
+#include <array>
+#include <cmath>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace orthocone
+{
+/// The law by which slip wears the base of the body (docs/theory.md, section 3, "Wear").
+enum class WearKind
+{
+  none,
+  archard,
+  energy,
+};
+
+template<>
+struct Words<WearKind>
+{
+  static constexpr std::array<std::pair<WearKind, std::string_view>, 3> table{
+      {{WearKind::none, "none"}, {WearKind::archard, "archard"}, {WearKind::energy, "energy"}}};
+};
+
+/// How a step is solved that wears a node about as deep as pressure flattens it (docs/theory.md, section 3,
+/// "Wear").
+enum class DeepWear
+{
+  implicitly, ///< with its depth as an unknown
+  explicitly, ///< as any other step: the next one finds the depth
+};
+
+template<>
+struct Words<DeepWear>
+{
+  static constexpr std::array<std::pair<DeepWear, std::string_view>, 2> table{
+      {{DeepWear::implicitly, "implicit"}, {DeepWear::explicitly, "explicit"}}};
+};
+
+/// The kind of obstacle that the body rests on.
+enum class ObstacleKind
+{
+  rigid,
+  half_space,
+  body,
+};
+
+template<>
+struct Words<ObstacleKind>
+{
+  static constexpr std::array<std::pair<ObstacleKind, std::string_view>, 3> table{
+      {{ObstacleKind::rigid, "rigid"},
+       {ObstacleKind::half_space, "half-space"},
+       {ObstacleKind::body, "body"}}};
+};
+
+/// The entries of section Friction: semi-axes of the friction ellipse (mu) and of the slip ellipse (p), both
+/// along axes turned by `angle` degrees from x to y. Where they vary, the numbers are those at the centre x =
+/// y = 0.
+struct FrictionOptions
+{
+  std::array<double, 2> mu{{0.3, 0.15}};                 ///< both 0: no friction
+  std::optional<std::array<double, 2>> slip_potential{}; ///< p; without it p = mu, associated friction
+  double angle = 0;
+  bool is_collinear_by_word = false; ///< p_x = p_y, whatever slip_potential has
+  // Values that depend on the place:
+  std::optional<std::array<Expression, 2>> varying_mu{};
+  std::optional<std::array<Expression, 2>> varying_slip_potential{};
+  std::optional<Expression> varying_angle{};
+
+  bool varies() const { return varying_mu || varying_slip_potential || varying_angle; }
+  bool is_frictionless() const { return mu[0] == 0 && !varying_mu; }
+
+  /// Semi-axes p_x, p_y of the slip ellipse; without friction (1, 1), which means nothing.
+  std::array<double, 2> p() const
+  {
+    return is_frictionless() || is_collinear_by_word ? std::array<double, 2>{{1, 1}}
+                                                     : slip_potential.value_or(mu);
+  }
+
+  /// Whether p is proportional to mu everywhere, so that slip is along the normal of the cone.
+  bool is_associated() const
+  {
+    constexpr double rounding = 1e-12;
+    const bool has_own_field =
+        varying_slip_potential || (varying_mu && (slip_potential || is_collinear_by_word));
+    return is_frictionless() ||
+           (!has_own_field && std::abs(p()[0] * mu[1] / (p()[1] * mu[0]) - 1) <= rounding);
+  }
+
+  /// Whether p_x = p_y everywhere, so that slip is along the friction force.
+  bool is_collinear() const
+  {
+    const bool has_varying_p = varying_slip_potential || (varying_mu && !slip_potential);
+    return is_collinear_by_word || (!has_varying_p && p()[0] == p()[1]);
+  }
+
+  /// Friction at a place (mm): the same with numbers only. These may be any numbers, also NaN.
+  FrictionOptions at(double x, double y) const;
+};
+
+/// The entries of section Obstacle. The gap between the plane z = 0 and the obstacle is the sum of `gap` and
+/// of the gap in the file, mm.
+struct ObstacleOptions
+{
+  std::string gap = "0";  ///< an Expression
+  std::string gap_file{}; ///< path, or empty
+  ObstacleKind kind = ObstacleKind::rigid;
+  MaterialOptions material{}; ///< of a half-space
+
+  /// Whether the obstacle is the plane z = 0.
+  bool is_plane() const;
+};
+
+/// The entries of section Wear.
+struct WearOptions
+{
+  WearKind law = WearKind::none;
+  double coefficient = 0; ///< worn mm^3 per N mm of normal force times slip, or of friction work; 1/MPa
+  DeepWear deep_steps = DeepWear::implicitly;
+  double largest_jump = 0; ///< largest depth that cycles may wear off without being computed, mm; 0 = none
+};
+
+/// The target of a component of the held face in a leg: mm, degrees, N or N mm.
+struct Drive
+{
+  bool by_force = false;
+  double value = 0;
+
+  bool operator==(const Drive &other) const { return by_force == other.by_force && value == other.value; }
+};
+
+/// One leg of the load program. The components that it names (ux uy uz rx ry rz, or in their place Fx Fy Fz
+/// Mx My Mz) go to their targets on a straight line in equal steps; the others stay as they are.
+struct Leg
+{
+  std::array<std::optional<Drive>, n_rigid_components> targets{};
+  unsigned int steps = 1;
+  unsigned int parts = 1; ///< of each step, solved one by one; only the step's end is checked and written
+
+  /// Where the leg moves the component (mm or degrees), or nothing if it does not.
+  std::optional<double> motion(const unsigned int component) const
+  {
+    const auto &target = targets[component];
+    return target && !target->by_force ? std::optional<double>(target->value) : std::nullopt;
+  }
+  bool operator==(const Leg &other) const
+  {
+    return targets == other.targets && steps == other.steps && parts == other.parts;
+  }
+};
+
+/// A leg that moves the held face to (ux, uy, uz), mm.
+inline Leg move_to(const double ux, const double uy, const double uz, const unsigned int steps)
+{
+  return {{{Drive{false, ux}, Drive{false, uy}, Drive{false, uz}}}, steps};
+}
+
+/// The largest number of steps of a load program, each counted with all its parts.
+constexpr double most_solved_parts = 1e6;
+
+/// The entries of section Load program: the preload once, then the legs `cycles` times.
+struct LoadOptions
+{
+  std::vector<Leg> preload;
+  std::vector<Leg> legs{move_to(0, 0, -0.1, 5), move_to(0, 0, 0, 10)}; ///< the paper's cycle
+  unsigned int cycles = 1;
+  double accuracy =
+      0; ///< wanted of `quantity_names` as far as load steps cause errors, percent; 0: steps as given
+  double stop_when_periodic = 0;  ///< bound of the change of state in a cycle; 0 = never
+  double jump_when_periodic = 0;  ///< bound of the change of state in a cycle; 0 = never
+  unsigned int jump_cycles = 100; ///< most cycles that are jumped before the next one is computed
+};
+
+/// The entries of section Checks: bounds of the independent checks of every step (docs/theory.md, section 5).
+struct CheckOptions
+{
+  double equilibrium = 1e-8; ///< relative, forces of the body and displacements of its contact surface
+  double penetration = 1000; ///< this one and the next three: in multiples of the solver's tolerance
+  double complementarity = 1000;
+  double friction_cone = 1000;
+  double slip_rule = 1000;
+  double energy_identity = 1e-8; ///< relative to the largest energy so far
+  double energy_defect = 2;      ///< relative to the largest energy so far
+};
+
+/// A point of the contact surface whose history is written.
+struct Probe
+{
+  std::string name;
+  std::array<double, 2> position{{0, 0}}; ///< mm
+};
+
+/// The entries of section Output. Intervals are numbers of steps; 0 = never.
+struct OutputOptions
+{
+  unsigned int contact_interval = 1;
+  unsigned int volume_interval = 0;
+  unsigned int problem_interval = 0;
+  double checkpoint_seconds = 2; ///< least time between two checkpoints; 0 = one after every step
+  std::vector<Probe> probes;
+};
+
+/// The whole parameter file: the body, and what it is pressed on and how. The lower body, which is there with
+/// `Obstacle/Kind = body`, is described as if it stood on a plane; its mirror image is below z = 0, and its
+/// held face does not move (docs/theory.md, section 2, "A second elastic body below").
+struct Parameters : BodyOptions
+{
+  FrictionOptions friction;
+  ObstacleOptions obstacle;
+  BodyOptions lower = BodyOptions::lower();
+  WearOptions wear;
+  LoadOptions load;
+  ContactSolverOptions contact_solver;
+  CheckOptions checks;
+  OutputOptions output;
+};
+
+// Each adds the entries of a section.
+void declare_friction(FrictionOptions &friction, Section &section);
+void declare_obstacle(ObstacleOptions &obstacle, Section &section);
+void declare_wear(WearOptions &wear, Section &section);
+void declare_load(LoadOptions &load, Section &section);
+void declare_contact_solver(ContactSolverOptions &solver, Section &section);
+void declare_checks(CheckOptions &checks, Section &section);
+void declare_output(OutputOptions &output, Section &section);
+
+/// Throws InputError for a program without legs, or with more steps than can be computed or counted.
+void check_load(const LoadOptions &load, const WearOptions &wear);
+
+/// Throws InputError where a wear law contradicts other entries.
+void check_wear(const WearOptions &wear, const LoadOptions &load);
+
+/// Adds warnings of bounds for a periodic response that rounding hides, or that are loose.
+void warn_of_periods(const LoadOptions &load, double tolerance, std::vector<std::string> &warnings);
+
+/// Adds a warning where the method is there for study only.
+void warn_of_weak_method(const ContactSolverOptions &solver, std::vector<std::string> &warnings);
+} // namespace orthocone

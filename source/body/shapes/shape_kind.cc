@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/body/shapes/shape_kind.h>
+
+#include "shapes.h"
+
+#include <orthocone/base/errors.h>
+#include <orthocone/base/grading.h>
+
+#include <cmath>
+
+namespace orthocone
+{
+const std::vector<const ShapeKind *> &shape_kinds()
+{
+  static const std::vector<const ShapeKind *> kinds{&cylinder_kind(), &box_kind(), &file_kind()};
+  return kinds;
+}
+
+const ShapeKind &kind_of(const GeometryOptions &geometry)
+{
+  const auto &kinds = shape_kinds();
+  return **std::find_if(kinds.begin(), kinds.end(),
+                        [&](const ShapeKind *kind) { return kind->shape() == geometry.shape; });
+}
+
+void declare_shape(GeometryOptions &geometry, Section &section)
+{
+  section.add_word("Shape", geometry.shape,
+                   "Shape of the body; its base z = 0 rests on the rigid plane, its axis is z.");
+  for (const ShapeKind *const kind : shape_kinds())
+    kind->declare(geometry, section);
+}
+
+void declare_top_face(GeometryOptions &geometry, Section &section)
+{
+  section.add_word(
+      "Top face", geometry.top_face,
+      "The upper face moves as a rigid plate (clamped), or has u_z prescribed and is free sideways (guided; "
+      "only in a quarter or axisymmetric model, where symmetry holds the body).");
+}
+
+std::string coarse_rim_warning(const BodyOptions &body)
+{
+  constexpr double most = 0.1; // divided by degree^2: that decides how well the singular slip is resolved
+  constexpr double percent = 100;
+  const ShapeKind &kind = kind_of(body.geometry);
+  const MeshOptions &mesh = body.mesh;
+  // Every round of refinement of single cells has the rim.
+  const auto n_halvings = mesh.refinements + mesh.adaptive + mesh.refined_cells.size();
+  const double size = std::ldexp(kind.rim_size(body), -static_cast<int>(n_halvings));
+  if (!kind.has_known_sizes() || mesh.accuracy != 0 || size <= most * mesh.degree * mesh.degree)
+    return {}; // with an accuracy the mesh is yet to be chosen
+  return mesh.section + ": elements of degree " + std::to_string(mesh.degree) + " and " +
+         to_text(std::round(percent * size)) + " % of " + kind.rim_unit() +
+         " do not resolve the rim; the slip there may be wrong by 20 % and more: take "
+         "a higher degree, more layers and " +
+         kind.finer_rim() + " and Layer grading < 1";
+}
+
+void check_grading(const std::string &entry, const double grading, const unsigned int n_graded,
+                   const std::string &what)
+{
+  constexpr double least_thickness = 1e-6;
+  if (thinnest_share(n_graded, grading) < least_thickness)
+    throw InputError(entry + " = " + to_text(grading) + " with " + what);
+}
+
+void check_layers(const MeshOptions &mesh, const unsigned int n)
+{
+  check_grading(mesh.section + "/Layer grading", mesh.layer_grading, (n + 1) / 2,
+                std::to_string(n) + " layers: allowed is what leaves every layer 1e-6 of the height");
+}
+} // namespace orthocone

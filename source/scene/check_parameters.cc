@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/base/errors.h>
+#include <orthocone/body/shapes/shape_kind.h>
+#include <orthocone/contact/solvers/contact_method.h>
+#include <orthocone/scene/gap_file.h>
+#include <orthocone/scene/load_path.h>
+#include <orthocone/scene/parameters.h>
+
+namespace orthocone
+{
+namespace
+{
+/// Refuses what a body without a dense compliance cannot do.
+void check_backend(const Parameters &parameters)
+{
+  if (parameters.mesh.backend != BodyBackend::multigrid)
+    return;
+  const std::string method = parameters.contact_solver.method;
+  if (find_contact_method(method)->needs_dense)
+    throw InputError(
+        "Contact solver/Method = " + method +
+        " needs a dense compliance, and Mesh/Backend = multigrid has none: allowed is newton, or "
+        "Backend = condensed");
+  if (parameters.obstacle.kind != ObstacleKind::rigid)
+    throw InputError("Obstacle/Kind = " + to_word(parameters.obstacle.kind) +
+                     " with Mesh/Backend = multigrid: what is below is no part of "
+                     "the body that its cycles solve; allowed is auto or condensed, or Kind = rigid");
+  if (!parameters.material.is_uniform_and_isotropic())
+    throw InputError((parameters.material.is_orthotropic()
+                          ? "Material/Law = orthotropic"
+                          : "Material/Regions = " + parameters.material.regions_text()) +
+                     " with Mesh/Backend = multigrid, whose products have one pair of Lame's constants: "
+                     "allowed is Backend = condensed");
+}
+
+void check_compression(const LoadOptions &load, const GeometryOptions &geometry)
+{
+  const ShapeKind &kind = kind_of(geometry);
+  if (!kind.has_known_sizes())
+    return; // the mesh does not exist yet
+  for (const PathLeg &leg : load_path(load))
+    if (const double u_z = leg.motion(2); u_z <= -geometry.held_height())
+      throw InputError(leg.entry + ": u_z = " + to_text(u_z) +
+                       " mm presses the body flat: allowed is more than -" + kind.height_entry(geometry) +
+                       " = " + to_text(-geometry.held_height()) + " mm");
+}
+
+void check_probes(const GeometryOptions &geometry, const std::vector<Probe> &probes)
+{
+  const ShapeKind &kind = kind_of(geometry);
+  for (const Probe &probe : probes)
+    if (!kind.is_on_base(geometry, probe.position))
+      throw InputError("Output/Probes: '" + probe.name + "' at (" + to_text(probe.position[0]) + ", " +
+                       to_text(probe.position[1]) + ") is off the contact surface: allowed are " +
+                       kind.base_in_words(geometry));
+}
+
+/// Refuses refinement by what a run finds, which knows one body only.
+void check_one_mesh(const MeshOptions &mesh)
+{
+  const std::string with = " with Obstacle/Kind = body: allowed is ";
+  if (mesh.accuracy != 0)
+    throw InputError("Mesh/Accuracy = " + to_text(mesh.accuracy) + " %" + with +
+                     "0; the search refines one body alone");
+  if (mesh.adaptive != 0)
+    throw InputError("Mesh/Adaptive = " + std::to_string(mesh.adaptive) + with +
+                     "0; cells are halved in one body alone (Mesh/Refinements halves all)");
+  if (!mesh.refined_cells.empty())
+    throw InputError("Mesh/Refined cells is set" + with +
+                     "nothing; faces of both bodies are joined without hanging nodes");
+}
+void check_lower_body(const Parameters &parameters)
+{
+  constexpr unsigned int most_of_solids = 3;
+  if (parameters.obstacle.kind != ObstacleKind::body)
+    return;
+  check_one_mesh(parameters.mesh);
+  const BodyOptions &lower = parameters.lower;
+  if (lower.mesh.degree > most_of_solids)
+    throw InputError(lower.mesh.section + "/Degree = " + std::to_string(lower.mesh.degree) +
+                     ": allowed is a whole number from 1 to 3");
+  check_body(lower);
+}
+
+void check_obstacle(const ObstacleOptions &obstacle)
+{
+  if (!obstacle.gap_file.empty())
+    read_gap_file(obstacle.gap_file);
+}
+} // namespace
+
+void check_parameters(const Parameters &parameters)
+{
+  check_mesh_choice(parameters);
+  check_backend(parameters);
+  check_load(parameters.load, parameters.wear);
+  check_wear(parameters.wear, parameters.load);
+  check_compression(parameters.load, parameters.geometry);
+  check_body(parameters);
+  check_probes(parameters.geometry, parameters.output.probes);
+  check_lower_body(parameters);
+  check_obstacle(parameters.obstacle);
+}
+} // namespace orthocone

@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/scene/legs.h>
+
+#include <orthocone/entries/names.h>
+
+#include <algorithm>
+#include <iterator>
+#include <sstream>
+
+namespace orthocone
+{
+namespace
+{
+constexpr const char *leg_form =
+    "legs \"ux uy uz : steps\" (numbers in mm, at least one step) or \"NAME value ... : steps\" (ux, uy, uz "
+    "in "
+    "mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N mm), separated by ';'; \"steps * parts\" "
+    "solves each step in so many parts";
+
+const std::vector<std::string> &component_names()
+{
+  static const std::vector<std::string> names = []
+  {
+    std::vector<std::string> all(motion_names.begin(), motion_names.end());
+    all.insert(all.end(), wrench_names.begin(), wrench_names.end());
+    return all;
+  }();
+  return names;
+}
+
+std::string unknown(const std::string &name)
+{
+  std::string all;
+  for (const std::string &known : component_names())
+    all += (all.empty() ? "" : ", ") + known;
+  const std::string nearest = nearest_name(name, component_names());
+  return "a name of " + all + "; '" + shown(name) + "'" + remark(name) + " is none" +
+         (nearest.empty() ? "" : ", is " + nearest + " meant?");
+}
+
+/// The fault of a component that is named again.
+std::string named_twice(const std::string &name, const std::size_t component, const Drive &earlier)
+{
+  const std::string before = (earlier.by_force ? wrench_names : motion_names)[component];
+  return "a component once in a leg; " +
+         (name == before ? name + " is named twice" : before + " and " + name + " are the same component");
+}
+
+/// Adds the component `name` to a leg. Returns what is allowed instead, or "".
+std::string add_component(const std::string &name, const double value, Leg &leg)
+{
+  const auto &names = component_names();
+  const auto place = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+  if (place == names.size())
+    return unknown(name);
+  const std::size_t component = place % n_rigid_components;
+  if (const auto &earlier = leg.targets[component])
+    return named_twice(name, component, *earlier);
+  leg.targets[component] = Drive{place >= n_rigid_components, value};
+  return {};
+}
+
+/// Reads "ux uy uz" or "NAME value ...". Returns what is allowed instead, or "".
+std::string parse_targets(const std::string &text, Leg &leg)
+{
+  if (const auto position = parse_numbers(text, 3, ' '))
+  {
+    leg.targets = move_to((*position)[0], (*position)[1], (*position)[2], leg.steps).targets;
+    return {};
+  }
+  std::istringstream stream(text);
+  const std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
+  if (words.empty() || words.size() % 2 != 0)
+    return leg_form;
+  for (std::size_t i = 0; i < words.size(); i += 2)
+  {
+    const auto value = parse_number(words[i + 1]);
+    if (!value || parse_number(words[i]))
+      return leg_form;
+    if (const std::string fault = add_component(words[i], *value, leg); !fault.empty())
+      return fault;
+  }
+  return {};
+}
+
+/// Reads "steps" or "steps * parts", neither of them 0. Returns whether the text has this form.
+bool parse_steps(const std::string &text, Leg &leg)
+{
+  const std::size_t times = text.find('*');
+  const auto steps = parse_count(trimmed(text.substr(0, times)));
+  const auto parts = times == std::string::npos ? std::optional<unsigned int>(1)
+                                                : parse_count(trimmed(text.substr(times + 1)));
+  if (!steps || !parts || *steps == 0 || *parts == 0)
+    return false;
+  leg.steps = *steps;
+  leg.parts = *parts;
+  return true;
+}
+
+/// Reads a leg. Returns what is allowed instead, or "".
+std::string parse_leg(const std::string &text, Leg &leg)
+{
+  const auto halves = split(text, ':');
+  if (halves.size() != 2 || !parse_steps(halves[1], leg))
+    return leg_form;
+  return parse_targets(halves[0], leg);
+}
+
+/// Whether the leg consists of three plain numbers.
+bool is_translation(const Leg &leg)
+{
+  const auto has_motion = [&](const unsigned int i) { return leg.motion(i).has_value(); };
+  return has_motion(0) && has_motion(1) && has_motion(2) && !leg.targets[3] && !leg.targets[4] &&
+         !leg.targets[5];
+}
+
+std::string leg_text(const Leg &leg)
+{
+  std::string text;
+  for (unsigned int i = 0; i < n_rigid_components; ++i)
+    if (const auto &target = leg.targets[i])
+      text +=
+          (is_translation(leg) ? ""
+                               : std::string((target->by_force ? wrench_names : motion_names)[i]) + " ") +
+          to_text(target->value) + " ";
+  text += ": " + std::to_string(leg.steps);
+  return leg.parts > 1 ? text + " * " + std::to_string(leg.parts) : text;
+}
+} // namespace
+
+Codec<std::vector<Leg>> legs_codec()
+{
+  Codec<std::vector<Leg>> codec = list_codec<Leg>(leg_form, ';', "; ", {}, leg_text);
+  codec.parse = [](const std::string &text, std::string &instead) -> std::optional<std::vector<Leg>>
+  {
+    std::vector<Leg> legs;
+    if (trimmed(text).empty())
+      return legs;
+    for (const auto &piece : split(text, ';'))
+    {
+      Leg leg;
+      if (const std::string fault = parse_leg(piece, leg); !fault.empty())
+      {
+        instead = fault;
+        return std::nullopt;
+      }
+      legs.push_back(leg);
+    }
+    return legs;
+  };
+  return codec;
+}
+} // namespace orthocone

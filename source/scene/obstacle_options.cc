@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/scene/options.h>
+
+namespace orthocone
+{
+bool ObstacleOptions::is_plane() const
+{
+  const Expression expression(gap);
+  return gap_file.empty() && expression.is_constant() && expression.value(0, 0) == 0;
+}
+
+void declare_obstacle(ObstacleOptions &obstacle, Section &section)
+{
+  const Codec<Expression> gap = expression_codec(any_number);
+  section.add("Gap",
+              {gap.allowed,
+               [&obstacle, gap](const std::string &text, std::string &instead)
+               {
+                 const auto given = gap.parse(text, instead);
+                 if (given)
+                   obstacle.gap = given->text();
+                 return given.has_value();
+               },
+               [&obstacle] { return obstacle.gap; }},
+              "Gap between the base of the body and the obstacle in mm, before the body moves, such as "
+              "(x^2+y^2)/(2*1000), a sphere of radius 1000 mm.");
+  section
+      .add(
+          "Gap file", obstacle.gap_file, path_codec(),
+          "A gap on a regular grid, which is added to Gap: a text file with the line 'x0 dx nx y0 dy ny', then "
+          "ny lines of nx numbers, mm; relative to the folder of the parameter file.")
+      .path(obstacle.gap_file);
+  section.add_word(
+      "Kind", obstacle.kind,
+      "What the body rests on: a rigid plane, an elastic half-space (needs no mesh), or a second elastic "
+      "body, that of the sections Lower geometry, Lower mesh and Lower material (neither in the "
+      "axisymmetric model, nor with Mesh/Backend = multigrid). Gap is that between both, whichever of them "
+      "is curved.");
+  const std::string of_half_space = " of a half-space; without one it has no meaning.";
+  const Condition has_half_space =
+      section.where<ObstacleKind>("Kind", obstacle.kind, {ObstacleKind::half_space});
+  section
+      .add("Young modulus", obstacle.material.young_modulus, number_codec(positive),
+           "Young's modulus in MPa" + of_half_space)
+      .only_if(has_half_space);
+  section
+      .add("Poisson ratio", obstacle.material.poisson_ratio, number_codec(NumberRange{-1, 0.5}),
+           "Poisson's ratio" + of_half_space)
+      .only_if(has_half_space);
+}
+} // namespace orthocone

@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// Parameter files for tests.
+#pragma once
+
+#include "folder_of_files.h"
+
+#include <orthocone/base/errors.h>
+#include <orthocone/scene/parameters.h>
+
+namespace orthocone::test
+{
+/// The sentence with which a parameter file is rejected, or "" if it is not.
+inline std::string rejection(const std::string &file, const std::vector<std::string> &overrides = {})
+{
+  try
+  {
+    read_parameters(file, overrides);
+    return "";
+  }
+  catch (const InputError &error)
+  {
+    return error.what();
+  }
+}
+} // namespace orthocone::test
