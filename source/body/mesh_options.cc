@@ -57,7 +57,7 @@ Codec<std::vector<Round>> refined_cells_codec()
 std::string changed_entry(const BodyOptions &body)
 {
   BodyOptions given = body, usual;
-  usual.mesh.section = body.mesh.section;
+  usual.mesh.section.rename(body.mesh.section);
   const auto entries = [](BodyOptions &of, EntryList &list)
   {
     Section section(list, of.mesh.section);
@@ -110,9 +110,9 @@ void check_quadrature(const MeshOptions &mesh)
 BodyOptions BodyOptions::lower()
 {
   BodyOptions body;
-  body.geometry.section = "Lower geometry";
-  body.mesh.section = "Lower mesh";
-  body.material.section = "Lower material";
+  body.geometry.section.rename("Lower geometry");
+  body.mesh.section.rename("Lower mesh");
+  body.material.section.rename("Lower material");
   return body;
 }
 

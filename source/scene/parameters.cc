@@ -79,11 +79,10 @@ Parameters with_section(const Parameters &parameters, const std::string &section
 
 Parameters lower_parameters(const Parameters &parameters)
 {
-  Parameters lower = parameters;
-  static_cast<BodyOptions &>(lower) = parameters.lower;
+  Parameters lower{parameters.lower,  parameters.friction,       {},
+                   BodyOptions::lower(), parameters.wear,       parameters.load,
+                   parameters.contact_solver, parameters.checks, parameters.output};
   lower.mesh.backend = BodyBackend::condensed;
-  lower.lower = BodyOptions::lower();
-  lower.obstacle = {};
   lower.output.probes.clear();
   return lower;
 }

@@ -146,7 +146,7 @@ struct GeometryOptions
   std::string contact_surface{};
   std::string held_surface{};
   std::vector<std::string> symmetry_surfaces{};
-  std::string section = "Geometry"; ///< in messages
+  SectionName section = "Geometry";
 
   /// "Geometry/Shape = box".
   std::string shape_entry() const { return section + "/Shape = " + to_word(shape); }
@@ -185,7 +185,7 @@ struct MeshOptions
   unsigned int adaptive = 0; ///< rounds of refinement where the first cycle asks for it
   std::vector<std::vector<CellRange>> refined_cells{}; ///< halved after all refinements, round by round
   unsigned int coarsenings = 0; ///< how often cells that were halved are made larger again; no entry
-  std::string section = "Mesh"; ///< in messages
+  SectionName section = "Mesh";
 
   unsigned int n_rings() const { return rings == 0 ? core_cells : rings; } ///< the default resolved
   /// Full or projected: the default resolved.
@@ -217,7 +217,7 @@ struct MaterialOptions
   std::array<double, 3> poisson_ratios{{0.3, 0.3, 0.3}};        ///< nu_xy, nu_xz, nu_yz
   std::array<double, 3> shear_moduli{{80000, 80000, 80000}};    ///< G_xy, G_xz, G_yz, MPa
   std::vector<MaterialRegion> regions{};
-  std::string section = "Material"; ///< in messages
+  SectionName section = "Material";
 
   bool is_orthotropic() const { return law == MaterialLaw::orthotropic; }
   bool is_uniform_and_isotropic() const { return !is_orthotropic() && regions.empty(); }

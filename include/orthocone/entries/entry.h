@@ -130,6 +130,37 @@ private:
   std::deque<Entry> entries_; // which keeps them where they are
 };
 
+/// The name of the section of an option struct. It belongs to the place of the struct: options that are
+/// assigned to another body's take its name.
+class SectionName
+{
+public:
+  SectionName(const char *const name)
+      : name_(name)
+  {
+  }
+  SectionName(const SectionName &other) = default;
+  SectionName &operator=(const SectionName &) { return *this; }
+  ~SectionName() = default;
+
+  void rename(const std::string &name) { name_ = name; }
+
+  operator const std::string &() const { return name_; }
+
+private:
+  std::string name_;
+};
+
+inline std::string operator+(const SectionName &section, const std::string &entry)
+{
+  return static_cast<const std::string &>(section) + entry;
+}
+
+inline std::string operator+(const std::string &before, const SectionName &section)
+{
+  return before + static_cast<const std::string &>(section);
+}
+
 /// A named section of a list, to which entries are added.
 class Section
 {

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
-#include <orthocone/scene/options.h>
+#include <orthocone/body/options.h>
 
 namespace orthocone::test
 {

@@ -4,7 +4,7 @@
 // Meshes as Gmsh writes them, for tests.
 #pragma once
 
-#include <orthocone/scene/options.h>
+#include <orthocone/body/options.h>
 
 #include <deal.II/grid/tria.h>
 #include <deal.II/grid/tria_accessor.h>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 #include "body/msh.h"
-#include "parameters/parameter_files.h"
+#include "folder_of_files.h"
 #include "results/scenes.h"
 
 #include <orthocone/body/shapes/body_mesh.h>

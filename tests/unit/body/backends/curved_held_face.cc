@@ -5,7 +5,7 @@
 // it.
 #include "body/bodies.h"
 #include "body/msh.h"
-#include "parameters/parameter_files.h"
+#include "folder_of_files.h"
 
 #include <deal.II/dofs/dof_tools.h>
 

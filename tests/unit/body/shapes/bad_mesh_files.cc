@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include "bad_meshes.h"
 
-#include "parameters/parameter_files.h"
+#include "folder_of_files.h"
 #include "rejection.h"
 
 #include <orthocone/body/shapes/imported_mesh.h>
@@ -19,12 +19,12 @@ namespace
 {
 std::string sentence(const GeometryOptions &geometry)
 {
-  Parameters parameters;
-  parameters.geometry = geometry;
+  BodyOptions body;
+  body.geometry = geometry;
   return rejection_of(
       [&]
       {
-        check_parameters(parameters);
+        check_body(body);
         const ImportedMesh mesh(geometry);
       });
 }

@@ -4,7 +4,7 @@
 
 #include "body/bodies.h"
 #include "body/msh.h"
-#include "parameters/parameter_files.h"
+#include "folder_of_files.h"
 
 #include <orthocone/body/body.h>
 
@@ -44,7 +44,7 @@ std::vector<std::pair<ContactNode, Eigen::Vector3d>> pressed(const std::string &
                                                              const MaterialOptions &material,
                                                              const MeshOptions &mesh)
 {
-  Parameters parameters;
+  BodyOptions parameters;
   parameters.geometry = imported(file, {"x0", "5"});
   parameters.geometry.top_face = TopFace::guided;
   parameters.material = material;
@@ -213,7 +213,7 @@ TEST(ImportedMesh, LeavesOutFacesInside)
 TEST(ImportedMesh, KnowsItsSizeBeforeItIsRefined)
 {
   const Folder folder;
-  Parameters parameters;
+  BodyOptions parameters;
   parameters.geometry = imported(folder.write("box.msh", distorted_box(0).text()), {"x0", "y0"});
   for (const unsigned int refinements : {0, 1})
     for (const unsigned int degree : {1, 2})

@@ -11,7 +11,7 @@ namespace orthocone::test
 namespace
 {
 /// The formula knows all numbers but how many unknowns the planes of symmetry hold.
-void expect_size_of(const Parameters &parameters, const ModelSymmetry &symmetry)
+void expect_size_of(const BodyOptions &parameters, const ModelSymmetry &symmetry)
 {
   const ModelSize size = make_shape(parameters.geometry, parameters.mesh)->size(symmetry);
   const Body body(parameters, symmetry);
@@ -32,7 +32,7 @@ const std::vector<ModelSymmetry> solids{SymmetryPlanes{}, SymmetryPlanes{true, f
 
 TEST(ModelSize, OfCylinders)
 {
-  Parameters parameters;
+  BodyOptions parameters;
   parameters.mesh.core_cells = 4;
   parameters.mesh.rings = 3;
   parameters.mesh.layers = 3;
@@ -49,7 +49,7 @@ TEST(ModelSize, OfCylinders)
 
 TEST(ModelSize, OfBoxes)
 {
-  Parameters parameters;
+  BodyOptions parameters;
   parameters.geometry.shape = BodyShape::box;
   parameters.mesh.cells = {{8, 6, 3}};
   for (const unsigned int degree : {1, 2, 3})

@@ -4,7 +4,7 @@
 
 #include "body/bodies.h"
 #include "body/msh.h"
-#include "parameters/parameter_files.h"
+#include "folder_of_files.h"
 
 #include <orthocone/body/body.h>
 
