@@ -20,7 +20,7 @@ namespace
 /// The entry with which multigrid cannot compute a solid; empty where it can.
 std::string what_multigrid_cannot(const Parameters &parameters)
 {
-  if (parameters.obstacle.kind != ObstacleKind::rigid)
+  if (parameters.obstacle.kind.chosen().gives_way())
     return "Obstacle/Kind = " + to_word(parameters.obstacle.kind);
   if (parameters.output.problem_interval != 0)
     return "Output/Problems = " + std::to_string(parameters.output.problem_interval);

@@ -117,7 +117,7 @@ static Estimate of_factorization(const Parameters &parameters, const ModelSize &
       (2 * 1.5 * size.stiffness_entries + cost.entries + dense_matrices * n_contact * n_contact) *
           bytes_per_number / gigabyte +
       step_gigabytes(parameters.load, size.contact_nodes);
-  if (parameters.obstacle.kind != ObstacleKind::rigid)
+  if (parameters.obstacle.kind.chosen().gives_way())
     result.gigabytes += of_counterbody * n_contact * n_contact * bytes_per_number / gigabyte;
   if (parameters.wear.law != WearKind::none && parameters.wear.deep_steps == DeepWear::implicitly)
     result.gigabytes += of_deep_wear * n_contact * n_contact * bytes_per_number / gigabyte;

@@ -194,16 +194,13 @@ static std::string describe_counterbody(const Parameters &parameters)
                ? std::string("orthotropic")
                : "E " + to_text(material.young_modulus) + " MPa, nu " + to_text(material.poisson_ratio);
   };
-  switch (parameters.obstacle.kind)
-  {
-  case ObstacleKind::half_space:
+  const auto &kind = parameters.obstacle.kind;
+  if (kind == ObstacleKind::half_space)
     return "elastic half-space, " + constants(parameters.obstacle.material);
-  case ObstacleKind::body:
-    return "elastic body (" + kind_of(parameters.lower.geometry).describe(parameters.lower.geometry) + "), " + constants(parameters.lower.material);
-  case ObstacleKind::rigid:
-    break;
-  }
-  return {};
+  if (kind == ObstacleKind::body)
+    return "elastic body (" + kind_of(parameters.lower.geometry).describe(parameters.lower.geometry) + "), " +
+           constants(parameters.lower.material);
+  return kind == ObstacleKind::rigid ? "" : kind.word();
 }
 
 /// The line is empty for the rigid plane z = 0.

@@ -117,11 +117,11 @@ OrderedJson outline_json(const GeometryOptions &geometry)
 
 OrderedJson counterface_json(const Parameters &parameters)
 {
-  const ObstacleKind kind = parameters.obstacle.kind;
+  const auto &kind = parameters.obstacle.kind;
   OrderedJson json{{"kind", to_word(kind)}};
   const MaterialOptions material =
       (kind == ObstacleKind::body ? parameters.lower.material : parameters.obstacle.material).isotropic();
-  if (kind != ObstacleKind::rigid)
+  if (kind.chosen().gives_way())
   {
     json["young_modulus_MPa"] = material.young_modulus;
     json["poisson_ratio"] = material.poisson_ratio;

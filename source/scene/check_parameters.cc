@@ -22,7 +22,7 @@ void check_backend(const Parameters &parameters)
         "Contact solver/Method = " + method +
         " needs a dense compliance, and Mesh/Backend = multigrid has none: allowed is newton, or "
         "Backend = condensed");
-  if (parameters.obstacle.kind != ObstacleKind::rigid)
+  if (parameters.obstacle.kind.chosen().gives_way())
     throw InputError("Obstacle/Kind = " + to_word(parameters.obstacle.kind) +
                      " with Mesh/Backend = multigrid: what is below is no part of "
                      "the body that its cycles solve; allowed is auto or condensed, or Kind = rigid");

@@ -102,7 +102,62 @@ private:
   std::unique_ptr<const Obstacle> surface_;
   MaterialOptions material_;
 };
+
+/// A kind without entries of its own.
+template<typename Derived>
+class PlainKind : public ObstacleKindOptions
+{
+public:
+  std::unique_ptr<ObstacleKindOptions> clone() const override { return std::make_unique<Derived>(); }
+  bool keeps_surface() const override { return true; }
+  std::unique_ptr<const Obstacle> make(const ObstacleOptions &,
+                                       std::unique_ptr<const Obstacle> surface) const override
+  {
+    return surface;
+  }
+};
+
+class RigidKind : public PlainKind<RigidKind>
+{
+};
+
+class HalfSpaceKind : public PlainKind<HalfSpaceKind>
+{
+public:
+  bool gives_way() const override { return true; }
+  std::unique_ptr<const Obstacle> make(const ObstacleOptions &options,
+                                       std::unique_ptr<const Obstacle> surface) const override
+  {
+    return std::make_unique<ElasticHalfSpace>(std::move(surface), options.material);
+  }
+};
+
+/// The scene makes the second body, which is no obstacle but a body like the first one.
+class BodyKind : public PlainKind<BodyKind>
+{
+public:
+  bool gives_way() const override { return true; }
+};
+
+template<typename Options>
+Kind<ObstacleKindOptions> obstacle_kind(const ObstacleKind &kind, const char *const help)
+{
+  return {std::string(kind.word), help, [] { return std::make_unique<Options>(); }};
+}
 } // namespace
+
+template<>
+std::vector<Kind<ObstacleKindOptions>> &kinds_of<ObstacleKindOptions>()
+{
+  static std::vector<Kind<ObstacleKindOptions>> kinds{
+      obstacle_kind<RigidKind>(ObstacleKind::rigid, "what does not give way"),
+      obstacle_kind<HalfSpaceKind>(ObstacleKind::half_space, "an elastic half-space, which needs no mesh"),
+      obstacle_kind<BodyKind>(ObstacleKind::body,
+                              "a second elastic body, that of the sections Lower geometry, Lower mesh and "
+                              "Lower material (neither elastic one in the axisymmetric model, nor with "
+                              "Mesh/Backend = multigrid)")};
+  return kinds;
+}
 
 std::unique_ptr<const Obstacle> make_obstacle(const ObstacleOptions &options)
 {
@@ -111,9 +166,7 @@ std::unique_ptr<const Obstacle> make_obstacle(const ObstacleOptions &options)
     surface = std::make_unique<Plane>();
   else
     surface = std::make_unique<GivenGap>(options);
-  if (options.kind == ObstacleKind::half_space)
-    return std::make_unique<ElasticHalfSpace>(std::move(surface), options.material);
-  return surface;
+  return options.kind.chosen().make(options, std::move(surface));
 }
 
 NodeVector gaps_of(const Obstacle &obstacle, const ContactSurface &surface)

@@ -7,7 +7,7 @@ namespace orthocone
 bool ObstacleOptions::is_plane() const
 {
   const Expression expression(gap);
-  return gap_file.empty() && expression.is_constant() && expression.value(0, 0) == 0;
+  return kind.chosen().keeps_surface() && gap_file.empty() && expression.is_constant() && expression.value(0, 0) == 0;
 }
 
 void declare_obstacle(ObstacleOptions &obstacle, Section &section)
@@ -31,15 +31,12 @@ void declare_obstacle(ObstacleOptions &obstacle, Section &section)
           "A gap on a regular grid, which is added to Gap: a text file with the line 'x0 dx nx y0 dy ny', then "
           "ny lines of nx numbers, mm; relative to the folder of the parameter file.")
       .path(obstacle.gap_file);
-  section.add_word(
-      "Kind", obstacle.kind,
-      "What the body rests on: a rigid plane, an elastic half-space (needs no mesh), or a second elastic "
-      "body, that of the sections Lower geometry, Lower mesh and Lower material (neither in the "
-      "axisymmetric model, nor with Mesh/Backend = multigrid). Gap is that between both, whichever of them "
-      "is curved.");
+  obstacle.kind.declare("Kind",
+                        "What the body rests on. Gap is that between both, whichever of them is curved.",
+                        section);
   const std::string of_half_space = " of a half-space; without one it has no meaning.";
-  const Condition has_half_space =
-      section.where<ObstacleKind>("Kind", obstacle.kind, {ObstacleKind::half_space});
+  const Condition has_half_space{[&obstacle] { return obstacle.kind == ObstacleKind::half_space; },
+                                 [&obstacle] { return "Obstacle/Kind = " + obstacle.kind.word(); }};
   section
       .add("Young modulus", obstacle.material.young_modulus, number_codec(positive),
            "Young's modulus in MPa" + of_half_space)

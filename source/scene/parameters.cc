@@ -21,8 +21,9 @@ void declare_parameters(Parameters &parameters, EntryList &list)
   section("Friction", declare_friction, parameters.friction);
   section("Obstacle", declare_obstacle, parameters.obstacle);
   const ObstacleOptions &obstacle = parameters.obstacle;
-  const Condition has_lower =
-      Section(list, "Obstacle").where<ObstacleKind>("Kind", obstacle.kind, {ObstacleKind::body});
+  const Condition has_lower
+      {[&obstacle] { return obstacle.kind == ObstacleKind::body; },
+       [&obstacle] { return "Obstacle/Kind = " + obstacle.kind.word(); }};
   BodyOptions &lower = parameters.lower;
   Section lower_geometry(list, lower.geometry.section, has_lower), lower_mesh(list, lower.mesh.section, has_lower),
       lower_material(list, lower.material.section, has_lower);

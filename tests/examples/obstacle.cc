@@ -3,9 +3,11 @@
 //
 // Worked example of docs/extending.md: an obstacle that no expression describes well, here a row of rounded
 // bars along y.
+#include "folder_of_files.h"
 #include "results/scenes.h"
 
 #include <orthocone/scene/obstacle.h>
+#include <orthocone/scene/parameters.h>
 
 namespace orthocone::test
 {
@@ -32,20 +34,54 @@ private:
   double pitch_;  ///< mm
   double radius_; ///< mm
 };
+
+/// The kind `bars`, with two entries of its own in section Obstacle.
+class BarsOptions : public ObstacleKindOptions
+{
+public:
+  std::unique_ptr<ObstacleKindOptions> clone() const override { return std::make_unique<BarsOptions>(*this); }
+
+  void declare(Section &section, const Condition &is_chosen) override
+  {
+    section.add("Pitch", pitch_, number_codec(positive), "Distance of the bars in mm.").only_if(is_chosen);
+    section.add("Bar radius", radius_, number_codec(positive), "Their radius in mm.").only_if(is_chosen);
+  }
+
+  std::unique_ptr<const Obstacle> make(const ObstacleOptions &,
+                                       std::unique_ptr<const Obstacle>) const override
+  {
+    return std::make_unique<Bars>(pitch_, radius_);
+  }
+
+private:
+  double pitch_ = 5;
+  double radius_ = 50;
+};
+
+/// A program adds its own kinds before it reads parameters.
+const bool is_added = []
+{
+  kinds_of<ObstacleKindOptions>().push_back(
+      {"bars", "a row of rounded bars along y", [] { return std::make_unique<BarsOptions>(); }});
+  return true;
+}();
 } // namespace
 
 // One bar in the middle, two at the sides: contact lies along three lines.
 TEST(ExampleObstacle, CarriesTheBodyOnItsBars)
 {
+  ASSERT_TRUE(is_added);
+  const Folder folder;
   Parameters parameters = small_scene();
+  parameters.obstacle = read_parameters(folder.write("bars.prm", "subsection Obstacle\n  set Kind = bars\n"
+                                                                 "  set Pitch = 8\nend\n"))
+                            .obstacle;
   parameters.geometry.shape = BodyShape::box;
   parameters.geometry.sizes = {{20, 10, 10}};
   parameters.mesh.cells = {{16, 4, 4}};
   parameters.mesh.model = ModelKind::quarter;
-  const Bars bars(8, 50);
-  const SurfaceSample sample = surface_sample(parameters);
-  EXPECT_EQ(bars.asymmetry(SymmetryPlanes{true, true}, sample), "");
-  const Scene scene(parameters, choose_model(parameters), bars);
+  EXPECT_FALSE(parameters.obstacle.is_plane());
+  const Scene scene(parameters, choose_model(parameters));
   StepSolver solver(scene);
   ContactState state(scene.gaps());
   const LoadStep step = LoadProgram(parameters.load).steps().front();
@@ -59,5 +95,19 @@ TEST(ExampleObstacle, CarriesTheBodyOnItsBars)
     EXPECT_TRUE(from_bar > 1e-9 || fields.pressure > 0) << "on a bar, x = " << x;
     EXPECT_TRUE(from_bar <= 2 || fields.gap > 0) << "between bars, x = " << x;
   }
+}
+
+TEST(ExampleObstacle, HasEntriesThatAreReadPrintedAndIgnoredAsAllOthers)
+{
+  const Folder folder;
+  const std::string file = folder.write("bars.prm", "subsection Obstacle\n  set Bar radius = 70\nend\n");
+  const Parameters parameters = read_parameters(file);
+  EXPECT_EQ(entry_text(parameters, "Obstacle/Bar radius"), "Obstacle/Bar radius = 70");
+  const auto warnings = parameter_warnings(parameters);
+  EXPECT_EQ(std::count(warnings.begin(), warnings.end(),
+                       "Obstacle/Bar radius = 70 is ignored with Obstacle/Kind = rigid"),
+            1);
+  EXPECT_THROW(read_parameters(file, {"Obstacle/Pitch=0"}), InputError);
+  EXPECT_THROW(read_parameters(file, {"Obstacle/Kind=rods"}), InputError);
 }
 } // namespace orthocone::test

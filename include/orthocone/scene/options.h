@@ -8,6 +8,7 @@
 #include <orthocone/base/rigid_components.h>
 #include <orthocone/body/options.h>
 #include <orthocone/contact/solvers/contact_solver_options.h>
+#include <orthocone/entries/choice.h>
 
 #include <array>
 #include <cmath>
@@ -47,22 +48,45 @@ struct Words<DeepWear>
       {{DeepWear::implicitly, "implicit"}, {DeepWear::explicitly, "explicit"}}};
 };
 
-/// The kind of obstacle that the body rests on.
-enum class ObstacleKind
+/// The word of a kind of obstacle, and those that the program itself has. Others may be added from outside.
+struct ObstacleKind
 {
-  rigid,
-  half_space,
-  body,
+  std::string_view word;
+
+  static const ObstacleKind rigid, half_space, body;
+};
+
+inline constexpr ObstacleKind ObstacleKind::rigid{"rigid"};
+inline constexpr ObstacleKind ObstacleKind::half_space{"half-space"};
+inline constexpr ObstacleKind ObstacleKind::body{"body"};
+
+class Obstacle;
+struct ObstacleOptions;
+
+/// What a kind of obstacle has of its own: its entries, and the obstacle that they make.
+class ObstacleKindOptions
+{
+public:
+  virtual ~ObstacleKindOptions() = default;
+  virtual std::unique_ptr<ObstacleKindOptions> clone() const = 0;
+
+  /// Adds the entries of this kind, which count where it is chosen.
+  virtual void declare(Section &, const Condition & /*is_chosen*/) {}
+
+  /// Whether the obstacle is elastic.
+  virtual bool gives_way() const { return false; }
+
+  /// Whether its surface is that of Gap and Gap file alone.
+  virtual bool keeps_surface() const { return false; }
+
+  /// The obstacle on the surface that Gap and Gap file make. Throws InputError where entries contradict each
+  /// other.
+  virtual std::unique_ptr<const Obstacle> make(const ObstacleOptions &options,
+                                               std::unique_ptr<const Obstacle> surface) const = 0;
 };
 
 template<>
-struct Words<ObstacleKind>
-{
-  static constexpr std::array<std::pair<ObstacleKind, std::string_view>, 3> table{
-      {{ObstacleKind::rigid, "rigid"},
-       {ObstacleKind::half_space, "half-space"},
-       {ObstacleKind::body, "body"}}};
-};
+std::vector<Kind<ObstacleKindOptions>> &kinds_of<ObstacleKindOptions>();
 
 /// The entries of section Friction: semi-axes of the friction ellipse (mu) and of the slip ellipse (p), both
 /// along axes turned by `angle` degrees from x to y. Where they vary, the numbers are those at the centre x =
@@ -115,10 +139,10 @@ struct ObstacleOptions
 {
   std::string gap = "0";  ///< an Expression
   std::string gap_file{}; ///< path, or empty
-  ObstacleKind kind = ObstacleKind::rigid;
+  Choice<ObstacleKindOptions> kind{};
   MaterialOptions material{}; ///< of a half-space
 
-  /// Whether the obstacle is the plane z = 0.
+  /// Whether the surface of the obstacle is the plane z = 0.
   bool is_plane() const;
 };
 

@@ -186,7 +186,7 @@ TEST(Warnings, AreGivenForAHalfSpaceThatIsNone)
                     p.obstacle.material.young_modulus = 70000;
                   },
                   warning),
-              kind == ObstacleKind::rigid);
+              kind.word == ObstacleKind::rigid.word);
 }
 
 TEST(Warnings, AreGivenForLargeRotations)
