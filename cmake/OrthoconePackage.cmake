@@ -8,9 +8,8 @@ install(DIRECTORY prm DESTINATION ${share} COMPONENT program)
 install(DIRECTORY tools/report tools/paraview DESTINATION ${share}/tools COMPONENT program
   PATTERN "__pycache__" EXCLUDE)
 install(PROGRAMS tools/report.py tools/python DESTINATION ${share}/tools COMPONENT program)
-install(DIRECTORY tools/sweeps tools/meshes DESTINATION ${share}/tools COMPONENT program PATTERN "__pycache__" EXCLUDE)
-install(FILES tools/plots/run_folder.py tools/plots/outline.py tools/plots/imported_body.py tools/plots/wear_profile.py
-  DESTINATION ${share}/tools/plots COMPONENT program)
+install(DIRECTORY tools/sweeps tools/meshes tools/runs DESTINATION ${share}/tools COMPONENT program
+  PATTERN "__pycache__" EXCLUDE)
 install(DIRECTORY python/orthocone DESTINATION ${share}/python COMPONENT program FILES_MATCHING PATTERN "*.py"
   PATTERN "__pycache__" EXCLUDE)
 install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program PATTERN "data" EXCLUDE)
@@ -27,7 +26,7 @@ function(orthocone_tool name MODULES SCRIPT)
 endfunction()
 orthocone_tool(orthocone-report numpy,meshio report.py)
 orthocone_tool(orthocone-sweep numpy,matplotlib sweeps/sweep.py "--program \"$bin/orthocone\"")
-orthocone_tool(orthocone-wear-profile numpy,matplotlib,meshio plots/wear_profile.py)
+orthocone_tool(orthocone-wear-profile numpy,matplotlib,meshio runs/wear_profile.py)
 orthocone_tool(orthocone-import numpy,meshio meshes/import_mesh.py)
 
 # Debian wants man pages and the changelog compressed. -n: the same bytes each time.

@@ -13,7 +13,7 @@ import warnings
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 TOOLS = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(TOOLS / "report"), str(TOOLS / "plots")]
+sys.path[:0] = [str(TOOLS / "report"), str(TOOLS / "runs")]
 MOST_RUNS = 8  # as many colours as readers can distinguish on the page
 
 

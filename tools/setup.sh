@@ -6,9 +6,9 @@
 #   tools/setup.sh docs
 #
 # Installs what is missing, configures and builds with a CMake preset (release, debug, fuzz); `benchmark` adds the kernels
-# that tools/benchmark times, `study` the small experiments of tools/study, `problems` orthocone-solve and the entry
-# Output/Problems, `peers` those and the programs of tools/peers, as far as this Debian has them, `package` what makes and
-# checks a Debian package, `tests` all but the programs of tools/peers, and the tests. `docs` alone installs what makes the
+# that tools/study benchmark times, `study` the small experiments of tools/study, `problems` orthocone-solve and the entry
+# Output/Problems, `peers` those and the programs of tools/study peers, as far as this Debian has them, `package` what makes and
+# checks a Debian package, `tests` all but the programs of tools/study peers, and the tests. `docs` alone installs what makes the
 # site of these pages, and builds nothing. Called by ./run, ./test and the tools. Nothing is done twice: installed packages,
 # a configured build folder and compiled files are left alone.
 set -eu

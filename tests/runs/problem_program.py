@@ -10,7 +10,7 @@ import unittest
 import numpy as np
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent.parent / "tools/peer"))
+sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent.parent / "tools/studies/peers"))
 import fclib_files  # noqa: E402
 
 SOLVE = pathlib.Path(sys.argv[1]).resolve().parent / "orthocone-solve"

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""tools/benchmark in its quick mode: every kernel and phase is there with positive figures, bad options and failing
+"""tools/study benchmark in its quick mode: every kernel and phase is there with positive figures, bad options and failing
 programs are refused. Says nothing about speed.
 
 Usage: test_benchmark.py PROGRAM [unittest options]"""
@@ -17,7 +17,8 @@ from matplotlib.image import imread
 
 from program import PROGRAM, ROOT, main
 
-sys.path.insert(0, str(ROOT / "tools/plots"))
+sys.path.insert(0, str(ROOT / "tools/studies"))
+import paths  # noqa: E402, F401 (finds the modules of all studies)
 
 import benchmark_ratios  # noqa: E402
 import docs_page  # noqa: E402
@@ -34,8 +35,8 @@ ENVIRONMENT = {**os.environ, "OPENBLAS_NUM_THREADS": "1"}
 
 
 def benchmark(*arguments, program=PROGRAM):
-    command = [sys.executable, ROOT / "tools/plots/benchmark.py", "--program", program, "--kernels",
-               pathlib.Path(PROGRAM).parent / "tests/benchmarks/kernels", *arguments]
+    command = [sys.executable, ROOT / "tools/studies/study.py", "benchmark", "--program", program, "--kernels",
+               pathlib.Path(PROGRAM).parent / "kernels", *arguments]
     return subprocess.run([str(word) for word in command], capture_output=True, text=True, env=ENVIRONMENT, timeout=600,
                           check=False)
 
@@ -122,7 +123,7 @@ class RefusalTest(unittest.TestCase):
             with self.subTest(arguments):
                 process = benchmark(*arguments)
                 self.assertEqual((process.returncode, process.stdout), (2, ""))
-                self.assertIn("tools/benchmark: error: ", process.stderr)
+                self.assertIn("tools/study benchmark: error: ", process.stderr)
 
     def test_failing_program(self):
         for program, sentence in (("/bin/false", "ended with code 1"), ("/nowhere/orthocone", "could not be started")):

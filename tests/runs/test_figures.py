@@ -18,8 +18,10 @@ import xml.etree.ElementTree
 import meshio
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(ROOT / "tools/plots"))
+sys.path.insert(0, str(ROOT / "tools/studies"))
+import paths  # noqa: E402, F401 (finds the modules of all studies)
 
+import docs_page  # noqa: E402
 import paper_figures  # noqa: E402
 import paper_tables  # noqa: E402
 from matplotlib.image import imread  # noqa: E402
@@ -47,7 +49,7 @@ class FiguresTest(unittest.TestCase):
     def test_every_figure_appears_and_shows_something(self):
         images = self.folder / "images"
         images.mkdir()
-        paper_figures.draw_figures(self.runs, self.folder / "figures", images)
+        docs_page.draw("figures", paper_figures.FIGURES, self.runs, self.folder / "figures", images, has_svg=True)
         self.assertEqual(sorted(file.stem for file in images.iterdir()), sorted(FIGURES))
         for name in FIGURES:
             with self.subTest(name):
@@ -85,12 +87,15 @@ class FiguresTest(unittest.TestCase):
             force = [float(row["force_x"]) for row in probe]
             self.assertEqual(table["B", "r_x at P (N)"][column], f"{min(force):.0f} to {max(force):.0f}")
 
+    def write_tables(self, page):
+        docs_page.write_tables({name: make(self.runs) for name, make in paper_tables.TABLES.items()}, page, "figures")
+
     def test_tables_replace_only_what_is_between_their_markers(self):
         page = self.folder / "paper.md"
         shutil.copy(ROOT / "docs/paper.md", page)
-        paper_figures.write_tables(self.runs, page)
+        self.write_tables(page)
         first = page.read_text(encoding="utf-8")
-        paper_figures.write_tables(self.runs, page)
+        self.write_tables(page)
         self.assertEqual(page.read_text(encoding="utf-8"), first)
         before = (ROOT / "docs/paper.md").read_text(encoding="utf-8")
         prose = [re.sub(r"(<!-- table .*?-->).*?(<!-- end)", r"\1\2", text, flags=re.S) for text in (before, first)]
@@ -102,7 +107,7 @@ class FiguresTest(unittest.TestCase):
         page = self.folder / "empty.md"
         page.write_text("# nothing\n")
         with self.assertRaisesRegex(SystemExit, "empty.md: the markers of the table 'comparison' stand there 0 times"):
-            paper_figures.write_tables(self.runs, page)
+            self.write_tables(page)
         self.assertEqual(page.read_text(), "# nothing\n")
 
     def test_program_that_fails(self):

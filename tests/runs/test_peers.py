@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""tools/peers where no peer is installed: it names who is missing, and races ours alone. Nothing is installed here.
+"""tools/study peers where no peer is installed: it names who is missing, and races ours alone. Nothing is installed here.
 
 Usage: test_peers.py PROGRAM [unittest options]"""
 import contextlib
@@ -15,7 +15,8 @@ import numpy as np
 sys.dont_write_bytecode = True  # the source tree stays clean
 from program import PROGRAM, ROOT, RunTest, main  # noqa: E402
 
-sys.path.insert(0, str(ROOT / "tools/peer"))
+sys.path.insert(0, str(ROOT / "tools/studies"))
+import paths  # noqa: E402, F401 (finds the modules of all studies)
 import fclib_files  # noqa: E402
 import peers  # noqa: E402
 import profiles  # noqa: E402
@@ -27,7 +28,7 @@ OURS = ["newton", "gauss-seidel", "uzawa", "plain-newton"]
 
 class PeersTest(RunTest):
     def peers(self, *options, draws=False):
-        """What the script of tools/peers prints, as if nobody else were there."""
+        """What the script of tools/study peers prints, as if nobody else were there."""
         figures = profiles.figures if draws else lambda *_: {}
         words = ["peers.py", "--quick", "--output", str(self.folder / "out"), *map(str, options)]
         text = io.StringIO()

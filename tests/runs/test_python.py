@@ -96,21 +96,20 @@ class PythonTest(RunTest):
     def test_drawing_tools_take_the_python_that_is_named(self):
         """Their scripts are replaced by one that prints who runs it, their set-up by one that does nothing."""
         tools = self.folder / "tools"
-        for name in ("plots", "studies", "peer"):
-            (tools / name).mkdir(parents=True)
+        (tools / "studies").mkdir(parents=True)
         self.fake(BARE)
         mine = self.folder / "mine"
         mine.write_text(f'#!/bin/sh\nMINE=1 exec {sys.executable} "$@"\n')
         mine.chmod(0o755)
-        for name, script in (("figures", "plots/paper_figures.py"), ("benchmark", "plots/benchmark.py"),
-                             ("study", "studies/study.py"), ("peers", "peer/peers.py")):
-            for file in (name, "python"):
-                shutil.copy(ROOT / "tools" / file, tools)
-            (tools / "setup.sh").write_text("#!/bin/sh\n")
-            (tools / "setup.sh").chmod(0o755)
-            (tools / script).write_text("import numpy, os, sys\nprint(os.environ.get('MINE'), sys.argv[1:])\n")
-            self.assertEqual(self.run_with(tools / name, "--docs").stdout, "None ['--docs']\n")
-            self.assertEqual(self.run_with(tools / name, ORTHOCONE_PYTHON=str(mine)).stdout, "1 []\n")
+        for file in ("study", "python"):
+            shutil.copy(ROOT / "tools" / file, tools)
+        (tools / "setup.sh").write_text('#!/bin/sh\necho "$@"\n')
+        (tools / "setup.sh").chmod(0o755)
+        (tools / "studies/study.py").write_text("import numpy, os, sys\nprint(os.environ.get('MINE'), sys.argv[1:])\n")
+        for word, needed in (("figures", ""), ("benchmark", " benchmark"), ("peers", " peers"), ("maps", " study")):
+            self.assertEqual(self.run_with(tools / "study", word, "--docs").stdout, f"release{needed}\nNone ['{word}', '--docs']\n")
+            self.assertEqual(self.run_with(tools / "study", word, ORTHOCONE_PYTHON=str(mine)).stdout, f"release{needed}\n1 ['{word}']\n")
+        self.assertEqual(self.run_with(tools / "study").stdout, "release study\nNone []\n")
 
 
 if __name__ == "__main__":

@@ -30,7 +30,7 @@ def options_of(text):
 class ReferencePagesTest(unittest.TestCase):
     def test_pages_are_current(self):
         with tempfile.TemporaryDirectory() as folder:
-            subprocess.run([sys.executable, ROOT / "tools/plots/reference_pages.py", "--program", PROGRAM, "--output",
+            subprocess.run([sys.executable, ROOT / "tools/site/reference_pages.py", "--program", PROGRAM, "--output",
                             folder], check=True)
             for name in ("parameters.md", "results.md", "python.md"):
                 self.assertEqual((pathlib.Path(folder) / name).read_text(encoding="utf-8"), page(f"docs/{name}"),

@@ -20,7 +20,7 @@ from program import PROGRAM, ROOT, main  # noqa: E402
 from report_page import CUT_LABELS, Page  # noqa: E402
 from report_run import SCRATCH, report  # noqa: E402
 
-sys.path[:0] = [str(ROOT / "tools/plots"), str(ROOT / "tools/report")]
+sys.path[:0] = [str(ROOT / "tools/runs"), str(ROOT / "tools/report")]
 import outline  # noqa: E402
 import verification_import  # noqa: E402
 from imported_body import ImportedBody  # noqa: E402

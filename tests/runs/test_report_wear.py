@@ -15,7 +15,7 @@ from program import ROOT, main  # noqa: E402
 from report_page import Page, column, table  # noqa: E402
 from report_run import COARSE, SCRATCH, report, run  # noqa: E402
 
-sys.path[:0] = [str(ROOT / "tools/plots"), str(ROOT / "tools/report")]
+sys.path[:0] = [str(ROOT / "tools/runs"), str(ROOT / "tools/report")]
 from worn import within  # noqa: E402
 
 WEARING = [*COARSE, "Mesh/Core cells=4", "Wear/Law=archard", "Wear/Coefficient=1e-6"]

@@ -14,7 +14,7 @@ sys.dont_write_bytecode = True  # the source tree stays clean
 import program  # noqa: E402
 from program import PROGRAM, ROOT, SMALL, main  # noqa: E402
 
-sys.path.insert(0, str(ROOT / "tools/peer"))
+sys.path.insert(0, str(ROOT / "tools/studies/peers"))
 import fclib_files  # noqa: E402
 
 SOLVE = pathlib.Path(PROGRAM).resolve().parent / "orthocone-solve"

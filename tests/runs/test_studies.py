@@ -16,7 +16,8 @@ import numpy as np
 sys.dont_write_bytecode = True  # the source tree stays clean
 from program import PROGRAM, ROOT, SMALL, RunTest, main  # noqa: E402
 
-sys.path[:0] = [str(ROOT / "tools/plots"), str(ROOT / "tools/studies")]
+sys.path.insert(0, str(ROOT / "tools/studies"))
+import paths  # noqa: E402, F401 (finds the modules of all studies)
 import contact_surface  # noqa: E402
 import counterbodies  # noqa: E402
 import points  # noqa: E402
@@ -88,7 +89,7 @@ class ContactSurfaceTest(RunTest):
 
 
 class StudyCommandTest(RunTest):
-    TOOL = pathlib.Path(PROGRAM).parent / "tests/studies/studies"
+    TOOL = pathlib.Path(PROGRAM).parent / "studies"
 
     def study(self, *words):
         command = [sys.executable, ROOT / "tools/studies/study.py", "--program", PROGRAM, "--studies", self.TOOL, "--output",
@@ -129,7 +130,7 @@ class StudyCommandTest(RunTest):
         self.assertEqual(self.study("spectra", "--quick").returncode, 0)
         row = next(row for row in self.rows_of("spectra") if row["iterations"])
         program, *words = shlex.split(row["command"])
-        self.assertEqual(program, "build/tests/studies/studies")
+        self.assertEqual(program, "build/studies")
         again = subprocess.run([self.TOOL, *words], capture_output=True, text=True, cwd=ROOT, timeout=600, check=True,
                                env={**os.environ, "OPENBLAS_NUM_THREADS": "1"})
         last = list(csv.DictReader(again.stdout.splitlines()))[-1]

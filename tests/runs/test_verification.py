@@ -13,7 +13,8 @@ sys.dont_write_bytecode = True  # the source tree stays clean
 import program  # noqa: E402
 from program import ROOT  # noqa: E402
 
-sys.path.insert(0, str(ROOT / "tools/plots"))
+sys.path.insert(0, str(ROOT / "tools/studies"))
+import paths  # noqa: E402, F401 (finds the modules of all studies)
 import half_space  # noqa: E402
 import run_folder  # noqa: E402
 

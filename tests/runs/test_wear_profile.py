@@ -13,7 +13,7 @@ sys.dont_write_bytecode = True  # the source tree stays clean
 import program  # noqa: E402
 from program import ROOT, main  # noqa: E402
 
-sys.path.insert(0, str(ROOT / "tools/plots"))
+sys.path.insert(0, str(ROOT / "tools/runs"))
 import run_folder  # noqa: E402
 
 # Of the obstacle: nothing is alike along x and y, or on both sides of the origin along x.
@@ -36,7 +36,7 @@ class WearProfileTest(program.RunTest):
         return run_folder.RunFolder(self.folder / name)
 
     def tool(self, *words):
-        command = [sys.executable, ROOT / "tools/plots/wear_profile.py", self.folder / "worn", self.folder / "gaps.txt", *words]
+        command = [sys.executable, ROOT / "tools/runs/wear_profile.py", self.folder / "worn", self.folder / "gaps.txt", *words]
         return subprocess.run(command, capture_output=True, text=True, check=False)
 
     def worn_and_pressed(self, *mesh):

@@ -9,4 +9,4 @@ if ! clang-format --version 2>/dev/null | grep -q 'version 14\.'; then
   echo "skipped: .clang-format is for clang-format 14"
   exit 77
 fi
-find source include tests examples -name '*.cc' -o -name '*.h' | xargs clang-format --dry-run -Werror
+find source include tests tools examples -name '*.cc' -o -name '*.h' | xargs clang-format --dry-run -Werror

@@ -45,13 +45,13 @@ def inner_bodies(path):
 
 class SizeTest(unittest.TestCase):
     def test_files(self):
-        for path in files("source", "include", "tests", "examples"):
+        for path in files("source", "include", "tests", "tools", "examples"):
             with self.subTest(path.relative_to(ROOT)):
                 self.assertLessEqual(len(path.read_text(encoding="utf-8").splitlines()), MOST_LINES)
 
     def test_functions(self):
         found = 0
-        for path in files("source", "tests", "examples"):
+        for path in files("source", "tests", "tools", "examples"):
             for line, length in bodies(path):
                 found += 1
                 with self.subTest(f"{path.relative_to(ROOT)}:{line}"):
@@ -67,7 +67,7 @@ class SizeTest(unittest.TestCase):
 
     def test_functions_in_headers(self):
         """Those of templates and classes, whose braces are not at the margin."""
-        for path in files("include", "source", "tests"):
+        for path in files("include", "source", "tests", "tools"):
             for line, length in inner_bodies(path):
                 with self.subTest(f"{path.relative_to(ROOT)}:{line}"):
                     self.assertLessEqual(length, MOST_OF_FUNCTION)

@@ -13,7 +13,7 @@ import sys
 import tempfile
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-sys.path.insert(1, str(pathlib.Path(__file__).resolve().parent.parent / "plots"))
+sys.path.insert(1, str(pathlib.Path(__file__).resolve().parent.parent / "runs"))
 import abaqus  # noqa: E402
 import meshio  # noqa: E402
 import numpy as np  # noqa: E402

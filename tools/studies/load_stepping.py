@@ -4,7 +4,7 @@
 
 The paper's cycle on a small mesh with few to many steps of unloading (loading is proportional, exact in any number),
 and a program that presses once and then moves the top sideways on a path that turns. Cases B and C also with a
-two-step formula for the slip, which the program does not have (tests/studies)."""
+two-step formula for the slip, which the program does not have (experiments/trace.cc)."""
 import csv
 import io
 import math

@@ -9,13 +9,11 @@ import os
 import pathlib
 import shlex
 import subprocess
-import sys
 import tempfile
 import threading
 import time
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-sys.path.insert(0, str(ROOT / "tools/plots"))
+from paths import ROOT
 
 INTERRUPTED = 130  # exit code of the program
 RUN_FOLDER = "output/point"  # of commands as rows show them
@@ -58,8 +56,8 @@ def program_point(columns, file, settings, *options):
 
 
 def tool_point(columns, *words):
-    """The program of small experiments, tests/studies."""
-    return Point(columns, ["build/tests/studies/studies", *(str(word) for word in words)])
+    """The program of small experiments."""
+    return Point(columns, ["build/studies", *(str(word) for word in words)])
 
 
 def _run(words, folder, threads):

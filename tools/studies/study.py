@@ -7,10 +7,9 @@ import importlib
 import pathlib
 import sys
 
-from points import ROOT, StudyError, Table, measure, write_rows  # finds tools/plots for all that follow
-
-import docs_page  # noqa: E402
-import style  # noqa: E402
+import docs_page
+from paths import ROOT
+from points import StudyError, Table, measure, write_rows
 
 # Module of each study, in the order of docs/accuracy.md and docs/stability.md. A module has PAGE, the page of docs/
 # that shows it; measured(context), the rows of its points; figures(rows), {name: figure}; and, if the page has tables
@@ -18,6 +17,9 @@ import style  # noqa: E402
 STUDIES = ("discretization", "adaptive", "solvers", "load_stepping", "slip_integration", "projection", "reduced_models", "maps",
            "backends", "elastic", "scale", "spectra", "small_problems", "uniqueness", "locking", "wear_jumps", "wear_steps",
            "wear_flicker", "counterbodies", "imported")
+# Words that stand before all others, and the modules that have their main().
+OTHERS = {"figures": "paper_figures", "verification": "verification", "tutorial": "tutorial", "benchmark": "benchmark",
+          "peers": "peers"}
 
 
 class Context:
@@ -29,7 +31,7 @@ class Context:
         self.is_large = options.large
         self.jobs = options.jobs
         self.folder = options.output  # of files that are no rows
-        self._programs = {"build/orthocone": options.program, "build/tests/studies/studies": options.studies}
+        self._programs = {"build/orthocone": options.program, "build/studies": options.studies}
         self._table = Table(options.output / f"{name}.csv", options.anew)
 
     def measure(self, points, extract, jobs=1, threads=None):
@@ -49,7 +51,7 @@ def parsed_options():
     parser.add_argument("--jobs", type=int, default=2, help="runs at a time where no time is measured (2)")
     parser.add_argument("--output", type=pathlib.Path, help="folder of the results (output/study)")
     parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/orthocone")
-    parser.add_argument("--studies", type=pathlib.Path, default=ROOT / "build/tests/studies/studies")
+    parser.add_argument("--studies", type=pathlib.Path, default=ROOT / "build/studies")
     options = parser.parse_args()
     if options.output is None:
         options.output = ROOT / ("output/study-quick" if options.quick else "output/study")
@@ -63,7 +65,7 @@ def parsed_options():
 
 def fingerprint():
     """Of everything that the programs are built from: another commit of pages or tools leaves points as they are."""
-    files = [ROOT / "CMakeLists.txt", *(file for folder in ("include", "source", "tests/studies", "prm")
+    files = [ROOT / "CMakeLists.txt", *(file for folder in ("include", "source", "tools/studies/experiments", "prm")
                                         for file in (ROOT / folder).rglob("*") if file.is_file())]
     digest = hashlib.sha256()
     for file in sorted(files):
@@ -83,6 +85,7 @@ def set_aside_other_versions(name, options):
 
 
 def make(name, options):
+    import style  # here, for it changes how all pictures look that are drawn afterwards
     module = importlib.import_module(name)
     set_aside_other_versions(name, options)
     rows = module.measured(Context(name, options))
@@ -99,6 +102,9 @@ def make(name, options):
 
 
 def main():
+    if sys.argv[1:] and sys.argv[1] in OTHERS:
+        importlib.import_module(OTHERS[sys.argv.pop(1)]).main()
+        return
     options = parsed_options()
     if options.list:
         for name in STUDIES:

@@ -12,7 +12,7 @@ import subprocess
 import sys
 import threading
 
-sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "plots"))
+sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "runs"))
 from run_folder import RunFolder, write_whole  # noqa: E402
 
 # Column, unit, and where summary.json has it.

@@ -1,10 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""A picture of each scene of prm/tutorial; with --docs those of docs/tutorial.md. Started by tools/tutorial."""
-import argparse
+"""A picture of each scene of prm/tutorial; with --docs those of docs/tutorial.md. Started by tools/study tutorial."""
 import math
-import pathlib
-import sys
 
 import matplotlib.pyplot as plt
 import numpy as np
@@ -14,7 +11,7 @@ from disc_map import Surface, contours, status_legend, status_map
 from half_space import Sphere
 from imported_body import ImportedBody
 from panels import BLUE, DOTS, GREEN, LINE, RED, label, on_surface
-from paper_runs import ROOT, ProgramError, Runs
+from paper_runs import Runs
 from verification_import import draw_field, draw_mesh
 
 SCENES = ("1_case_b", "2_own_material", "3_fretting", "4_sphere", "5_part", "6_wear")
@@ -139,26 +136,9 @@ def wear(runs):
     return figure
 
 
-PICTURES = dict(zip(SCENES, (press, own_material, fretting, sphere, part, wear)))
+PICTURES = {f"tutorial_{name}": picture
+            for name, picture in zip(SCENES, (press, own_material, fretting, sphere, part, wear))}
 
 
 def main():
-    parser = argparse.ArgumentParser(prog="tools/tutorial", description=__doc__)
-    parser.add_argument("--output", type=pathlib.Path, default=ROOT / "output/tutorial", help="folder of pictures and runs")
-    parser.add_argument("--docs", action="store_true", help="also refresh the pictures of docs/tutorial.md")
-    options = parser.parse_args()
-    runs = TutorialRuns(ROOT / "build/orthocone", options.output / "runs")
-    try:
-        for name, draw in PICTURES.items():
-            figure = draw(runs)
-            figure.savefig(options.output / f"{name}.png", dpi=150)
-            if options.docs:
-                docs_page.save_small(figure, ROOT / f"docs/images/tutorial_{name}.png")
-            plt.close(figure)
-            print(f"tutorial: {options.output / name}.png", flush=True)
-    except ProgramError as error:
-        sys.exit(f"tutorial: {error}")
-
-
-if __name__ == "__main__":
-    main()
+    docs_page.main("tutorial", __doc__, TutorialRuns, PICTURES)

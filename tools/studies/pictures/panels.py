@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""What the pictures of tools/verification have in common."""
+"""What the pictures of tools/study verification have in common."""
 import matplotlib
 
 matplotlib.use("Agg")

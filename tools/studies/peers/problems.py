@@ -90,7 +90,7 @@ class Writer:
     def of_stack(self, stack):
         """A stack of rigid plates; without a solution, for forces are not unique."""
         path = self._folder / stack.name / "problem-0001.hdf5"
-        command = f"tools/peers --only problems --families rigid # {stack.n_plates} plates, {stack.n_contacts} contacts each"
+        command = f"tools/study peers --only problems --families rigid # {stack.n_plates} plates, {stack.n_contacts} contacts each"
         if not self._is_done(stack.name, command):
             path.parent.mkdir(parents=True, exist_ok=True)
             path.unlink(missing_ok=True)  # FCLIB adds to what is there

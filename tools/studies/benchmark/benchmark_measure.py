@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""What tools/benchmark times: kernels of the libraries, and whole runs of the program."""
+"""What tools/study benchmark times: kernels of the libraries, and whole runs of the program."""
 import json
 import os
 import pathlib
@@ -9,9 +9,9 @@ import subprocess
 import tempfile
 import time
 
+from paths import ROOT
 from run_folder import RunFolder
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 CASE = ROOT / "prm/paper/case_b.prm"  # a quarter of quadratic elements, 3 cycles, 45 steps, all fields written
 PAPER = 8  # core cells of the paper's mesh; a mesh of n core cells has n / 2 layers
 LARGEST_OF_ALL_KERNELS = 16  # on finer meshes only the kernel that ratios need
@@ -130,7 +130,7 @@ def processor():
 
 
 def measure(options):
-    """Everything that one call of tools/benchmark measures."""
+    """Everything that one call of tools/study benchmark measures."""
     load = os.getloadavg()[0]
     n_cores = len(os.sched_getaffinity(0))
     threads = os.environ.get("OPENBLAS_NUM_THREADS", "as many as cores")

@@ -1,13 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 """Answers of prm/verification over the closed forms; with --docs those of docs/verification.md. Started by
-tools/verification."""
-import argparse
+tools/study verification."""
+import functools
 import math
-import pathlib
-import sys
 
-import matplotlib.pyplot as plt
 import numpy as np
 
 import docs_page
@@ -15,7 +12,7 @@ import verification_import
 import verification_wear
 from half_space import Sphere, fitted_sphere, punch_pressure, punch_slope, radius_of_punch
 from panels import DOTS, GREEN, GREY, LINE, RED, label, on_surface, three_panels
-from paper_runs import ROOT, ProgramError, Runs
+from paper_runs import Runs
 
 Q = 83.99  # N
 
@@ -206,26 +203,6 @@ def of_panels(runs, panels):
 
 
 def main():
-    parser = argparse.ArgumentParser(prog="tools/verification", description=__doc__)
-    parser.add_argument("--output", type=pathlib.Path, default=ROOT / "output/verification",
-                        help="folder of pictures and runs")
-    parser.add_argument("--docs", action="store_true",
-                        help="also refresh docs/images and the table of docs/verification.md")
-    options = parser.parse_args()
-    runs = VerificationRuns(ROOT / "build/orthocone", options.output / "runs")
-    try:
-        for name, draw in {**PICTURES, "import": verification_import.picture}.items():
-            figure = draw(runs) if callable(draw) else of_panels(runs, draw)
-            figure.savefig(options.output / f"{name}.png", dpi=150)
-            if options.docs:
-                docs_page.save_small(figure, ROOT / f"docs/images/{name}.png")
-            plt.close(figure)
-            print(f"verification: {options.output / name}.png", flush=True)
-        if options.docs:
-            docs_page.write_tables({"spheres": sphere_rows(runs)}, ROOT / "docs/verification.md", "verification")
-    except ProgramError as error:
-        sys.exit(f"verification: {error}")
-
-
-if __name__ == "__main__":
-    main()
+    pictures = {name: functools.partial(of_panels, panels=panels) for name, panels in PICTURES.items()}
+    docs_page.main("verification", __doc__, VerificationRuns, {**pictures, "import": verification_import.picture},
+                   {"spheres": sphere_rows})

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""What the times of one call of tools/benchmark say: ratios, fitted exponents and tables."""
+"""What the times of one call of tools/study benchmark say: ratios, fitted exponents and tables."""
 import math
 import statistics
 

@@ -8,8 +8,9 @@ import subprocess
 import numpy as np
 
 import run_folder
+from docs_page import ProgramError
+from paths import ROOT
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 
 
 @dataclasses.dataclass(frozen=True)
@@ -35,10 +36,6 @@ MESHES = {
 # P is on the 45-degree line, where the paper says. R, its neighbour on the rim at 33.75 degrees, fits the printed
 # forces better.
 PROBES = {"P": (6.72, 6.72), "R": (8.31, 5.55)}
-
-
-class ProgramError(Exception):
-    """The program stopped with an error."""
 
 
 class Runs:

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""Worn surfaces over what is known of them; of tools/verification."""
+"""Worn surfaces over what is known of them; of tools/study verification."""
 import math
 
 import numpy as np

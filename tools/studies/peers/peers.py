@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 """Peers side by side: the same problems and the same scenes by orthocone, Siconos, GetFEM and CalculiX. Started by
-tools/peers."""
+tools/study peers."""
 import argparse
 import dataclasses
 import os
@@ -11,22 +11,18 @@ import subprocess
 import sys
 import time
 
-ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-sys.path[:0] = [str(ROOT / "tools/studies"), str(ROOT / "tools/plots")]
-
-from points import StudyError, write_rows  # noqa: E402
-
-from benchmark_measure import processor  # noqa: E402
-
-import bodies  # noqa: E402
-import docs_page  # noqa: E402
-import families  # noqa: E402
-import forces  # noqa: E402
-import problems  # noqa: E402
-import profiles  # noqa: E402
-import race  # noqa: E402
-import scenes_race  # noqa: E402
-import tables  # noqa: E402
+from paths import ROOT
+from points import StudyError, write_rows
+from benchmark_measure import processor
+import bodies
+import docs_page
+import families
+import forces
+import problems
+import profiles
+import race
+import scenes_race
+import tables
 
 OF_THE_ERROR_CHART = ("a-bricks/8", "fretting-c-fine/10", "random-1/4")
 FCLIB = "fclib"
@@ -40,7 +36,7 @@ def say(text):
 
 
 def parsed_options():
-    parser = argparse.ArgumentParser(prog="tools/peers", description=__doc__)
+    parser = argparse.ArgumentParser(prog="tools/study peers", description=__doc__)
     parser.add_argument("--only", choices=("problems", "scenes"), help="one of the two parts (both)")
     parser.add_argument("--families", metavar="NAME,NAME", help=f"some of {', '.join((*families.NAMES, FCLIB))} (all)")
     parser.add_argument("--problems", metavar="DIR", type=pathlib.Path,
@@ -77,7 +73,7 @@ def compiled(sources, target, *words):
 
 def programs(folder):
     """Those of the race; without siconos_solve where there is no Siconos."""
-    here = pathlib.Path(__file__).resolve().parent
+    here = ROOT / "tools/studies/peers"
     judge, fclib = here / "fclib_problem.c", (f"-I{HDF5_HEADERS}", "-lfclib", "-lhdf5_serial", "-lm")
     found = {"orthocone": BUILD / "orthocone", "solve": BUILD / "orthocone-solve",
              "judge": compiled([here / "judge_forces.c", judge], folder / "judge_forces", *fclib),
@@ -189,6 +185,3 @@ def main():
     if options.docs:
         docs_page.write_tables(found, ROOT / "docs/peers.md", "peers")
 
-
-if __name__ == "__main__":
-    main()

@@ -3,7 +3,7 @@
 //
 // A quarter of trilinear cells that multigrid knows no coarser ones of, factorized or aggregated, and what
 // aggregates of the nodes of quadratic cells would be worth (docs/performance.md, "Large coarsest meshes").
-// tools/benchmark leaves them out.
+// tools/study benchmark leaves them out.
 #include "multigrid/algebraic_coarse.h"
 #include "multigrid/elastic_solver.h"
 

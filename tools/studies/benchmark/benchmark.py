@@ -1,23 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 """Times kernels and whole runs, prints ratios within this call, writes benchmark.json and charts. Started by
-tools/benchmark."""
+tools/study benchmark."""
 import argparse
 import json
 import pathlib
 import sys
 
-import matplotlib
-
-matplotlib.use("Agg")
-
-import matplotlib.pyplot as plt  # noqa: E402
-
-import benchmark_charts  # noqa: E402
-import docs_page  # noqa: E402
-from benchmark_compare import compare  # noqa: E402
-from benchmark_measure import ROOT, BenchmarkError, measure  # noqa: E402
-from benchmark_ratios import TABLES, ratios  # noqa: E402
+import benchmark_charts
+import docs_page
+from benchmark_compare import compare
+from benchmark_measure import BenchmarkError, measure
+from benchmark_ratios import TABLES, ratios
+from paths import ROOT
 
 PAGE = ROOT / "docs/performance.md"
 SIZES = (4, 6, 8, 12, 16, 24, 32)  # core cells
@@ -32,7 +27,7 @@ def positive(text):
 
 
 def parsed_options():
-    parser = argparse.ArgumentParser(prog="tools/benchmark", description=__doc__)
+    parser = argparse.ArgumentParser(prog="tools/study benchmark", description=__doc__)
     parser.add_argument("--runs", type=positive, default=5, help="runs of everything, of which medians are taken (5)")
     parser.add_argument("--finest", type=int, choices=SIZES[1:], default=16, metavar="CELLS",
                         help="core cells of the finest mesh: 6, 8 (the paper's), 12, 16 (default), 24 or 32; 32 takes "
@@ -41,7 +36,7 @@ def parsed_options():
     parser.add_argument("--docs", action="store_true", help="also refresh docs/performance.md, its charts and data")
     parser.add_argument("--output", type=pathlib.Path, default=ROOT / "output/benchmark", help="folder of the results")
     parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/orthocone")
-    parser.add_argument("--kernels", type=pathlib.Path, default=ROOT / "build/tests/benchmarks/kernels")
+    parser.add_argument("--kernels", type=pathlib.Path, default=ROOT / "build/kernels")
     parser.add_argument("--against", type=pathlib.Path, metavar="PROGRAM",
                         help="only compare whole runs with those of another build of the program, in turns")
     options = parser.parse_args()
@@ -60,16 +55,6 @@ def save(result, folder):
     print(f"benchmark: {folder / 'benchmark.json'}")
 
 
-def draw(result, folder, images):
-    for name, chart in benchmark_charts.CHARTS.items():
-        figure = chart(result)
-        figure.savefig(folder / f"{name}.png", dpi=150)
-        if images:
-            docs_page.save_small(figure, images / f"{name}.png")
-        plt.close(figure)
-        print(f"benchmark: {folder / name}.png")
-
-
 def main():
     options = parsed_options()
     try:
@@ -85,11 +70,9 @@ def main():
         print("\n" + table, end="")
     print()
     save(result, options.output)
-    draw(result, options.output, ROOT / "docs/images" if options.docs else None)
+    images = ROOT / "docs/images" if options.docs else None
+    docs_page.draw("benchmark", benchmark_charts.CHARTS, result, options.output, images)
     if options.docs:
         save(result, ROOT / "docs/data")
         docs_page.write_tables(tables, PAGE, "benchmark")
 
-
-if __name__ == "__main__":
-    main()

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""The bodies of prm/import: their meshes, and a field on the contact surface; of tools/verification."""
+"""The bodies of prm/import: their meshes, and a field on the contact surface; of tools/study verification."""
 import itertools
 
 import matplotlib.pyplot as plt
