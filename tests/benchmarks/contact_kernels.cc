@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 //
 // What the contact solvers are made of, at the first step of unloading.
-#include "contact/solvers/linearization.h"
+#include "contact/solvers/newton/linearization.h"
 #include "contact/solvers/solvers.h"
 #include "sizes.h"
 

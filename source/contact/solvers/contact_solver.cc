@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include "balancing_face.h"
-#include "load_limit.h"
+#include "face/balancing_face.h"
+#include "face/load_limit.h"
 #include "solvers.h"
 
 #include <algorithm>

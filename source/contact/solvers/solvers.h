@@ -4,7 +4,7 @@
 // Code that the contact solvers share, and their list for contact_methods.cc.
 #pragma once
 
-#include "balancing_face.h"
+#include "face/balancing_face.h"
 
 #include <orthocone/contact/law/one_node.h>
 #include <orthocone/contact/solvers/contact_method.h>

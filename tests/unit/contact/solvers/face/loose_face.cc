@@ -2,9 +2,9 @@
 // Copyright (C) 2026 the orthocone authors
 //
 // Faces that forces drive, and that wear has left without contact or with too little to hold them.
-#include "contact/solvers/loose_face.h"
+#include "contact/solvers/face/loose_face.h"
 #include "contact/contact_problems.h"
-#include "contact/solvers/linearization.h"
+#include "contact/solvers/newton/linearization.h"
 
 #include <gtest/gtest.h>
 

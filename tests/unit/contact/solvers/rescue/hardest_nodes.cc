@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include "contact/solvers/hardest_nodes.h"
+#include "contact/solvers/rescue/hardest_nodes.h"
 #include "contact/contact_problems.h"
 
 #include <gtest/gtest.h>

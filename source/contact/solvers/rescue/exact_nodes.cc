@@ -2,9 +2,9 @@
 // Copyright (C) 2026 the orthocone authors
 #include "exact_nodes.h"
 
+#include "../newton/linearization.h"
+#include "../solvers.h"
 #include "few_nodes.h"
-#include "linearization.h"
-#include "solvers.h"
 
 #include <orthocone/contact/law/one_node.h>
 #include <orthocone/surface/exact_compliance.h>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include "loose_face.h"
+#include "../face/loose_face.h"
+#include "../rescue/proximal_steps.h"
+#include "../solvers.h"
 #include "pressure_first_steps.h"
-#include "proximal_steps.h"
-#include "solvers.h"
 
 #include <algorithm>
 #include <cmath>

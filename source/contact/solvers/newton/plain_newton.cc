@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
+#include "../solvers.h"
 #include "linearization.h"
-#include "solvers.h"
 
 namespace orthocone
 {

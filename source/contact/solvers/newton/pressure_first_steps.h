@@ -2,9 +2,9 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
-#include "hardest_nodes.h"
+#include "../rescue/hardest_nodes.h"
+#include "../solvers.h"
 #include "line_search.h"
-#include "solvers.h"
 
 #include <utility>
 

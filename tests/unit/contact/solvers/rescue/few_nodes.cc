@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include "contact/solvers/few_nodes.h"
+#include "contact/solvers/rescue/few_nodes.h"
 #include "contact/contact_problems.h"
-#include "contact/solvers/linearization.h"
+#include "contact/solvers/newton/linearization.h"
 
 #include <orthocone/surface/exact_compliance.h>
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include "exact_nodes.h"
-#include "few_nodes.h"
+#include "../face/loose_face.h"
+#include "../rescue/exact_nodes.h"
+#include "../rescue/few_nodes.h"
+#include "../solvers.h"
 #include "line_search.h"
-#include "loose_face.h"
-#include "solvers.h"
 #include "step_choices.h"
 
 #include <algorithm>

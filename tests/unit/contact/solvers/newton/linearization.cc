@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 //
 // The parts of the Newton solver, which are no public headers.
-#include "contact/solvers/linearization.h"
+#include "contact/solvers/newton/linearization.h"
 #include "contact/contact_problems.h"
 #include "surface/direct_conditions.h"
 #include "surface/inner_compliance.h"
