@@ -105,8 +105,8 @@ NodePart sticking_part(const double rho, const Vector2d &tangential_weights, con
   return part;
 }
 
-NodePart pressure_first_part(const OrthotropicFriction &law, const double rho, const Vector3d &force,
-                             const Vector3d &displacement)
+NodePart alart_curnier_part(const OrthotropicFriction &law, const double rho, const Vector3d &force,
+                            const Vector3d &displacement)
 {
   if (is_frictionless(law))
     return natural_part(law, rho, force, displacement);
@@ -154,10 +154,10 @@ Linearization linearize(const ContactStep &step, const VectorXd &unknowns, const
   return linearize_with(natural_part, step, unknowns, displacement, rho_factor);
 }
 
-Linearization linearize_pressure_first(const ContactStep &step, const VectorXd &unknowns,
-                                       const NodeVector &displacement, const double rho_factor)
+Linearization linearize_alart_curnier(const ContactStep &step, const VectorXd &unknowns,
+                                      const NodeVector &displacement, const double rho_factor)
 {
-  return linearize_with(pressure_first_part, step, unknowns, displacement, rho_factor);
+  return linearize_with(alart_curnier_part, step, unknowns, displacement, rho_factor);
 }
 
 VectorXd unknowns_of(const ContactChange &change)

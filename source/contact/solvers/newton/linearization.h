@@ -22,8 +22,8 @@ Linearization linearize(const ContactStep &step, const Eigen::VectorXd &unknowns
 /// The map of Alart and Curnier (1991), which asks for the pressure first, and for friction under this
 /// pressure then: docs/theory.md, section 3. Its slopes are not those of the natural map, so that Newton's
 /// method stalls elsewhere.
-Linearization linearize_pressure_first(const ContactStep &step, const Eigen::VectorXd &unknowns,
-                                       const NodeVector &displacement, double rho_factor = 1);
+Linearization linearize_alart_curnier(const ContactStep &step, const Eigen::VectorXd &unknowns,
+                                      const NodeVector &displacement, double rho_factor = 1);
 
 /// Forces and motion of the face of a change, in the order of the unknowns of a step.
 Eigen::VectorXd unknowns_of(const ContactChange &change);

@@ -3,7 +3,7 @@
 #include "../face/loose_face.h"
 #include "../rescue/proximal_steps.h"
 #include "../solvers.h"
-#include "pressure_first_steps.h"
+#include "alart_curnier_steps.h"
 
 #include <algorithm>
 #include <cmath>
@@ -68,7 +68,7 @@ private:
   GaussSeidel sweeps_;
   std::unique_ptr<ConditionSolver> conditions_;
   Help help_;
-  PressureFirstSteps pressure_first_;
+  AlartCurnierSteps alart_curnier_;
 };
 
 SemismoothNewton::SemismoothNewton(const ContactSystem &system, const ContactSolverOptions &options,
@@ -77,7 +77,7 @@ SemismoothNewton::SemismoothNewton(const ContactSystem &system, const ContactSol
       sweeps_(system, options),
       conditions_(condition_solver(system, "newton")),
       help_(std::move(help)),
-      pressure_first_(options, *conditions_, help_.hardest_nodes.get())
+      alart_curnier_(options, *conditions_, help_.hardest_nodes.get())
 {
 }
 
@@ -171,14 +171,14 @@ bool SemismoothNewton::run_round(const unsigned int round, const unsigned int n_
     sweeps_.sweep(progress.step, progress.unknowns, relaxation_of_round(round));
   if (round == 0)
   {
-    pressure_first_.iterate(progress); // the natural map stalls sooner (docs/performance.md)
+    alart_curnier_.iterate(progress); // the natural map stalls sooner (docs/performance.md)
     if (progress.residual <= options_.tolerance)
       return false;
   }
   iterate_while_it_pays(progress);
   if (round > 0 && progress.residual > options_.tolerance)
   {
-    pressure_first_.iterate(progress);
+    alart_curnier_.iterate(progress);
     iterate_in_full(progress);
   }
   return progress.residual > options_.tolerance &&

@@ -64,7 +64,7 @@ class OnEitherMap : public ContactSolver
 public:
   OnEitherMap(const ContactSystem &system, const ContactSolverOptions &options,
               const Allowances &allowances = {})
-      : pressure_first_(make_inexact_newton(system, options, allowances)),
+      : alart_curnier_(make_inexact_newton(system, options, allowances)),
         natural_(make_natural_newton(system, options, without_groups(allowances)))
   {
   }
@@ -72,7 +72,7 @@ public:
   SolverReport solve(const ContactStep &step, VectorXd &unknowns) const override
   {
     const VectorXd start = unknowns;
-    SolverReport report = pressure_first_->solve(step, unknowns);
+    SolverReport report = alart_curnier_->solve(step, unknowns);
     if (report.converged || !may_be_solvable(report.verdict))
       return report;
     const unsigned int iterations = report.iterations;
@@ -83,7 +83,7 @@ public:
   }
 
 private:
-  std::unique_ptr<ContactSolver> pressure_first_, natural_;
+  std::unique_ptr<ContactSolver> alart_curnier_, natural_;
 };
 
 /// Newton's method. Where it does not converge for a slip rule far from the associated one, it solves with

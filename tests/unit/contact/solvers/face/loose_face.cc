@@ -91,7 +91,7 @@ struct Worn
   VectorXd way(const ContactStep &step, const VectorXd &unknowns) const
   {
     const NodeVector d = step.displacement(unknowns);
-    return way_of_loose_face(step, unknowns, d, linearize_pressure_first(step, unknowns, d).conditions, 1);
+    return way_of_loose_face(step, unknowns, d, linearize_alart_curnier(step, unknowns, d).conditions, 1);
   }
 
   /// Forces of the nodes (N) if each of them were a spring.

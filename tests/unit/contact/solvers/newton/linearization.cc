@@ -133,7 +133,7 @@ constexpr std::array<Index, 2> grid_sizes{{5, 8}};
 /// Along Newton's direction a map falls at the rate at which it would vanish after one step.
 TEST(Linearization, PointsToTheZeroOfTheLinearizedMap)
 {
-  for (const auto map : {linearize, linearize_pressure_first})
+  for (const auto map : {linearize, linearize_alart_curnier})
     for (const OrthotropicFriction &law : case_laws)
       for (const Index size : grid_sizes)
       {
@@ -168,10 +168,10 @@ TEST(Linearization, MapsVanishTogether)
     NodeVector force = grid.zero();
     solve_step(grid.problem, solver_options("gauss-seidel", 1e-13), force);
     const NodeVector displacement = grid.problem.displacement(force);
-    EXPECT_LT(linearize_pressure_first(grid.problem, force, displacement).error, 1e-10 * force.norm());
+    EXPECT_LT(linearize_alart_curnier(grid.problem, force, displacement).error, 1e-10 * force.norm());
     const NodeVector other = 1.1 * force;
     const NodeVector moved = grid.problem.displacement(other);
-    EXPECT_GT(linearize_pressure_first(grid.problem, other, moved).error, 1e-3 * force.norm());
+    EXPECT_GT(linearize_alart_curnier(grid.problem, other, moved).error, 1e-3 * force.norm());
   }
 }
 
@@ -206,7 +206,7 @@ TEST(DirectConditions, AreMet)
   const DenseView &w = *grid.compliance.dense();
   const NodeVector force = weak_force(grid);
   ContactConditions conditions =
-      linearize_pressure_first(grid.problem, force, grid.problem.displacement(force)).conditions;
+      linearize_alart_curnier(grid.problem, force, grid.problem.displacement(force)).conditions;
   conditions.nodes[3] = {};
   conditions.nodes[3].fixed << 0.2, 0.1, -0.1;
   conditions.face = NodeVector::LinSpaced(w.rows(), 1, 2).normalized();

@@ -48,12 +48,12 @@ struct NewtonProgress
 
 /// Newton's steps on the map that asks for the pressure first, up to the iterate where it is least. Where a
 /// few nodes keep them short, these are solved by themselves.
-class PressureFirstSteps
+class AlartCurnierSteps
 {
 public:
   /// `conditions` and `hardest_nodes`, which may be null, must outlive the steps.
-  PressureFirstSteps(const ContactSolverOptions &options, const ConditionSolver &conditions,
-                     const HardestNodes *hardest_nodes);
+  AlartCurnierSteps(const ContactSolverOptions &options, const ConditionSolver &conditions,
+                    const HardestNodes *hardest_nodes);
 
   void iterate(NewtonProgress &progress) const;
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include "pressure_first_steps.h"
+#include "alart_curnier_steps.h"
 
 #include <algorithm>
 
@@ -41,8 +41,8 @@ private:
 };
 } // namespace
 
-PressureFirstSteps::PressureFirstSteps(const ContactSolverOptions &options, const ConditionSolver &conditions,
-                                       const HardestNodes *const hardest_nodes)
+AlartCurnierSteps::AlartCurnierSteps(const ContactSolverOptions &options, const ConditionSolver &conditions,
+                                     const HardestNodes *const hardest_nodes)
     : options_(options),
       conditions_(conditions),
       hardest_nodes_(hardest_nodes)
@@ -52,8 +52,8 @@ PressureFirstSteps::PressureFirstSteps(const ContactSolverOptions &options, cons
 /// Takes the state in which the hardest nodes are solved, and returns whether it has. For the other nodes
 /// that state is worse as a rule. Newton's next steps mend this, while no step of the whole surface gets the
 /// hardest nodes off their corners.
-bool PressureFirstSteps::pass_hardest_nodes(NewtonProgress &progress, Iterate &last,
-                                            const bool may_be_worse) const
+bool AlartCurnierSteps::pass_hardest_nodes(NewtonProgress &progress, Iterate &last,
+                                           const bool may_be_worse) const
 {
   constexpr double bearable_growth = 1000;
   if (hardest_nodes_ == nullptr)
@@ -63,7 +63,7 @@ bool PressureFirstSteps::pass_hardest_nodes(NewtonProgress &progress, Iterate &l
   if (!solved.unknowns)
     return false;
   NodeVector displacement = progress.step.displacement(*solved.unknowns);
-  Iterate next(linearize_pressure_first, progress.step, *std::move(solved.unknowns), std::move(displacement),
+  Iterate next(linearize_alart_curnier, progress.step, *std::move(solved.unknowns), std::move(displacement),
                options_.rho_factor);
   if (!(next.linearization.error < (may_be_worse ? bearable_growth : 1) * last.linearization.error))
     return false;
@@ -71,15 +71,15 @@ bool PressureFirstSteps::pass_hardest_nodes(NewtonProgress &progress, Iterate &l
   return true;
 }
 
-Iterate PressureFirstSteps::start(const NewtonProgress &progress) const
+Iterate AlartCurnierSteps::start(const NewtonProgress &progress) const
 {
-  return {linearize_pressure_first, progress.step, progress.unknowns,
+  return {linearize_alart_curnier, progress.step, progress.unknowns,
           progress.step.displacement(progress.unknowns), options_.rho_factor};
 }
 
 /// The line search takes the shortest step where none reduces the map: that passes corners where pieces of it
 /// meet.
-void PressureFirstSteps::iterate(NewtonProgress &progress) const
+void AlartCurnierSteps::iterate(NewtonProgress &progress) const
 {
   constexpr unsigned int most_iterations = 30, most_without_gain = 5;
   // The residual projects every node. The map's own error says without that where it may be small enough.
@@ -102,7 +102,7 @@ void PressureFirstSteps::iterate(NewtonProgress &progress) const
     if (!change.allFinite())
       break;
     const double error_before = last.linearization.error;
-    last = line_search(linearize_pressure_first, step, last, change, smallest_step, options_.rho_factor);
+    last = line_search(linearize_alart_curnier, step, last, change, smallest_step, options_.rho_factor);
     const double near = likely * options_.tolerance * step.force_scale(last.unknowns);
     const bool has_stalled = last.linearization.error > stalls * error_before;
     stalls_in_a_row = has_stalled ? stalls_in_a_row + 1 : 0;
