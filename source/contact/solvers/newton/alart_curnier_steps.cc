@@ -42,23 +42,22 @@ private:
 } // namespace
 
 AlartCurnierSteps::AlartCurnierSteps(const ContactSolverOptions &options, const ConditionSolver &conditions,
-                                     const HardestNodes *const hardest_nodes)
+                                     const NonlinearElimination *const elimination)
     : options_(options),
       conditions_(conditions),
-      hardest_nodes_(hardest_nodes)
+      elimination_(elimination)
 {
 }
 
 /// Takes the state in which the hardest nodes are solved, and returns whether it has. For the other nodes
 /// that state is worse as a rule. Newton's next steps mend this, while no step of the whole surface gets the
 /// hardest nodes off their corners.
-bool AlartCurnierSteps::pass_hardest_nodes(NewtonProgress &progress, Iterate &last,
-                                           const bool may_be_worse) const
+bool AlartCurnierSteps::eliminate(NewtonProgress &progress, Iterate &last, const bool may_be_worse) const
 {
   constexpr double bearable_growth = 1000;
-  if (hardest_nodes_ == nullptr)
+  if (elimination_ == nullptr)
     return false;
-  HardestNodes::Result solved = hardest_nodes_->solve(progress.step, last.unknowns, last.displacement);
+  NonlinearElimination::Result solved = elimination_->solve(progress.step, last.unknowns, last.displacement);
   progress.iterations += solved.iterations;
   if (!solved.unknowns)
     return false;
@@ -107,7 +106,7 @@ void AlartCurnierSteps::iterate(NewtonProgress &progress) const
     const bool has_stalled = last.linearization.error > stalls * error_before;
     stalls_in_a_row = has_stalled ? stalls_in_a_row + 1 : 0;
     if (has_stalled && last.linearization.error > near &&
-        pass_hardest_nodes(progress, last, i_passed == 0 || i >= i_passed + pause))
+        eliminate(progress, last, i_passed == 0 || i >= i_passed + pause))
       i_passed = i;
     const bool is_near = last.linearization.error <= near;
     const bool is_better = best.offer(last, i);

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
-#include "../rescue/hardest_nodes.h"
+#include "../rescue/nonlinear_elimination.h"
 #include "../solvers.h"
 #include "line_search.h"
 
@@ -51,18 +51,18 @@ struct NewtonProgress
 class AlartCurnierSteps
 {
 public:
-  /// `conditions` and `hardest_nodes`, which may be null, must outlive the steps.
+  /// `conditions` and `elimination`, which may be null, must outlive the steps.
   AlartCurnierSteps(const ContactSolverOptions &options, const ConditionSolver &conditions,
-                    const HardestNodes *hardest_nodes);
+                    const NonlinearElimination *elimination);
 
   void iterate(NewtonProgress &progress) const;
 
 private:
-  bool pass_hardest_nodes(NewtonProgress &progress, Iterate &last, bool may_be_worse) const;
+  bool eliminate(NewtonProgress &progress, Iterate &last, bool may_be_worse) const;
   Iterate start(const NewtonProgress &progress) const;
 
   ContactSolverOptions options_;
   const ConditionSolver &conditions_;
-  const HardestNodes *hardest_nodes_;
+  const NonlinearElimination *elimination_;
 };
 } // namespace orthocone

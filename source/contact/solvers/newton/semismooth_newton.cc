@@ -46,7 +46,7 @@ public:
   /// What it does beside its own steps, or nothing of each.
   struct Help
   {
-    std::unique_ptr<const HardestNodes> hardest_nodes{};
+    std::unique_ptr<const NonlinearElimination> elimination{};
     std::unique_ptr<const ProximalSteps> proximal_steps{}; ///< for singular W
   };
 
@@ -77,7 +77,7 @@ SemismoothNewton::SemismoothNewton(const ContactSystem &system, const ContactSol
       sweeps_(system, options),
       conditions_(condition_solver(system, "newton")),
       help_(std::move(help)),
-      alart_curnier_(options, *conditions_, help_.hardest_nodes.get())
+      alart_curnier_(options, *conditions_, help_.elimination.get())
 {
 }
 
@@ -230,7 +230,7 @@ std::unique_ptr<ContactSolver> make_newton(const ContactSystem &system, const Co
 {
   if (system.compliance().dense() == nullptr)
     return make_continuation(system, options);
-  SemismoothNewton::Help help{std::make_unique<HardestNodes>(options, make<SemismoothNewton>),
+  SemismoothNewton::Help help{std::make_unique<NonlinearElimination>(options, make<SemismoothNewton>),
                               std::make_unique<ProximalSteps>(system, options, make<SemismoothNewton>)};
   return std::make_unique<SemismoothNewton>(system, options, std::move(help));
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include "hardest_nodes.h"
+#include "nonlinear_elimination.h"
 
 #include "few_nodes.h"
 
@@ -77,7 +77,7 @@ MatrixXd compliance_of(const Nodes &nodes, const DenseView &w)
 
 } // namespace
 
-HardestNodes::HardestNodes(const ContactSolverOptions &options, Make *const make)
+NonlinearElimination::NonlinearElimination(const ContactSolverOptions &options, Make *const make)
     : options_(options),
       make_(make)
 {
@@ -85,8 +85,8 @@ HardestNodes::HardestNodes(const ContactSolverOptions &options, Make *const make
   options_.maximum_iterations = std::min(options.maximum_iterations, most_iterations);
 }
 
-HardestNodes::Result HardestNodes::solve(const ContactStep &step, const VectorXd &unknowns,
-                                         const NodeVector &displacement) const
+NonlinearElimination::Result NonlinearElimination::solve(const ContactStep &step, const VectorXd &unknowns,
+                                                         const NodeVector &displacement) const
 {
   constexpr Index least_surface = 3; // of the small problem's nodes: else it is no small one
   const DenseView *const w = step.system().compliance().dense();

@@ -12,7 +12,7 @@ namespace orthocone
 /// of all other nodes stay as they are. A node that is about to stick or to slip the other way may keep
 /// Newton's steps of a whole surface short; a small problem finds its state at little cost (nonlinear
 /// elimination: Lanzkron, Rose and Wilkes 1996).
-class HardestNodes
+class NonlinearElimination
 {
 public:
   using Make = std::unique_ptr<ContactSolver>(const ContactSystem &, const ContactSolverOptions &);
@@ -26,7 +26,7 @@ public:
   };
 
   /// `make` makes the solver of the small problems; its options are those of the whole step.
-  HardestNodes(const ContactSolverOptions &options, Make *make);
+  NonlinearElimination(const ContactSolverOptions &options, Make *make);
 
   /// There is no small problem where the map is not concentrated on few nodes, on a small surface, and where
   /// W is not dense. `displacement` (mm) belongs to `unknowns`.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include "contact/solvers/rescue/hardest_nodes.h"
+#include "contact/solvers/rescue/nonlinear_elimination.h"
 #include "contact/contact_problems.h"
 
 #include <gtest/gtest.h>
@@ -35,10 +35,10 @@ struct LargeSolvedGrid
     EXPECT_TRUE(solve_step(grid.problem, solver_options("gauss-seidel", of_sweeps), force).converged);
   }
 
-  HardestNodes::Result solved_from(const VectorXd &start) const
+  NonlinearElimination::Result solved_from(const VectorXd &start) const
   {
-    const HardestNodes hardest(solver_options("newton", of_sweeps), make_sweeps);
-    return hardest.solve(grid.problem, start, grid.problem.displacement(start));
+    const NonlinearElimination elimination(solver_options("newton", of_sweeps), make_sweeps);
+    return elimination.solve(grid.problem, start, grid.problem.displacement(start));
   }
 
   GridProblem grid;
@@ -47,7 +47,7 @@ struct LargeSolvedGrid
 } // namespace
 
 // Where the gap of two nodes changes, no other node notices until forces do.
-TEST(HardestNodes, TheLawHoldsOnThemAndTheirNeighbours)
+TEST(NonlinearElimination, TheLawHoldsOnThemAndTheirNeighbours)
 {
   const LargeSolvedGrid solved(18);
   NodeVector q = solved.grid.problem.q();
@@ -57,8 +57,8 @@ TEST(HardestNodes, TheLawHoldsOnThemAndTheirNeighbours)
   const ContactStep step(solved.grid.system, q);
   const auto map = [&](const VectorXd &force) { return step.natural_map(force, step.displacement(force)); };
   ASSERT_GT(map(solved.force).norm(), 1e-2 * solved.force.norm());
-  const HardestNodes hardest(solver_options("newton", of_sweeps), make_sweeps);
-  const auto result = hardest.solve(step, solved.force, step.displacement(solved.force));
+  const NonlinearElimination elimination(solver_options("newton", of_sweeps), make_sweeps);
+  const auto result = elimination.solve(step, solved.force, step.displacement(solved.force));
   ASSERT_TRUE(result.unknowns);
   const VectorXd rest = map(*result.unknowns);
   for (const Index node : changed)
@@ -66,7 +66,7 @@ TEST(HardestNodes, TheLawHoldsOnThemAndTheirNeighbours)
       EXPECT_LT(rest.segment<3>(3 * near).norm(), 10 * of_sweeps * solved.force.norm()) << near;
 }
 
-TEST(HardestNodes, OtherForcesStayAsTheyAre)
+TEST(NonlinearElimination, OtherForcesStayAsTheyAre)
 {
   const LargeSolvedGrid solved(18);
   VectorXd wrong = solved.force;
@@ -77,13 +77,13 @@ TEST(HardestNodes, OtherForcesStayAsTheyAre)
   EXPECT_EQ(result.unknowns->segment<3>(far), wrong.segment<3>(far));
 }
 
-TEST(HardestNodes, WhatIsWrongEverywhereIsLeftAlone)
+TEST(NonlinearElimination, WhatIsWrongEverywhereIsLeftAlone)
 {
   const LargeSolvedGrid solved(18);
   EXPECT_FALSE(solved.solved_from(0.9 * solved.force).unknowns);
 }
 
-TEST(HardestNodes, SmallSurfacesHaveNoSmallProblem)
+TEST(NonlinearElimination, SmallSurfacesHaveNoSmallProblem)
 {
   const LargeSolvedGrid solved(5);
   VectorXd wrong = solved.force;
