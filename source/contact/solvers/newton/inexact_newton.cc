@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include "../face/loose_face.h"
 #include "../rescue/exact_nodes.h"
-#include "../rescue/few_nodes.h"
+#include "../rescue/worst_nodes.h"
 #include "../solvers.h"
 #include "line_search.h"
 #include "step_choices.h"

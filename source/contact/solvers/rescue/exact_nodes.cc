@@ -4,7 +4,7 @@
 
 #include "../newton/linearization.h"
 #include "../solvers.h"
-#include "few_nodes.h"
+#include "worst_nodes.h"
 
 #include <orthocone/contact/law/one_node.h>
 #include <orthocone/surface/exact_compliance.h>

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include "nonlinear_elimination.h"
 
-#include "few_nodes.h"
+#include "worst_nodes.h"
 
 #include <orthocone/surface/nearest_nodes.h>
 

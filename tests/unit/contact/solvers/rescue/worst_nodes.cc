@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include "contact/solvers/rescue/few_nodes.h"
+#include "contact/solvers/rescue/worst_nodes.h"
 #include "contact/contact_problems.h"
 #include "contact/solvers/newton/linearization.h"
 
@@ -13,7 +13,7 @@ namespace orthocone::test
 using Eigen::Index;
 using Eigen::MatrixXd;
 
-TEST(FewNodes, AreThoseThatHoldNearlyAllOfTheError)
+TEST(WorstNodes, AreThoseThatHoldNearlyAllOfTheError)
 {
   const GridProblem grid({0.3, 0.15, 0.05, 0.2}, 5, 1);
   NodeVector force = grid.zero();
@@ -27,7 +27,7 @@ TEST(FewNodes, AreThoseThatHoldNearlyAllOfTheError)
   EXPECT_EQ(values_at({12, 11}, force).head<3>(), force.segment<3>(36));
 }
 
-TEST(FewNodes, ObeyLinearizedLawsOnAComplianceThatIsNotSymmetric)
+TEST(WorstNodes, ObeyLinearizedLawsOnAComplianceThatIsNotSymmetric)
 {
   GridProblem grid({0.3, 0.15, 0.05, 0.2}, 5, 1);
   NodeVector force = grid.zero();

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include "few_nodes.h"
+#include "worst_nodes.h"
 
 #include <algorithm>
 #include <numeric>
