@@ -4,8 +4,8 @@
 #include "../rescue/exact_nodes.h"
 #include "../rescue/worst_nodes.h"
 #include "../solvers.h"
+#include "globalization.h"
 #include "line_search.h"
-#include "step_choices.h"
 
 #include <algorithm>
 #include <cmath>
@@ -74,11 +74,11 @@ private:
   BodyIterate behind(const ContactStep &step, const BodyIterate &last, const ContactChange &change,
                      double length) const;
   BodyIterate share_of(const ContactChange &change, const ContactStep &step, const BodyIterate &last,
-                       const StepChoice &choice, Allowances &allowances) const;
+                       const StepRule &rule, Allowances &allowances) const;
   static std::vector<Eigen::Index> nodes_to_solve(const ContactStep &step, const BodyIterate &last,
-                                                  const BodyIterate &full, const StepChoice &choice,
+                                                  const BodyIterate &full, const StepRule &rule,
                                                   Allowances &allowances);
-  BodyIterate next(const ContactStep &step, const BodyIterate &last, const StepChoice &choice,
+  BodyIterate next(const ContactStep &step, const BodyIterate &last, const StepRule &rule,
                    Allowances &allowances) const;
   double judge_forces(const ContactStep &step, BodyIterate &iterate, VectorXd &unknowns) const;
 
@@ -125,17 +125,17 @@ BodyIterate InexactNewton::behind(const ContactStep &step, const BodyIterate &la
 /// Then it is all of it a few times near the solution. Else it is the share with the least error if that is
 /// little worse than the last error, and all of it otherwise.
 BodyIterate InexactNewton::share_of(const ContactChange &change, const ContactStep &step,
-                                    const BodyIterate &last, const StepChoice &choice,
+                                    const BodyIterate &last, const StepRule &rule,
                                     Allowances &allowances) const
 {
   constexpr double smallest_step = 1. / 64, bearable_growth = 1.2, bearable_leap = 10;
   BodyIterate full = behind(step, last, change, 1);
-  if (is_low(full.error, 1, choice.bound))
+  if (is_low(full.error, 1, rule.bound))
     return full;
   BodyIterate best = behind(step, last, change, 0.5);
-  if (is_low(best.error, 0.5, choice.bound))
+  if (is_low(best.error, 0.5, rule.bound))
     return best;
-  if (choice.may_leap && allowances.leaps > 0 && full.error <= bearable_leap * choice.bound)
+  if (rule.may_leap && allowances.leaps > 0 && full.error <= bearable_leap * rule.bound)
   {
     --allowances.leaps;
     return full;
@@ -143,7 +143,7 @@ BodyIterate InexactNewton::share_of(const ContactChange &change, const ContactSt
   for (double length = 0.25; length >= smallest_step; length /= 2)
   {
     BodyIterate tried = behind(step, last, change, length);
-    if (is_low(tried.error, length, choice.bound))
+    if (is_low(tried.error, length, rule.bound))
       return tried;
     if (tried.error < best.error)
       best = std::move(tried);
@@ -155,7 +155,7 @@ BodyIterate InexactNewton::share_of(const ContactChange &change, const ContactSt
 /// Where that has not helped, those few that are hardest behind or before the step. They may be in a row in
 /// which each one slips when its neighbour does. None where the error is on many nodes.
 std::vector<Eigen::Index> InexactNewton::nodes_to_solve(const ContactStep &step, const BodyIterate &last,
-                                                        const BodyIterate &full, const StepChoice &choice,
+                                                        const BodyIterate &full, const StepRule &rule,
                                                         Allowances &allowances)
 {
   constexpr std::size_t few = 4;
@@ -166,7 +166,7 @@ std::vector<Eigen::Index> InexactNewton::nodes_to_solve(const ContactStep &step,
     return {*node};
   }
   std::vector<Eigen::Index> nodes = worst_nodes(step, full.unknowns, full.displacement, few + 1);
-  if (nodes.size() > few || !choice.may_solve_nodes)
+  if (nodes.size() > few || !rule.may_solve_nodes)
     return {};
   const auto before = worst_nodes(step, last.unknowns, last.displacement, few + 1);
   if (before.size() <= few)
@@ -181,16 +181,16 @@ std::vector<Eigen::Index> InexactNewton::nodes_to_solve(const ContactStep &step,
 
 /// The iterate behind Newton's change. Where that stalls because nodes change their status to and fro, these
 /// are solved exactly. For others that is worse at first as a rule. Newton's next steps mend it.
-BodyIterate InexactNewton::next(const ContactStep &step, const BodyIterate &last, const StepChoice &choice,
+BodyIterate InexactNewton::next(const ContactStep &step, const BodyIterate &last, const StepRule &rule,
                                 Allowances &allowances) const
 {
   constexpr double bearable_growth = 100;
   const ContactConditions &conditions = last.linearization.conditions;
-  const ContactChange change = with_displacement(step, conditions_->solve(conditions, choice.accuracy));
-  BodyIterate next = share_of(change, step, last, choice, allowances);
-  if (!choice.may_solve_node || !has_stalled(next.error, last.error))
+  const ContactChange change = with_displacement(step, conditions_->solve(conditions, rule.accuracy));
+  BodyIterate next = share_of(change, step, last, rule, allowances);
+  if (!rule.may_solve_node || !has_stalled(next.error, last.error))
     return next;
-  const auto nodes = nodes_to_solve(step, last, behind(step, last, change, 1), choice, allowances);
+  const auto nodes = nodes_to_solve(step, last, behind(step, last, change, 1), rule, allowances);
   if (nodes.empty())
     return next;
   const auto exact =
@@ -227,7 +227,7 @@ SolverReport InexactNewton::solve(const ContactStep &step, VectorXd &unknowns) c
       0.3; // of the tolerance: the error of the displacement is up to 30 times as large
   const unsigned int most = std::min(options_.maximum_iterations, most_inexact_iterations);
   Trace trace;
-  StepChoices choices;
+  Globalization globalization;
   Allowances allowances = allowances_;
   if (is_loose_without_forces(step, unknowns))
     unknowns = balancing_start(step);
@@ -239,9 +239,9 @@ SolverReport InexactNewton::solve(const ContactStep &step, VectorXd &unknowns) c
   while (residual > options_.tolerance && n < most && std::isfinite(residual))
   {
     const double wanted = strictness * options_.tolerance * step.force_scale(iterate.unknowns);
-    iterate =
-        touching(step, next(step, iterate, choices.next(iterate.linearization.error, iterate.error, wanted),
-                            allowances));
+    iterate = touching(step, next(step, iterate,
+                                  globalization.next(iterate.linearization.error, iterate.error, wanted),
+                                  allowances));
     ++n;
     residual = step.residual(iterate.unknowns, iterate.displacement);
     trace.add(n, residual, step.force_scale(iterate.unknowns));

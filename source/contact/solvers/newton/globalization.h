@@ -87,7 +87,7 @@ private:
 };
 
 /// What the next step may do.
-struct StepChoice
+struct StepRule
 {
   double accuracy;      ///< of its linear system
   double bound;         ///< that its error must stay below, N
@@ -97,11 +97,11 @@ struct StepChoice
 };
 
 /// Of the steps of one solution, in their order.
-class StepChoices
+class Globalization
 {
 public:
   /// Behind an iterate with these errors of the law alone, and of law and equilibrium together (N).
-  StepChoice next(const double of_law, const double error, const double wanted)
+  StepRule next(const double of_law, const double error, const double wanted)
   {
     constexpr unsigned int hopeless = 5; // stalls: one node at a time has not helped
     const bool is_near = nearness_.has_come(error);
