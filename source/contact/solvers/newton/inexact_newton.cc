@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include "../face/loose_face.h"
+#include "../face/unheld_face.h"
 #include "../rescue/exact_nodes.h"
 #include "../rescue/worst_nodes.h"
 #include "../solvers.h"
@@ -88,13 +88,13 @@ private:
   std::unique_ptr<ConditionSolver> conditions_;
 };
 
-/// The iterate, with a loose face moved until nodes hold it. Those that hold it first may let it tilt.
+/// The iterate, with an unheld face moved until nodes hold it. Those that hold it first may let it tilt.
 BodyIterate InexactNewton::touching(const ContactStep &step, BodyIterate iterate) const
 {
   for (Eigen::Index i = 0; i < step.face().n(); ++i)
   {
-    const VectorXd way = way_of_loose_face(step, iterate.unknowns, iterate.displacement,
-                                           iterate.linearization.conditions, options_.rho_factor);
+    const VectorXd way = increment_of_unheld_face(step, iterate.unknowns, iterate.displacement,
+                                                  iterate.linearization.conditions, options_.rho_factor);
     if (way.size() == 0)
       break;
     iterate.unknowns.tail(way.size()) += way;
@@ -229,7 +229,7 @@ SolverReport InexactNewton::solve(const ContactStep &step, VectorXd &unknowns) c
   Trace trace;
   Globalization globalization;
   Allowances allowances = allowances_;
-  if (is_loose_without_forces(step, unknowns))
+  if (is_unheld_without_forces(step, unknowns))
     unknowns = balancing_start(step);
   BodyIterate iterate = touching(step, near(step, unknowns));
   double residual = step.near_residual(unknowns);

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include "../face/loose_face.h"
+#include "../face/unheld_face.h"
 #include "../rescue/proximal_steps.h"
 #include "../solvers.h"
 #include "alart_curnier_steps.h"
@@ -194,7 +194,7 @@ SolverReport SemismoothNewton::solve(const ContactStep &step, VectorXd &unknowns
   NewtonProgress progress{step, unknowns, start_residual};
   progress.note(progress.residual, unknowns);
   const bool is_rigid = help_.proximal_steps && help_.proximal_steps->are_needed_by_few_nodes();
-  if (is_loose_without_forces(step, unknowns) && progress.residual > options_.tolerance)
+  if (is_unheld_without_forces(step, unknowns) && progress.residual > options_.tolerance)
   {
     unknowns = pressed_start(step);
     progress.residual = step.residual(unknowns);

@@ -8,7 +8,7 @@ namespace orthocone
 {
 /// Whether forces drive a face that no node holds yet: then no force depends on how the face moves, and
 /// Newton's method cannot start.
-bool is_loose_without_forces(const ContactStep &step, const Eigen::VectorXd &unknowns);
+bool is_unheld_without_forces(const ContactStep &step, const Eigen::VectorXd &unknowns);
 
 /// Contact forces that carry what drives the face, as evenly as they can.
 Eigen::VectorXd balancing_start(const ContactStep &step);
@@ -18,7 +18,7 @@ Eigen::VectorXd balancing_start(const ContactStep &step);
 /// spring of stiffness rho, which is `rho_factor` times that of the system. Newton's system is singular
 /// without it: that is so where wear has left no contact, or too few nodes for a face that may tilt.
 /// `displacement` belongs to `unknowns`. No numbers where the face is held, or its way meets no node.
-Eigen::VectorXd way_of_loose_face(const ContactStep &step, const Eigen::VectorXd &unknowns,
-                                  const NodeVector &displacement, const ContactConditions &conditions,
-                                  double rho_factor);
+Eigen::VectorXd increment_of_unheld_face(const ContactStep &step, const Eigen::VectorXd &unknowns,
+                                         const NodeVector &displacement, const ContactConditions &conditions,
+                                         double rho_factor);
 } // namespace orthocone

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 //
 // Faces that forces drive, and that wear has left without contact or with too little to hold them.
-#include "contact/solvers/face/loose_face.h"
+#include "contact/solvers/face/unheld_face.h"
 #include "contact/contact_problems.h"
 #include "contact/solvers/newton/linearization.h"
 
@@ -91,7 +91,8 @@ struct Worn
   VectorXd way(const ContactStep &step, const VectorXd &unknowns) const
   {
     const NodeVector d = step.displacement(unknowns);
-    return way_of_loose_face(step, unknowns, d, linearize_alart_curnier(step, unknowns, d).conditions, 1);
+    return increment_of_unheld_face(step, unknowns, d, linearize_alart_curnier(step, unknowns, d).conditions,
+                                    1);
   }
 
   /// Forces of the nodes (N) if each of them were a spring.
@@ -115,7 +116,7 @@ void move(VectorXd &unknowns, const VectorXd &way)
 }
 } // namespace
 
-TEST(LooseFace, ComesToWhereItsLoadIsCarried)
+TEST(UnheldFace, ComesToWhereItsLoadIsCarried)
 {
   const Worn grid(case_c);
   const double load = 7;
@@ -130,7 +131,7 @@ TEST(LooseFace, ComesToWhereItsLoadIsCarried)
   }
 }
 
-TEST(LooseFace, TurnsAboutTheNodesThatHoldIt)
+TEST(UnheldFace, TurnsAboutTheNodesThatHoldIt)
 {
   const Worn grid(case_c);
   const NodeVector flat = NodeVector::Zero(3 * n_grid);
@@ -157,7 +158,7 @@ TEST(LooseFace, TurnsAboutTheNodesThatHoldIt)
   EXPECT_EQ(grid.way(step, unknowns).size(), 0); // it is held now
 }
 
-TEST(LooseFace, StaysWhereItMeetsNothing)
+TEST(UnheldFace, StaysWhereItMeetsNothing)
 {
   const Worn grid(case_c);
   const NodeVector open = worn(NodeVector::Zero(3 * n_grid), 1, 0);
@@ -174,7 +175,7 @@ TEST(LooseFace, StaysWhereItMeetsNothing)
 }
 
 // A step on a surface that the step before has worn far deeper than pressure had flattened it.
-TEST(LooseFace, NewtonFindsTheForcesOfTheSweepsBehindDeepWear)
+TEST(UnheldFace, NewtonFindsTheForcesOfTheSweepsBehindDeepWear)
 {
   for (const OrthotropicFriction &law : case_laws)
   {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include "loose_face.h"
+#include "unheld_face.h"
 
 #include <algorithm>
 #include <utility>
@@ -26,7 +26,7 @@ MatrixXd normal_rows(const MatrixXd &columns)
 }
 
 /// The motions of the face that leave the gaps of all closed nodes as they are: orthonormal columns.
-MatrixXd loose_motions(const MatrixXd &normal, const std::vector<NodeCondition> &conditions)
+MatrixXd unheld_motions(const MatrixXd &normal, const std::vector<NodeCondition> &conditions)
 {
   constexpr double rounding = 1e-10;
   MatrixXd hold = MatrixXd::Zero(normal.cols(), normal.cols());
@@ -72,7 +72,7 @@ double length_to_carry(const double load, std::vector<Approach> approaches)
 }
 } // namespace
 
-bool is_loose_without_forces(const ContactStep &step, const VectorXd &unknowns)
+bool is_unheld_without_forces(const ContactStep &step, const VectorXd &unknowns)
 {
   return step.face().n() > 0 && unknowns.head(step.q().size()).isZero(0);
 }
@@ -84,18 +84,19 @@ VectorXd balancing_start(const ContactStep &step)
   return step.admissible(unknowns);
 }
 
-VectorXd way_of_loose_face(const ContactStep &step, const VectorXd &unknowns, const NodeVector &displacement,
-                           const ContactConditions &conditions, const double rho_factor)
+VectorXd increment_of_unheld_face(const ContactStep &step, const VectorXd &unknowns,
+                                  const NodeVector &displacement, const ContactConditions &conditions,
+                                  const double rho_factor)
 {
   constexpr double worth_a_way = 1e-4, rounding = 1e-8;
   if (step.face().n() == 0)
     return {};
   const MatrixXd normal = normal_rows(step.face().columns());
-  const MatrixXd loose = loose_motions(normal, conditions.nodes);
-  if (loose.cols() == 0)
+  const MatrixXd free = unheld_motions(normal, conditions.nodes);
+  if (free.cols() == 0)
     return {};
-  const MatrixXd moved = normal * loose;
-  const VectorXd load = loose.transpose() * load_without_open(step, unknowns, conditions.nodes);
+  const MatrixXd moved = normal * free;
+  const VectorXd load = free.transpose() * load_without_open(step, unknowns, conditions.nodes);
   const VectorXd way = moved.transpose() * (moved * load); // what only slides along the obstacle has no part
   const VectorXd speed = moved * way;                      // of the nodes towards the obstacle
   if (speed.norm() <= worth_a_way * step.force_scale(unknowns))
@@ -109,6 +110,6 @@ VectorXd way_of_loose_face(const ContactStep &step, const VectorXd &unknowns, co
                             rho * speed[node] * speed[node]});
   }
   const double length = length_to_carry(speed.squaredNorm(), std::move(approaches));
-  return length > 0 ? VectorXd(-length * loose * way) : VectorXd();
+  return length > 0 ? VectorXd(-length * free * way) : VectorXd();
 }
 } // namespace orthocone
