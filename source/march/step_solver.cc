@@ -205,7 +205,7 @@ void StepSolver::accept_unknowns(ContactState &state, const Attempt &attempt, co
   for (std::size_t j = 0; j < attempt.components.size(); ++j)
     motion[attempt.components[j]] = motions[static_cast<Index>(j)];
   const ContactState before = state;
-  const RigidMotion way{motion.components - before.motion.components};
+  const RigidMotion increment{motion.components - before.motion.components};
   advance(state, attempt.problem, opening_, unknowns, motion, attempt.worn.size() == 0 ? wear_ : WearLaw(),
           tolerance_);
   if (attempt.worn.size() > 0) // it is found already
@@ -213,9 +213,9 @@ void StepSolver::accept_unknowns(ContactState &state, const Attempt &attempt, co
     state.wear_depth += attempt.worn;
     state.found_depth = state.wear_depth;
   }
-  state.work +=
-      0.5 * (scene_.held_wrench(before.force).work(way) + scene_.held_wrench(state.force).work(way)) +
-      scene_.symmetry().n_copies() * work_without_contact(before, state, opening_);
+  state.work += 0.5 * (scene_.held_wrench(before.force).work(increment) +
+                       scene_.held_wrench(state.force).work(increment)) +
+                scene_.symmetry().n_copies() * work_without_contact(before, state, opening_);
 }
 
 SolverReport StepSolver::solve_to(ContactState &state, const Attempt &attempt, VectorXd unknowns,

@@ -38,9 +38,9 @@ double work_without_contact(const ContactState &before, const ContactState &afte
     if (is_open(before, node) != is_open(after, node))
     {
       const Vector3d force = 0.5 * (before.force + after.force).segment<3>(3 * node);
-      const Vector3d way = (after.displacement - before.displacement).segment<3>(3 * node);
+      const Vector3d increment = (after.displacement - before.displacement).segment<3>(3 * node);
       const double apart = 1 - share_in_contact(before, after, node, opening[node]);
-      work += force[0] * way[0] + apart * force.tail<2>().dot(way.tail<2>());
+      work += force[0] * increment[0] + apart * force.tail<2>().dot(increment.tail<2>());
     }
   return work;
 }

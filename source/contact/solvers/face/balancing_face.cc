@@ -45,9 +45,9 @@ double imbalance_share(const ContactStep &step, const VectorXd &unknowns)
 /// Whether the face approaches the obstacle somewhere when it follows what is out of balance.
 bool is_pressed_on(const ContactStep &step, const VectorXd &unknowns)
 {
-  const VectorXd way = step.face().columns() * step.imbalance(unknowns);
-  for (Index node = 0; node < way.size(); node += 3)
-    if (way[node] < 0)
+  const VectorXd increment = step.face().columns() * step.imbalance(unknowns);
+  for (Index node = 0; node < increment.size(); node += 3)
+    if (increment[node] < 0)
       return true;
   return false;
 }
@@ -57,11 +57,11 @@ bool is_pressed_on(const ContactStep &step, const VectorXd &unknowns)
 bool is_held(const ContactStep &step, const VectorXd &unknowns, const std::vector<NodeStatus> &statuses)
 {
   constexpr double still = 0.1; // of the largest motion of a node
-  const NodeVector way = step.face().columns() * step.imbalance(unknowns);
+  const NodeVector increment = step.face().columns() * step.imbalance(unknowns);
   double largest = 0, of_stuck = 0;
   for (Index node = 0; node < step.n_nodes(); ++node)
   {
-    const double moved = way.segment<3>(3 * node).norm();
+    const double moved = increment.segment<3>(3 * node).norm();
     largest = std::max(largest, moved);
     if (statuses[static_cast<std::size_t>(node)] == NodeStatus::stick)
       of_stuck = std::max(of_stuck, moved);

@@ -14,9 +14,9 @@ namespace
 {
 /// How far a motion of the face (size m, mm) lifts every node less what friction may do against it: where
 /// this is not negative for any node, no admissible force resists the motion. Size n.
-VectorXd clearances(const ContactStep &step, const VectorXd &way)
+VectorXd clearances(const ContactStep &step, const VectorXd &increment)
 {
-  const NodeVector moved = step.face().columns() * way;
+  const NodeVector moved = step.face().columns() * increment;
   VectorXd clearances(step.n_nodes());
   for (Index node = 0; node < step.n_nodes(); ++node)
     clearances[node] =
@@ -25,11 +25,12 @@ VectorXd clearances(const ContactStep &step, const VectorXd &way)
 }
 
 /// Whether the load does work on a motion of the face, once this has been lifted until no force resists.
-bool is_proof(const ContactStep &step, const VectorXd &way, const VectorXd &lift, const VectorXd &lifted)
+bool is_proof(const ContactStep &step, const VectorXd &increment, const VectorXd &lift,
+              const VectorXd &lifted)
 {
   constexpr double rounding = 1e-9;
-  const double needed = std::max(0., (-clearances(step, way).array() / lifted.array()).maxCoeff());
-  const VectorXd safe = way + needed * lift;
+  const double needed = std::max(0., (-clearances(step, increment).array() / lifted.array()).maxCoeff());
+  const VectorXd safe = increment + needed * lift;
   const VectorXd &load = step.face().balance();
   return load.dot(safe) < -rounding * load.norm() * safe.norm();
 }

@@ -47,14 +47,14 @@ VectorXd load_without_open(const ContactStep &step, VectorXd unknowns,
   return -step.imbalance(unknowns);
 }
 
-/// A node that approaches the obstacle on the way of the face.
+/// A node that approaches the obstacle as the face moves.
 struct Approach
 {
-  double touches; ///< length of the way at which it begins to carry, mm/N
+  double touches; ///< length of the increment at which it begins to carry, mm/N
   double grows;   ///< how fast it carries the load from there on, N^3/mm
 };
 
-/// Length of the way at which the nodes carry `load` (N^2) together, or 0 if there are none.
+/// Share of the increment at which the nodes carry `load` (N^2) together, or 0 if there are none.
 double length_to_carry(const double load, std::vector<Approach> approaches)
 {
   std::sort(approaches.begin(), approaches.end(),
@@ -88,7 +88,7 @@ VectorXd increment_of_unheld_face(const ContactStep &step, const VectorXd &unkno
                                   const NodeVector &displacement, const ContactConditions &conditions,
                                   const double rho_factor)
 {
-  constexpr double worth_a_way = 1e-4, rounding = 1e-8;
+  constexpr double worth_an_increment = 1e-4, rounding = 1e-8;
   if (step.face().n() == 0)
     return {};
   const MatrixXd normal = normal_rows(step.face().columns());
@@ -97,9 +97,10 @@ VectorXd increment_of_unheld_face(const ContactStep &step, const VectorXd &unkno
     return {};
   const MatrixXd moved = normal * free;
   const VectorXd load = free.transpose() * load_without_open(step, unknowns, conditions.nodes);
-  const VectorXd way = moved.transpose() * (moved * load); // what only slides along the obstacle has no part
-  const VectorXd speed = moved * way;                      // of the nodes towards the obstacle
-  if (speed.norm() <= worth_a_way * step.force_scale(unknowns))
+  const VectorXd increment =
+      moved.transpose() * (moved * load);   // what only slides along the obstacle has no part
+  const VectorXd speed = moved * increment; // of the nodes towards the obstacle
+  if (speed.norm() <= worth_an_increment * step.force_scale(unknowns))
     return {};
   std::vector<Approach> approaches;
   for (Index node = 0; node < speed.size(); ++node)
@@ -110,6 +111,6 @@ VectorXd increment_of_unheld_face(const ContactStep &step, const VectorXd &unkno
                             rho * speed[node] * speed[node]});
   }
   const double length = length_to_carry(speed.squaredNorm(), std::move(approaches));
-  return length > 0 ? VectorXd(-length * free * way) : VectorXd();
+  return length > 0 ? VectorXd(-length * free * increment) : VectorXd();
 }
 } // namespace orthocone

@@ -13,11 +13,11 @@ bool is_unheld_without_forces(const ContactStep &step, const Eigen::VectorXd &un
 /// Contact forces that carry what drives the face, as evenly as they can.
 Eigen::VectorXd balancing_start(const ContactStep &step);
 
-/// The way (size m, mm) on which a face that the closed nodes of the law linearized at `unknowns` do not hold
-/// follows its load. It ends where the nodes that it meets carry the load's normal part, each of them as a
-/// spring of stiffness rho, which is `rho_factor` times that of the system. Newton's system is singular
-/// without it: that is so where wear has left no contact, or too few nodes for a face that may tilt.
-/// `displacement` belongs to `unknowns`. No numbers where the face is held, or its way meets no node.
+/// The increment (size m, mm) by which a face that the closed nodes of the law linearized at `unknowns` do
+/// not hold follows its load. It ends where the nodes that it meets carry the load's normal part, each of
+/// them as a spring of stiffness rho, which is `rho_factor` times that of the system. Newton's system is
+/// singular without it: that is so where wear has left no contact, or too few nodes for a face that may tilt.
+/// `displacement` belongs to `unknowns`. No numbers where the face is held, or meets no node.
 Eigen::VectorXd increment_of_unheld_face(const ContactStep &step, const Eigen::VectorXd &unknowns,
                                          const NodeVector &displacement, const ContactConditions &conditions,
                                          double rho_factor);

@@ -93,15 +93,15 @@ BodyIterate InexactNewton::touching(const ContactStep &step, BodyIterate iterate
 {
   for (Eigen::Index i = 0; i < step.face().n(); ++i)
   {
-    const VectorXd way = increment_of_unheld_face(step, iterate.unknowns, iterate.displacement,
-                                                  iterate.linearization.conditions, options_.rho_factor);
-    if (way.size() == 0)
+    const VectorXd increment = increment_of_unheld_face(
+        step, iterate.unknowns, iterate.displacement, iterate.linearization.conditions, options_.rho_factor);
+    if (increment.size() == 0)
       break;
-    iterate.unknowns.tail(way.size()) += way;
+    iterate.unknowns.tail(increment.size()) += increment;
     iterate = {map_,
                step,
                std::move(iterate.unknowns),
-               iterate.displacement + step.face().columns() * way,
+               iterate.displacement + step.face().columns() * increment,
                std::move(iterate.body),
                options_.rho_factor};
   }
