@@ -13,13 +13,13 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 ContactChange contact_change(const ContactFrame &frame, const BodyVector<double> &displacement,
-                             const BodyVector<double> &forces, const VectorXd &rest)
+                             const BodyVector<double> &forces, const VectorXd &residual)
 {
   const auto n = static_cast<Index>(frame.n_free());
   ContactChange change;
-  change.body = {VectorXd(n), rest.size() == 0 ? VectorXd(VectorXd::Zero(n)) : VectorXd(-rest)};
+  change.body = {VectorXd(n), residual.size() == 0 ? VectorXd(VectorXd::Zero(n)) : VectorXd(-residual)};
   // First this is K u less the forces that the body lacks already; then the contact forces are taken out.
-  VectorXd &left = change.body.rest;
+  VectorXd &left = change.body.residual;
   for (Index i = 0; i < n; ++i)
   {
     change.body.displacement[i] = displacement.local_element(i);
@@ -46,8 +46,8 @@ ContactChange contact_change(const ContactFrame &frame, const BodyVector<double>
   sum_over_ranks(change.force.data(), static_cast<std::size_t>(change.force.size()));
   sum_over_ranks(change.displacement.data(), static_cast<std::size_t>(change.displacement.size()));
   left *= -1;
-  if (rest.size() > 0)
-    left -= rest;
+  if (residual.size() > 0)
+    left -= residual;
   return change;
 }
 } // namespace orthocone

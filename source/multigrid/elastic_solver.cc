@@ -65,8 +65,8 @@ Eigen::VectorXd ElasticSolver::combination(const Eigen::VectorXd &works) const
 NearSolution ElasticSolver::near(const Vector &forces) const
 {
   NearSolution near{best_start(forces), stiffness_.make_vector()};
-  stiffness_.vmult(near.rest, near.displacement);
-  near.rest.sadd(-1, 1, forces);
+  stiffness_.vmult(near.residual, near.displacement);
+  near.residual.sadd(-1, 1, forces);
   return near;
 }
 
@@ -85,7 +85,7 @@ ElasticSolver::Vector ElasticSolver::solve(const Vector &forces, const double ac
       return known->displacement;
   }
   NearSolution near = this->near(forces);
-  if (near.rest.l2_norm() <= bound)
+  if (near.residual.l2_norm() <= bound)
   {
     learn(near.displacement, forces);
     return std::move(near.displacement);
@@ -96,7 +96,7 @@ ElasticSolver::Vector ElasticSolver::solve(const Vector &forces, const double ac
   dealii::SolverCG<Vector> cg(control);
   try
   {
-    cg.solve(stiffness_, correction, near.rest, cycle_);
+    cg.solve(stiffness_, correction, near.residual, cycle_);
   }
   catch (const dealii::SolverControl::NoConvergence &)
   {

@@ -11,7 +11,7 @@ namespace orthocone
 /// A displacement (mm), and the forces that remain beside its own K u (N).
 struct NearSolution
 {
-  BodyVector<double> displacement, rest;
+  BodyVector<double> displacement, residual;
 };
 
 /// Displacements of a body by forces: conjugate gradients with one V-cycle an iteration, from the best

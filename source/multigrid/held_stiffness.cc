@@ -58,12 +58,12 @@ HeldStiffness::Vector HeldStiffness::given() const
   return displacement;
 }
 
-HeldStiffness::Vector HeldStiffness::right_side(const Vector &forces, const Eigen::VectorXd &rest) const
+HeldStiffness::Vector HeldStiffness::right_side(const Vector &forces, const Eigen::VectorXd &residual) const
 {
   Vector right_side = forces;
   right_side *= -1;
-  for (Eigen::Index i = 0; i < rest.size(); ++i)
-    right_side.local_element(i) += rest[i];
+  for (Eigen::Index i = 0; i < residual.size(); ++i)
+    right_side.local_element(i) += residual[i];
   for (std::size_t i = 0; i < nodes_.size(); ++i)
   {
     if (!nodes_[i].is_here())

@@ -31,9 +31,9 @@ public:
   /// The displacement that contact gives where y = 0.
   Vector given() const;
 
-  /// The forces (N) that y must balance when the displacement is given() and the body lacks `rest` (free
+  /// The forces (N) that y must balance when the displacement is given() and the body lacks `residual` (free
   /// degrees of freedom, or empty) of its equilibrium. `forces` are K given().
-  Vector right_side(const Vector &forces, const Eigen::VectorXd &rest) const;
+  Vector right_side(const Vector &forces, const Eigen::VectorXd &residual) const;
 
   /// Adds the displacement u of y.
   void add_displacement(Vector &displacement, const Vector &free) const;

@@ -115,11 +115,11 @@ BodyMismatch MultigridBody::mismatch(const NodeVector &force, const NodeVector &
   for (Index i = 0; i < forces.size(); ++i)
     displacement.local_element(i) = mismatch.volume[i];
   modules_->stiffness->vmult(image, displacement);
-  double rest = 0;
+  double residual = 0;
   for (Index i = 0; i < forces.size(); ++i)
-    rest += (image.local_element(i) - forces[i]) * (image.local_element(i) - forces[i]);
-  rest = sum_over_ranks(rest);
-  mismatch.unbalanced = rest == 0 ? 0 : std::sqrt(rest / sum_over_ranks(forces.squaredNorm()));
+    residual += (image.local_element(i) - forces[i]) * (image.local_element(i) - forces[i]);
+  residual = sum_over_ranks(residual);
+  mismatch.unbalanced = residual == 0 ? 0 : std::sqrt(residual / sum_over_ranks(forces.squaredNorm()));
   mismatch.displacement = modules_->frame.difference(elastic, mismatch.volume);
   return mismatch;
 }

@@ -64,7 +64,7 @@ ContactChange MultigridCompliance::near(const NodeVector &force) const
   ContactChange answer;
   answer.force = force;
   answer.displacement = of_nodes(near.displacement, force);
-  answer.body = {free_part(near.displacement), free_part(near.rest)};
+  answer.body = {free_part(near.displacement), free_part(near.residual)};
   return answer;
 }
 
@@ -80,7 +80,7 @@ void MultigridCompliance::learn(const NodeVector &force, const BodyPart &body) c
 {
   BodyVector<double> displacement = stiffness_.make_vector(), forces = stiffness_.make_vector();
   copy(body.displacement, displacement);
-  copy(frame_.on_free_unknowns(force) - body.rest, forces);
+  copy(frame_.on_free_unknowns(force) - body.residual, forces);
   elastic_.learn(displacement, forces);
   learned_ = {force, {}, of_nodes(displacement, force), body};
 }
@@ -132,9 +132,9 @@ std::unique_ptr<ConditionSolver> MultigridCompliance::condition_solver(double) c
   return std::make_unique<WholeBodyConditions>(frame_, stiffness_, cycle_);
 }
 
-double MultigridCompliance::norm(const VectorXd &rest) const
+double MultigridCompliance::norm(const VectorXd &residual) const
 {
-  return std::sqrt(sum_over_ranks(rest.squaredNorm()));
+  return std::sqrt(sum_over_ranks(residual.squaredNorm()));
 }
 
 /// This is a scale that need not be accurate, and solutions are expensive: one V-cycle is close to a

@@ -25,7 +25,7 @@ public:
   void learn(const NodeVector &force, const BodyPart &body) const override;
   std::vector<Eigen::VectorXd> settle(const NodeVector &force) const override;
   void restore(const std::vector<Eigen::VectorXd> &settled) const override;
-  double norm(const Eigen::VectorXd &rest) const override;
+  double norm(const Eigen::VectorXd &residual) const override;
   Eigen::Matrix3d diagonal_block(Eigen::Index node) const override;
   std::unique_ptr<ConditionSolver> condition_solver(double softness) const override;
   double softness() const override;

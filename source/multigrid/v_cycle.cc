@@ -185,26 +185,26 @@ void VCycle::solve(const std::size_t level, Vector &displacement, const Vector &
   if (level == 0)
     return solve_coarsest(displacement, forces);
   const Level &fine = *levels_[level - 1];
-  Vector &rest = work_[level].rest;
+  Vector &residual = work_[level].residual;
   Vector &coarse_forces = work_[level - 1].forces, &coarse_displacement = work_[level - 1].displacement;
   fine.smooth_from_zero(displacement, forces);
-  fine.vmult(rest, displacement);
-  rest.sadd(-1, 1, forces);
+  fine.vmult(residual, displacement);
+  residual.sadd(-1, 1, forces);
   coarse_forces = 0;
-  transfers_[level - 1]->restrict_and_add(coarse_forces, rest);
+  transfers_[level - 1]->restrict_and_add(coarse_forces, residual);
   if (level > 1)
     levels_[level - 2]->clear_held(coarse_forces);
   solve(level - 1, coarse_displacement, coarse_forces);
-  rest = 0;
-  transfers_[level - 1]->prolongate_and_add(rest, coarse_displacement);
-  fine.clear_held(rest);
-  displacement += rest;
+  residual = 0;
+  transfers_[level - 1]->prolongate_and_add(residual, coarse_displacement);
+  fine.clear_held(residual);
+  displacement += residual;
   fine.smooth(displacement, forces);
 }
 
 Eigen::VectorXd VCycle::prolonged(const Eigen::VectorXd &coarser) const
 {
-  Vector &coarse = work_[levels_.size() - 1].displacement, &fine = work_.back().rest;
+  Vector &coarse = work_[levels_.size() - 1].displacement, &fine = work_.back().residual;
   const double size = largest_of_ranks(coarser.lpNorm<Eigen::Infinity>());
   Eigen::VectorXd result = Eigen::VectorXd::Zero(finest_.n_free());
   if (size == 0)

@@ -50,8 +50,8 @@ static double square_of(const std::vector<NodeCondition> &nodes)
 /// Size of what the conditions require, N: an inexact Newton step must leave no more than a share of it.
 static double size_of(const ContactConditions &conditions)
 {
-  return std::sqrt(sum_over_ranks(conditions.rest.squaredNorm()) + conditions.face_right_side.squaredNorm() +
-                   square_of(conditions.nodes));
+  return std::sqrt(sum_over_ranks(conditions.residual.squaredNorm()) +
+                   conditions.face_right_side.squaredNorm() + square_of(conditions.nodes));
 }
 
 /// The conditions of the nodes under a motion of the face by 1.
@@ -69,13 +69,13 @@ static std::vector<NodeCondition> conditions_of_column(const ContactConditions &
 }
 
 ContactChange WholeBodyConditions::solve_nodes(const std::vector<NodeRelation> &relations,
-                                               const VectorXd &rest, const double bound) const
+                                               const VectorXd &residual, const double bound) const
 {
   constexpr unsigned int most_iterations = 60;
   const HeldStiffness held(stiffness_, frame_.nodes(), relations);
   BodyVector<double> displacement = held.given(), forces = stiffness_.make_vector();
   stiffness_.vmult(forces, displacement);
-  const BodyVector<double> right_side = held.right_side(forces, rest);
+  const BodyVector<double> right_side = held.right_side(forces, residual);
   BodyVector<double> free = stiffness_.make_vector();
   // The solution is as accurate as asked for, or as far as the iterations come: Newton's method corrects it.
   dealii::IterationNumberControl control(most_iterations, bound, false, false);
@@ -85,7 +85,7 @@ ContactChange WholeBodyConditions::solve_nodes(const std::vector<NodeRelation> &
     gmres.solve(held, free, right_side, cycle_);
   held.add_displacement(displacement, free);
   stiffness_.vmult(forces, displacement);
-  return contact_change(frame_, displacement, forces, rest);
+  return contact_change(frame_, displacement, forces, residual);
 }
 
 /// Eliminates the face, which takes one more solution for each of its columns.
@@ -94,7 +94,7 @@ ContactChange WholeBodyConditions::solve(const ContactConditions &conditions, co
   const std::vector<NodeRelation> relations = relations_of(conditions.nodes);
   cycle_.hold(relations);
   const double bound = accuracy * size_of(conditions);
-  ContactChange change = solve_nodes(relations, conditions.rest, bound);
+  ContactChange change = solve_nodes(relations, conditions.residual, bound);
   const Index m = conditions.face.cols();
   if (m == 0)
     return change;

@@ -20,7 +20,7 @@ public:
   ContactChange solve(const ContactConditions &conditions, double accuracy) const override;
 
 private:
-  ContactChange solve_nodes(const std::vector<NodeRelation> &relations, const Eigen::VectorXd &rest,
+  ContactChange solve_nodes(const std::vector<NodeRelation> &relations, const Eigen::VectorXd &residual,
                             double bound) const;
   std::vector<NodeRelation> relations_of(const std::vector<NodeCondition> &conditions) const;
 

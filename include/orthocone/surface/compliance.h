@@ -49,8 +49,9 @@ public:
   virtual std::vector<Eigen::VectorXd> settle(const NodeVector &force) const;
   virtual void restore(const std::vector<Eigen::VectorXd> &settled) const;
 
-  /// Norm (N) of the forces that the body lacks, BodyPart::rest, over all processes that have a part of it.
-  virtual double norm(const Eigen::VectorXd &rest) const { return rest.norm(); }
+  /// Norm (N) of the forces that the body lacks, BodyPart::residual, over all processes that have a part of
+  /// it.
+  virtual double norm(const Eigen::VectorXd &residual) const { return residual.norm(); }
 
   /// The 3 x 3 block of W of one node, mm/N.
   virtual Eigen::Matrix3d diagonal_block(Eigen::Index node) const = 0;

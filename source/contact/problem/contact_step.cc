@@ -140,10 +140,10 @@ double ContactStep::near_residual(const VectorXd &unknowns) const
   const ContactChange near = this->near(unknowns);
   VectorXd map = natural_map(unknowns, near.displacement);
   // All processes must ask, also one without a part of the body.
-  if (const double rest = system_->compliance().norm(near.body.rest); !(rest == 0))
+  if (const double residual = system_->compliance().norm(near.body.residual); !(residual == 0))
   {
     map.conservativeResize(map.size() + 1);
-    map.tail<1>()[0] = rest;
+    map.tail<1>()[0] = residual;
   }
   return residual_of(map, unknowns);
 }

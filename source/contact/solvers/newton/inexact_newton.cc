@@ -27,18 +27,18 @@ struct BodyIterate
         displacement(std::move(displacement_)),
         body(std::move(body_)),
         linearization(map(step, unknowns, displacement, rho_factor)),
-        rest_norm(step.system().compliance().norm(body.rest)),
-        error(std::hypot(linearization.error, rest_norm))
+        body_residual(step.system().compliance().norm(body.residual)),
+        error(std::hypot(linearization.error, body_residual))
   {
-    linearization.conditions.rest = body.rest;
+    linearization.conditions.residual = body.residual;
   }
 
   VectorXd unknowns;
   NodeVector displacement;
   BodyPart body;
   Linearization linearization;
-  double rest_norm; ///< of what the body lacks, N
-  double error;     ///< of the law and of the body's equilibrium, N
+  double body_residual; ///< of what the body lacks, N
+  double error;         ///< of the law and of the body's equilibrium, N
 };
 
 /// Whether the error behind a step of this length is so far below the bound that the step pays.
@@ -223,7 +223,7 @@ double stricter(const double strictness, const double tolerance, const double re
 
 SolverReport InexactNewton::solve(const ContactStep &step, VectorXd &unknowns) const
 {
-  constexpr double rest_share =
+  constexpr double residual_share =
       0.3; // of the tolerance: the error of the displacement is up to 30 times as large
   const unsigned int most = std::min(options_.maximum_iterations, most_inexact_iterations);
   Trace trace;
@@ -247,7 +247,7 @@ SolverReport InexactNewton::solve(const ContactStep &step, VectorXd &unknowns) c
     trace.add(n, residual, step.force_scale(iterate.unknowns));
     if (residual > options_.tolerance)
       continue;
-    if (iterate.rest_norm <= rest_share * wanted)
+    if (iterate.body_residual <= residual_share * wanted)
     {
       residual = judge_forces(step, iterate, unknowns);
       if (residual <= options_.tolerance)

@@ -36,7 +36,7 @@ ContactConditions conditions_of_force(ContactConditions conditions, const Nodes 
     conditions.nodes[free] = NodeCondition();
   conditions.nodes[node].fixed = force;
   conditions.face_right_side.setZero();
-  conditions.rest.setZero();
+  conditions.residual.setZero();
   return conditions;
 }
 
@@ -45,7 +45,8 @@ void add(ContactChange &change, const double factor, const ContactChange &other)
   change.force += factor * other.force;
   change.face += factor * other.face;
   change.displacement += factor * other.displacement;
-  change.body = change.body.moved(1, BodyPart{factor * other.body.displacement, factor * other.body.rest});
+  change.body =
+      change.body.moved(1, BodyPart{factor * other.body.displacement, factor * other.body.residual});
 }
 
 /// Forces of one node (all directions of slip are tried) or of several, from `start` on. `free` is their
