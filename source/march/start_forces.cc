@@ -66,7 +66,7 @@ VectorXd StartForces::best(const ContactStep &problem, const std::vector<unsigne
   {
     VectorXd unknowns = unknowns_of(candidates[i].all, problem, components);
     const double residual =
-        candidates[i].is_likely ? problem.residual(unknowns) : problem.near_residual(unknowns);
+        candidates[i].is_likely ? problem.residual(unknowns) : problem.approximate_residual(unknowns);
     if (residual < least || best.size() == 0)
     {
       least = residual;

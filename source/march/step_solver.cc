@@ -147,7 +147,7 @@ VectorXd StepSolver::start_of(const Attempt &attempt, const ContactState &state,
   if (coarser_ == nullptr)
     return start;
   const auto change = coarser_->solve(step);
-  if (!change || attempt.problem.near_residual(start) <= good)
+  if (!change || attempt.problem.approximate_residual(start) <= good)
     return start;
   const ElasticBody &body = scene_.body();
   const ContactChange held = body.compliance().held_at(body.elastic_displacement(state.force) +

@@ -62,12 +62,12 @@ Eigen::VectorXd ElasticSolver::combination(const Eigen::VectorXd &works) const
   return scale.cwiseProduct(modes.eigenvectors() * of_modes);
 }
 
-NearSolution ElasticSolver::near(const Vector &forces) const
+ApproximateSolution ElasticSolver::approximate(const Vector &forces) const
 {
-  NearSolution near{best_start(forces), stiffness_.make_vector()};
-  stiffness_.vmult(near.residual, near.displacement);
-  near.residual.sadd(-1, 1, forces);
-  return near;
+  ApproximateSolution approximate{best_start(forces), stiffness_.make_vector()};
+  stiffness_.vmult(approximate.residual, approximate.displacement);
+  approximate.residual.sadd(-1, 1, forces);
+  return approximate;
 }
 
 ElasticSolver::Vector ElasticSolver::solve(const Vector &forces, const double accuracy) const
@@ -84,11 +84,11 @@ ElasticSolver::Vector ElasticSolver::solve(const Vector &forces, const double ac
     if (difference.l2_norm() <= bound)
       return known->displacement;
   }
-  NearSolution near = this->near(forces);
-  if (near.residual.l2_norm() <= bound)
+  ApproximateSolution approximate = this->approximate(forces);
+  if (approximate.residual.l2_norm() <= bound)
   {
-    learn(near.displacement, forces);
-    return std::move(near.displacement);
+    learn(approximate.displacement, forces);
+    return std::move(approximate.displacement);
   }
   cycle_.release();
   Vector correction = stiffness_.make_vector();
@@ -96,7 +96,7 @@ ElasticSolver::Vector ElasticSolver::solve(const Vector &forces, const double ac
   dealii::SolverCG<Vector> cg(control);
   try
   {
-    cg.solve(stiffness_, correction, near.residual, cycle_);
+    cg.solve(stiffness_, correction, approximate.residual, cycle_);
   }
   catch (const dealii::SolverControl::NoConvergence &)
   {
@@ -104,9 +104,9 @@ ElasticSolver::Vector ElasticSolver::solve(const Vector &forces, const double ac
                      " iterations the elastic body is not in equilibrium; cells that are far from "
                      "cubes make it so, or a Poisson ratio next to 0.5");
   }
-  near.displacement += correction;
-  learn(near.displacement, forces);
-  return std::move(near.displacement);
+  approximate.displacement += correction;
+  learn(approximate.displacement, forces);
+  return std::move(approximate.displacement);
 }
 
 const std::vector<Eigen::VectorXd> &ElasticSolver::settle(const Vector &forces, const double accuracy) const

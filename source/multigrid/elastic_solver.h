@@ -9,7 +9,7 @@
 namespace orthocone
 {
 /// A displacement (mm), and the forces that remain beside its own K u (N).
-struct NearSolution
+struct ApproximateSolution
 {
   BodyVector<double> displacement, residual;
 };
@@ -30,7 +30,7 @@ public:
   Vector solve(const Vector &forces, double accuracy) const;
 
   /// The best combination of earlier solutions, for one product with K.
-  NearSolution near(const Vector &forces) const;
+  ApproximateSolution approximate(const Vector &forces) const;
 
   /// Compliance::settle() and restore().
   const std::vector<Eigen::VectorXd> &settle(const Vector &forces, double accuracy) const;

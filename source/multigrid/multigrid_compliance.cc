@@ -56,15 +56,15 @@ VectorXd MultigridCompliance::body_displacement(const NodeVector &force) const
   return free_part(solution(force));
 }
 
-ContactChange MultigridCompliance::near(const NodeVector &force) const
+ContactChange MultigridCompliance::approximate(const NodeVector &force) const
 {
   if (force.size() == learned_.force.size() && force == learned_.force)
     return learned_;
-  const NearSolution near = elastic_.near(on_body(force));
+  const ApproximateSolution approximate = elastic_.approximate(on_body(force));
   ContactChange answer;
   answer.force = force;
-  answer.displacement = of_nodes(near.displacement, force);
-  answer.body = {free_part(near.displacement), free_part(near.residual)};
+  answer.displacement = of_nodes(approximate.displacement, force);
+  answer.body = {free_part(approximate.displacement), free_part(approximate.residual)};
   return answer;
 }
 

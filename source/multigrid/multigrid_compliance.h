@@ -20,7 +20,7 @@ public:
 
   Eigen::Index n_nodes() const override { return of_nodes_.size(); }
   void vmult(NodeVector &displacement, const NodeVector &force) const override;
-  ContactChange near(const NodeVector &force) const override;
+  ContactChange approximate(const NodeVector &force) const override;
   ContactChange held_at(const Eigen::VectorXd &displacement) const override;
   void learn(const NodeVector &force, const BodyPart &body) const override;
   std::vector<Eigen::VectorXd> settle(const NodeVector &force) const override;

@@ -16,7 +16,7 @@ std::unique_ptr<ConditionSolver> Compliance::condition_solver(double) const
   return nullptr;
 }
 
-ContactChange Compliance::near(const NodeVector &force) const
+ContactChange Compliance::approximate(const NodeVector &force) const
 {
   ContactChange answer;
   answer.force = force;

@@ -52,7 +52,7 @@ class StartForces
 public:
   /// Unknowns of `problem`, whose face has these components: the first candidate whose residual is within the
   /// tolerance, or the candidate with the least residual. A likely candidate costs one product with W, any
-  /// other one ContactStep::near_residual().
+  /// other one ContactStep::approximate_residual().
   Eigen::VectorXd best(const ContactStep &problem, const std::vector<unsigned int> &components,
                        const ContactState &state, const LoadStep &step, double tolerance) const;
 

@@ -33,7 +33,7 @@ public:
 
   /// The part of W force that is known without long work: all of it, or a displacement and the forces (N)
   /// that the body lacks of its equilibrium then. Motions of a face are not included.
-  virtual ContactChange near(const NodeVector &force) const;
+  virtual ContactChange approximate(const NodeVector &force) const;
 
   /// The contact forces (N) that hold a body whose free degrees of freedom have this displacement (mm), and
   /// what the body lacks then. Throws std::logic_error where there is no body.

@@ -65,10 +65,15 @@ public:
   SolverReport solve(const ContactStep &step, VectorXd &unknowns) const override;
 
 private:
-  BodyIterate near(const ContactStep &step, const VectorXd &unknowns) const
+  BodyIterate approximate(const ContactStep &step, const VectorXd &unknowns) const
   {
-    ContactChange near = step.near(unknowns);
-    return {map_, step, unknowns, std::move(near.displacement), std::move(near.body), options_.rho_factor};
+    ContactChange approximate = step.approximate(unknowns);
+    return {map_,
+            step,
+            unknowns,
+            std::move(approximate.displacement),
+            std::move(approximate.body),
+            options_.rho_factor};
   }
   BodyIterate touching(const ContactStep &step, BodyIterate iterate) const;
   BodyIterate behind(const ContactStep &step, const BodyIterate &last, const ContactChange &change,
@@ -209,7 +214,7 @@ double InexactNewton::judge_forces(const ContactStep &step, BodyIterate &iterate
   unknowns = step.admissible(iterate.unknowns);
   const double residual = step.residual(unknowns);
   if (residual > options_.tolerance)
-    iterate = near(step, unknowns);
+    iterate = approximate(step, unknowns);
   return residual;
 }
 
@@ -231,8 +236,8 @@ SolverReport InexactNewton::solve(const ContactStep &step, VectorXd &unknowns) c
   Allowances allowances = allowances_;
   if (is_unheld_without_forces(step, unknowns))
     unknowns = balancing_start(step);
-  BodyIterate iterate = touching(step, near(step, unknowns));
-  double residual = step.near_residual(unknowns);
+  BodyIterate iterate = touching(step, approximate(step, unknowns));
+  double residual = step.approximate_residual(unknowns);
   trace.add(0, residual, step.force_scale(unknowns));
   unsigned int n = 0;
   double strictness = 1;
