@@ -144,7 +144,7 @@ void QuasiStaticProblem::begin(const std::optional<Checkpoint> &checkpoint)
   state_ = checkpoint->state;
   solver_.restore(checkpoint->starts);
   if (checkpoint->n_ranks != n_ranks())
-    solver_.settle(state_);
+    solver_.remember_body(state_);
   totals_ = compute_totals(evaluator_, state_);
   RunRecord before = checkpoint->record;
   before.stretch = record_.stretch;

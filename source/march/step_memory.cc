@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 
 /// Forces of the last cycle are judged by the displacement that they cause: with the body of the last cycle
 /// that takes no V-cycle.
-void StepSolver::learn_last_cycle(const LoadStep &step) const
+void StepSolver::remember_last_cycle(const LoadStep &step) const
 {
   const VectorXd *const body = starts_.body_of(step);
   const ElasticBody &elastic = scene_.body();
@@ -24,7 +24,7 @@ void StepSolver::learn_last_cycle(const LoadStep &step) const
   if (body == nullptr || any_rank(body->size() < n)) // of another division of the body
     return;
   const ContactChange held = elastic.compliance().held_at(body->head(n)); // behind them are the held ones
-  elastic.compliance().learn(held.force, held.body);
+  elastic.compliance().remember(held.force, held.body);
 }
 
 void StepSolver::accept(const ContactState &before, const ContactState &after, const LoadStep &step)
@@ -49,13 +49,13 @@ void StepSolver::keep_bodies(const ContactState &state)
   std::vector<MarchMemory> coarser;
   if (coarser_ != nullptr)
     coarser.push_back(coarser_->memory());
-  starts_.keep(scene_.system().compliance().settle(state.force), std::move(coarser));
+  starts_.keep(scene_.system().compliance().forget_trials(state.force), std::move(coarser));
 }
 
-void StepSolver::settle(const ContactState &state)
+void StepSolver::remember_body(const ContactState &state)
 {
   if (coarser_ != nullptr)
-    coarser_->settle();
+    coarser_->remember_body();
   keep_bodies(state);
 }
 

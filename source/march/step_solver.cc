@@ -142,7 +142,7 @@ SolverReport StepSolver::solve_from_no_force(ContactState &state, const Attempt 
 VectorXd StepSolver::start_of(const Attempt &attempt, const ContactState &state, const LoadStep &step) const
 {
   constexpr double good = 1e-3; // what a coarser mesh finds is hardly better
-  learn_last_cycle(step);
+  remember_last_cycle(step);
   VectorXd start = starts_.best(attempt.problem, attempt.components, state, step, tolerance_);
   if (coarser_ == nullptr)
     return start;
@@ -152,7 +152,7 @@ VectorXd StepSolver::start_of(const Attempt &attempt, const ContactState &state,
   const ElasticBody &body = scene_.body();
   const ContactChange held = body.compliance().held_at(body.elastic_displacement(state.force) +
                                                        body.prolonged(change->displacement));
-  body.compliance().learn(held.force, held.body);
+  body.compliance().remember(held.force, held.body);
   ContactState moved = state;
   moved.force = held.force;
   moved.motion.components += change->motion.components;

@@ -87,7 +87,7 @@ ElasticSolver::Vector ElasticSolver::solve(const Vector &forces, const double ac
   ApproximateSolution approximate = this->approximate(forces);
   if (approximate.residual.l2_norm() <= bound)
   {
-    learn(approximate.displacement, forces);
+    remember(approximate.displacement, forces);
     return std::move(approximate.displacement);
   }
   cycle_.release();
@@ -105,44 +105,45 @@ ElasticSolver::Vector ElasticSolver::solve(const Vector &forces, const double ac
                      "cubes make it so, or a Poisson ratio next to 0.5");
   }
   approximate.displacement += correction;
-  learn(approximate.displacement, forces);
+  remember(approximate.displacement, forces);
   return std::move(approximate.displacement);
 }
 
-const std::vector<Eigen::VectorXd> &ElasticSolver::settle(const Vector &forces, const double accuracy) const
+const std::vector<Eigen::VectorXd> &ElasticSolver::forget_trials(const Vector &forces,
+                                                                 const double accuracy) const
 {
-  constexpr std::size_t most_settled = 2; // the next one is extrapolated from these
+  constexpr std::size_t most_accepted = 2; // the next one is extrapolated from these
   if (forces.l2_norm() > 0)
   {
     const Vector displacement = solve(forces, accuracy);
-    if (settled_.size() == most_settled)
-      settled_.erase(settled_.begin());
-    settled_.emplace_back(Eigen::Map<const Eigen::VectorXd>(
+    if (accepted_.size() == most_accepted)
+      accepted_.erase(accepted_.begin());
+    accepted_.emplace_back(Eigen::Map<const Eigen::VectorXd>(
         displacement.begin(), static_cast<Eigen::Index>(displacement.locally_owned_size())));
   }
-  restore(std::vector<Eigen::VectorXd>(settled_));
-  return settled_;
+  restore(std::vector<Eigen::VectorXd>(accepted_));
+  return accepted_;
 }
 
-void ElasticSolver::restore(const std::vector<Eigen::VectorXd> &settled) const
+void ElasticSolver::restore(const std::vector<Eigen::VectorXd> &accepted) const
 {
   // Displacements of another division of the body are of no use.
   Vector displacement = stiffness_.make_vector(), forces = stiffness_.make_vector();
   const auto fits = [n = displacement.locally_owned_size()](const Eigen::VectorXd &state)
   { return static_cast<std::size_t>(state.size()) == n; };
-  const bool is_known = !any_rank(!std::all_of(settled.begin(), settled.end(), fits));
-  settled_ = is_known ? settled : std::vector<Eigen::VectorXd>();
+  const bool is_known = !any_rank(!std::all_of(accepted.begin(), accepted.end(), fits));
+  accepted_ = is_known ? accepted : std::vector<Eigen::VectorXd>();
   known_.clear();
   energies_.resize(0, 0);
-  for (const Eigen::VectorXd &state : settled_)
+  for (const Eigen::VectorXd &state : accepted_)
   {
     std::copy(state.begin(), state.end(), displacement.begin());
     stiffness_.vmult(forces, displacement);
-    learn(displacement, forces);
+    remember(displacement, forces);
   }
 }
 
-void ElasticSolver::learn(const Vector &displacement, const Vector &forces) const
+void ElasticSolver::remember(const Vector &displacement, const Vector &forces) const
 {
   constexpr double same = 1e-10;
   const double energy = displacement * forces;

@@ -32,12 +32,12 @@ public:
   /// The best combination of earlier solutions, for one product with K.
   ApproximateSolution approximate(const Vector &forces) const;
 
-  /// Compliance::settle() and restore().
-  const std::vector<Eigen::VectorXd> &settle(const Vector &forces, double accuracy) const;
-  void restore(const std::vector<Eigen::VectorXd> &settled) const;
+  /// Compliance::forget_trials() and restore().
+  const std::vector<Eigen::VectorXd> &forget_trials(const Vector &forces, double accuracy) const;
+  void restore(const std::vector<Eigen::VectorXd> &accepted) const;
 
   /// Remembers a displacement and the forces K u that go with it.
-  void learn(const Vector &displacement, const Vector &forces) const;
+  void remember(const Vector &displacement, const Vector &forces) const;
 
 private:
   struct Known
@@ -54,8 +54,8 @@ private:
 
   const MatrixFreeStiffness<double> &stiffness_;
   VCycle &cycle_;
-  mutable std::vector<Eigen::VectorXd> settled_; ///< displacements of the last accepted states, mm
-  mutable std::vector<Known> known_;             ///< the oldest first
-  mutable Eigen::MatrixXd energies_;             ///< displacement times forces of each pair, N mm
+  mutable std::vector<Eigen::VectorXd> accepted_; ///< displacements of the last accepted states, mm
+  mutable std::vector<Known> known_;              ///< the oldest first
+  mutable Eigen::MatrixXd energies_;              ///< displacement times forces of each pair, N mm
 };
 } // namespace orthocone

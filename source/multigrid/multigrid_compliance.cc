@@ -58,8 +58,8 @@ VectorXd MultigridCompliance::body_displacement(const NodeVector &force) const
 
 ContactChange MultigridCompliance::approximate(const NodeVector &force) const
 {
-  if (force.size() == learned_.force.size() && force == learned_.force)
-    return learned_;
+  if (force.size() == remembered_.force.size() && force == remembered_.force)
+    return remembered_;
   const ApproximateSolution approximate = elastic_.approximate(on_body(force));
   ContactChange answer;
   answer.force = force;
@@ -76,13 +76,13 @@ ContactChange MultigridCompliance::held_at(const VectorXd &displacement) const
   return contact_change(frame_, all, forces, {});
 }
 
-void MultigridCompliance::learn(const NodeVector &force, const BodyPart &body) const
+void MultigridCompliance::remember(const NodeVector &force, const BodyPart &body) const
 {
   BodyVector<double> displacement = stiffness_.make_vector(), forces = stiffness_.make_vector();
   copy(body.displacement, displacement);
   copy(frame_.on_free_unknowns(force) - body.residual, forces);
-  elastic_.learn(displacement, forces);
-  learned_ = {force, {}, of_nodes(displacement, force), body};
+  elastic_.remember(displacement, forces);
+  remembered_ = {force, {}, of_nodes(displacement, force), body};
 }
 
 /// Displacement of the contact nodes. A direction that symmetry holds has a compliance of its own.
@@ -110,16 +110,16 @@ void MultigridCompliance::vmult(NodeVector &displacement, const NodeVector &forc
   displacement = of_nodes(solution(force), force);
 }
 
-std::vector<VectorXd> MultigridCompliance::settle(const NodeVector &force) const
+std::vector<VectorXd> MultigridCompliance::forget_trials(const NodeVector &force) const
 {
-  learned_ = {};
-  return elastic_.settle(on_body(force), accuracy_);
+  remembered_ = {};
+  return elastic_.forget_trials(on_body(force), accuracy_);
 }
 
-void MultigridCompliance::restore(const std::vector<VectorXd> &settled) const
+void MultigridCompliance::restore(const std::vector<VectorXd> &accepted) const
 {
-  learned_ = {};
-  elastic_.restore(settled);
+  remembered_ = {};
+  elastic_.restore(accepted);
 }
 
 Eigen::Matrix3d MultigridCompliance::diagonal_block(const Index node) const

@@ -22,9 +22,9 @@ public:
   void vmult(NodeVector &displacement, const NodeVector &force) const override;
   ContactChange approximate(const NodeVector &force) const override;
   ContactChange held_at(const Eigen::VectorXd &displacement) const override;
-  void learn(const NodeVector &force, const BodyPart &body) const override;
-  std::vector<Eigen::VectorXd> settle(const NodeVector &force) const override;
-  void restore(const std::vector<Eigen::VectorXd> &settled) const override;
+  void remember(const NodeVector &force, const BodyPart &body) const override;
+  std::vector<Eigen::VectorXd> forget_trials(const NodeVector &force) const override;
+  void restore(const std::vector<Eigen::VectorXd> &accepted) const override;
   double norm(const Eigen::VectorXd &residual) const override;
   Eigen::Matrix3d diagonal_block(Eigen::Index node) const override;
   std::unique_ptr<ConditionSolver> condition_solver(double softness) const override;
@@ -48,6 +48,6 @@ private:
   ElasticSolver elastic_;
   Eigen::VectorXd of_nodes_; ///< mm/N
   double accuracy_;
-  mutable ContactChange learned_; ///< what learn() was given last
+  mutable ContactChange remembered_; ///< what remember() was given last
 };
 } // namespace orthocone

@@ -24,7 +24,7 @@ struct StartMemory
   NodeVector change;                           ///< of the forces in the last step
   std::map<unsigned int, NodeVector> of_phase; ///< forces at each phase of the last cycle
   std::map<unsigned int, NodeVector> drift;    ///< their change from the cycle before
-  std::vector<Eigen::VectorXd> bodies{};       ///< Compliance::settle()
+  std::vector<Eigen::VectorXd> bodies{};       ///< Compliance::forget_trials()
   std::vector<MarchMemory> coarser{};          ///< of CoarserMarch; one, or none
   /// Bodies at phases of the last cycle where it took work to find them. With forces that come back they come
   /// back, too.
@@ -123,7 +123,7 @@ public:
   void reject();
 
   /// Computes the body of an accepted state, where the remembered bodies are not known.
-  void settle(const ContactState &state);
+  void remember_body(const ContactState &state);
 
   /// The data with which a solver of the same problem goes on as this one would, and their return.
   const StartMemory &memory() const { return starts_.memory(); }
@@ -141,7 +141,7 @@ private:
 
   SolverReport solve_in_one(ContactState &state, const LoadStep &step);
   void keep_bodies(const ContactState &state);
-  void learn_last_cycle(const LoadStep &step) const;
+  void remember_last_cycle(const LoadStep &step) const;
   void accept_undivided(const ContactState &before, const ContactState &after, const LoadStep &step);
   Eigen::VectorXd start_of(const Attempt &attempt, const ContactState &state, const LoadStep &step) const;
   Attempt attempt(const ContactState &state, const FaceTarget &target) const;

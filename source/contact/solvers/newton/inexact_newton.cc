@@ -210,7 +210,7 @@ BodyIterate InexactNewton::next(const ContactStep &step, const BodyIterate &last
 /// they do not solve the step, the iterate becomes their state.
 double InexactNewton::judge_forces(const ContactStep &step, BodyIterate &iterate, VectorXd &unknowns) const
 {
-  step.system().compliance().learn(iterate.unknowns.head(iterate.displacement.size()), iterate.body);
+  step.system().compliance().remember(iterate.unknowns.head(iterate.displacement.size()), iterate.body);
   unknowns = step.admissible(iterate.unknowns);
   const double residual = step.residual(unknowns);
   if (residual > options_.tolerance)
