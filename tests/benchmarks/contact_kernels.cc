@@ -3,7 +3,7 @@
 //
 // What the contact solvers are made of, at the first step of unloading.
 #include "contact/solvers/newton/linearization.h"
-#include "contact/solvers/solvers.h"
+#include "contact/solvers/sweeps/gauss_seidel.h"
 #include "sizes.h"
 
 #include <array>

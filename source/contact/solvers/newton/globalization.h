@@ -3,10 +3,26 @@
 #pragma once
 
 #include <algorithm>
+#include <cstddef>
 #include <utility>
 
 namespace orthocone
 {
+/// How often the steps of one solution may do what leads out of a trap, or only costs.
+struct Allowances
+{
+  unsigned int leaps = 3;           ///< full steps to a larger error; they may lead to another solution
+  unsigned int exact_nodes = 3;     ///< nodes that are solved exactly, one at a time
+  std::size_t nodes_in_groups = 24; ///< the same, several at a time
+};
+
+/// Nodes in groups cost many solutions: they are for the first method alone.
+inline Allowances without_groups(Allowances allowances)
+{
+  allowances.nodes_in_groups = 0;
+  return allowances;
+}
+
 /// How accurately the next linear system is solved: as accurately as Newton's method converges on the law,
 /// which is all that is not linear, and no better than the tolerance asks for.
 class Forcing

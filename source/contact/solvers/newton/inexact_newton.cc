@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
+#include "inexact_newton.h"
+
 #include "../face/unheld_face.h"
 #include "../rescue/exact_nodes.h"
 #include "../rescue/worst_nodes.h"
-#include "../solvers.h"
-#include "globalization.h"
-#include "line_search.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,38 +17,11 @@ using Eigen::VectorXd;
 
 namespace
 {
-/// Unknowns, their displacement, the body behind them, and the law linearized there.
-struct BodyIterate
-{
-  BodyIterate(Map *const map, const ContactStep &step, VectorXd unknowns_, NodeVector displacement_,
-              BodyPart body_, const double rho_factor)
-      : unknowns(std::move(unknowns_)),
-        displacement(std::move(displacement_)),
-        body(std::move(body_)),
-        linearization(map(step, unknowns, displacement, rho_factor)),
-        body_residual(step.system().compliance().norm(body.residual)),
-        error(std::hypot(linearization.error, body_residual))
-  {
-    linearization.conditions.residual = body.residual;
-  }
-
-  VectorXd unknowns;
-  NodeVector displacement;
-  BodyPart body;
-  Linearization linearization;
-  double body_residual; ///< of what the body lacks, N
-  double error;         ///< of the law and of the body's equilibrium, N
-};
-
-/// Whether the error behind a step of this length is so far below the bound that the step pays.
-bool is_low(const double error, const double length, const double bound)
-{
-  constexpr double sufficient_decrease = 1e-4;
-  return error <= (1 - sufficient_decrease * length) * bound;
-}
-
 /// Semismooth Newton for a body without a dense compliance: linearized laws are solved on the whole body, and
-/// only as accurately as it pays. There are no sweeps. docs/theory.md, section 3, "A body without a matrix".
+/// only as accurately as it pays (inexact Newton: Dembo, Eisenstat and Steihaug, SIAM J. Numer. Anal. 19
+/// (1982) 400). An iterate is forces and a displacement of the body, which need not be in equilibrium: its
+/// error is that of the law and of equilibrium together. There are no sweeps. docs/theory.md, section 3, "A
+/// body without a matrix".
 class InexactNewton : public ContactSolver
 {
 public:
@@ -57,44 +29,27 @@ public:
                 const Allowances &allowances, Map *const map)
       : options_(options),
         allowances_(allowances),
-        map_(map),
-        conditions_(condition_solver(system, "newton"))
+        conditions_(condition_solver(system, "newton")),
+        newton_(map, *conditions_, options.rho_factor)
   {
   }
 
   SolverReport solve(const ContactStep &step, VectorXd &unknowns) const override;
 
 private:
-  BodyIterate approximate(const ContactStep &step, const VectorXd &unknowns) const
-  {
-    ContactChange approximate = step.approximate(unknowns);
-    return {map_,
-            step,
-            unknowns,
-            std::move(approximate.displacement),
-            std::move(approximate.body),
-            options_.rho_factor};
-  }
-  BodyIterate touching(const ContactStep &step, BodyIterate iterate) const;
-  BodyIterate behind(const ContactStep &step, const BodyIterate &last, const ContactChange &change,
-                     double length) const;
-  BodyIterate share_of(const ContactChange &change, const ContactStep &step, const BodyIterate &last,
-                       const StepRule &rule, Allowances &allowances) const;
-  static std::vector<Eigen::Index> nodes_to_solve(const ContactStep &step, const BodyIterate &last,
-                                                  const BodyIterate &full, const StepRule &rule,
-                                                  Allowances &allowances);
-  BodyIterate next(const ContactStep &step, const BodyIterate &last, const StepRule &rule,
-                   Allowances &allowances) const;
-  double judge_forces(const ContactStep &step, BodyIterate &iterate, VectorXd &unknowns) const;
+  Iterate touching(const ContactStep &step, Iterate iterate) const;
+  Iterate next(const ContactStep &step, const Iterate &last, const StepRule &rule,
+               Allowances &allowances) const;
+  double judge_forces(const ContactStep &step, Iterate &iterate, VectorXd &unknowns) const;
 
   ContactSolverOptions options_;
   Allowances allowances_;
-  Map *map_;
   std::unique_ptr<ConditionSolver> conditions_;
+  NewtonSteps newton_;
 };
 
 /// The iterate, with an unheld face moved until nodes hold it. Those that hold it first may let it tilt.
-BodyIterate InexactNewton::touching(const ContactStep &step, BodyIterate iterate) const
+Iterate InexactNewton::touching(const ContactStep &step, Iterate iterate) const
 {
   for (Eigen::Index i = 0; i < step.face().n(); ++i)
   {
@@ -102,69 +57,22 @@ BodyIterate InexactNewton::touching(const ContactStep &step, BodyIterate iterate
         step, iterate.unknowns, iterate.displacement, iterate.linearization.conditions, options_.rho_factor);
     if (increment.size() == 0)
       break;
-    iterate.unknowns.tail(increment.size()) += increment;
-    iterate = {map_,
-               step,
-               std::move(iterate.unknowns),
-               iterate.displacement + step.face().columns() * increment,
-               std::move(iterate.body),
-               options_.rho_factor};
+    const ContactChange moved{NodeVector::Zero(iterate.displacement.size()), increment,
+                              step.face().columns() * increment};
+    iterate = newton_.behind(step, iterate, moved, 1);
   }
   return iterate;
-}
-
-/// The iterate behind a change, or behind a share of it.
-BodyIterate InexactNewton::behind(const ContactStep &step, const BodyIterate &last,
-                                  const ContactChange &change, const double length) const
-{
-  return {map_,
-          step,
-          last.unknowns + length * unknowns_of(change),
-          last.displacement + length * change.displacement,
-          last.body.moved(length, change.body),
-          options_.rho_factor};
-}
-
-/// Newton's change, or the share of it whose error is below the bound. Where neither all nor half of it is,
-/// pieces of the map meet, or the error has a minimum beside the solution, in which shorter steps would end.
-/// Then it is all of it a few times near the solution. Else it is the share with the least error if that is
-/// little worse than the last error, and all of it otherwise.
-BodyIterate InexactNewton::share_of(const ContactChange &change, const ContactStep &step,
-                                    const BodyIterate &last, const StepRule &rule,
-                                    Allowances &allowances) const
-{
-  constexpr double smallest_step = 1. / 64, bearable_growth = 1.2, bearable_leap = 10;
-  BodyIterate full = behind(step, last, change, 1);
-  if (is_low(full.error, 1, rule.bound))
-    return full;
-  BodyIterate best = behind(step, last, change, 0.5);
-  if (is_low(best.error, 0.5, rule.bound))
-    return best;
-  if (rule.may_leap && allowances.leaps > 0 && full.error <= bearable_leap * rule.bound)
-  {
-    --allowances.leaps;
-    return full;
-  }
-  for (double length = 0.25; length >= smallest_step; length /= 2)
-  {
-    BodyIterate tried = behind(step, last, change, length);
-    if (is_low(tried.error, length, rule.bound))
-      return tried;
-    if (tried.error < best.error)
-      best = std::move(tried);
-  }
-  return best.error <= std::min(full.error, bearable_growth * last.error) ? best : full;
 }
 
 /// The nodes that are to be solved exactly: the hardest one behind a full step, if there is one, a few times.
 /// Where that has not helped, those few that are hardest behind or before the step. They may be in a row in
 /// which each one slips when its neighbour does. None where the error is on many nodes.
-std::vector<Eigen::Index> InexactNewton::nodes_to_solve(const ContactStep &step, const BodyIterate &last,
-                                                        const BodyIterate &full, const StepRule &rule,
+std::vector<Eigen::Index> nodes_to_solve(const ContactStep &step, const Iterate &last,
+                                                        const Iterate &full, const StepRule &rule,
                                                         Allowances &allowances)
 {
   constexpr std::size_t few = 4;
-  const auto node = hardest_node(step, full.unknowns, full.displacement);
+  const auto node = dominant_node(step, full.unknowns, full.displacement);
   if (node && allowances.exact_nodes > 0)
   {
     --allowances.exact_nodes;
@@ -186,35 +94,37 @@ std::vector<Eigen::Index> InexactNewton::nodes_to_solve(const ContactStep &step,
 
 /// The iterate behind Newton's change. Where that stalls because nodes change their status to and fro, these
 /// are solved exactly. For others that is worse at first as a rule. Newton's next steps mend it.
-BodyIterate InexactNewton::next(const ContactStep &step, const BodyIterate &last, const StepRule &rule,
+Iterate InexactNewton::next(const ContactStep &step, const Iterate &last, const StepRule &rule,
                                 Allowances &allowances) const
 {
   constexpr double bearable_growth = 100;
   const ContactConditions &conditions = last.linearization.conditions;
-  const ContactChange change = with_displacement(step, conditions_->solve(conditions, rule.accuracy));
-  BodyIterate next = share_of(change, step, last, rule, allowances);
+  const ContactChange change = newton_.change(step, last, rule.accuracy);
+  const LineSearch search{rule.bound, 1. / 64, LineSearch::Fallback::least_error,
+                          rule.may_leap ? &allowances.leaps : nullptr};
+  Iterate next = newton_.search(step, last, change, search);
   if (!rule.may_solve_node || !has_stalled(next.error, last.error))
     return next;
-  const auto nodes = nodes_to_solve(step, last, behind(step, last, change, 1), rule, allowances);
+  const auto nodes = nodes_to_solve(step, last, newton_.behind(step, last, change, 1), rule, allowances);
   if (nodes.empty())
     return next;
   const auto exact =
       with_exact_nodes(step, last.unknowns, last.displacement, conditions, *conditions_, change, nodes);
   if (!exact)
     return next;
-  BodyIterate solved = behind(step, last, *exact, 1);
+  Iterate solved = newton_.behind(step, last, *exact, 1);
   return solved.error <= bearable_growth * next.error ? solved : next;
 }
 
 /// The residual of an iterate's forces, moved into their cones, with the displacement that they cause. If
 /// they do not solve the step, the iterate becomes their state.
-double InexactNewton::judge_forces(const ContactStep &step, BodyIterate &iterate, VectorXd &unknowns) const
+double InexactNewton::judge_forces(const ContactStep &step, Iterate &iterate, VectorXd &unknowns) const
 {
   step.system().compliance().remember(iterate.unknowns.head(iterate.displacement.size()), iterate.body);
   unknowns = step.admissible(iterate.unknowns);
   const double residual = step.residual(unknowns);
   if (residual > options_.tolerance)
-    iterate = approximate(step, unknowns);
+    iterate = newton_.approximately_at(step, unknowns);
   return residual;
 }
 
@@ -236,7 +146,7 @@ SolverReport InexactNewton::solve(const ContactStep &step, VectorXd &unknowns) c
   Allowances allowances = allowances_;
   if (is_unheld_without_forces(step, unknowns))
     unknowns = balancing_start(step);
-  BodyIterate iterate = touching(step, approximate(step, unknowns));
+  Iterate iterate = touching(step, newton_.approximately_at(step, unknowns));
   double residual = step.approximate_residual(unknowns);
   trace.add(0, residual, step.force_scale(unknowns));
   unsigned int n = 0;
@@ -269,15 +179,8 @@ SolverReport InexactNewton::solve(const ContactStep &step, VectorXd &unknowns) c
 
 std::unique_ptr<ContactSolver> make_inexact_newton(const ContactSystem &system,
                                                    const ContactSolverOptions &options,
-                                                   const Allowances &allowances)
+                                                   const Allowances &allowances, Map *const map)
 {
-  return std::make_unique<InexactNewton>(system, options, allowances, linearize_alart_curnier);
-}
-
-std::unique_ptr<ContactSolver> make_natural_newton(const ContactSystem &system,
-                                                   const ContactSolverOptions &options,
-                                                   const Allowances &allowances)
-{
-  return std::make_unique<InexactNewton>(system, options, allowances, linearize);
+  return std::make_unique<InexactNewton>(system, options, allowances, map);
 }
 } // namespace orthocone

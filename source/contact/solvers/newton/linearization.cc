@@ -167,6 +167,13 @@ VectorXd unknowns_of(const ContactChange &change)
   return unknowns;
 }
 
+ContactChange with_displacement(const ContactStep &step, ContactChange change)
+{
+  if (change.displacement.size() == 0)
+    change.displacement = step.change_of_displacement(unknowns_of(change));
+  return change;
+}
+
 VectorXd newton_change(const ConditionSolver &solver, const Linearization &linearization,
                        const double accuracy)
 {

@@ -28,6 +28,9 @@ Linearization linearize_alart_curnier(const ContactStep &step, const Eigen::Vect
 /// Forces and motion of the face of a change, in the order of the unknowns of a step.
 Eigen::VectorXd unknowns_of(const ContactChange &change);
 
+/// A change with the displacement that it causes, which a solver with a dense compliance leaves to others.
+ContactChange with_displacement(const ContactStep &step, ContactChange change);
+
 /// Newton's change of the unknowns, up to a relative error `accuracy` or the best that can be reached. Not
 /// finite if the linearization is singular.
 Eigen::VectorXd newton_change(const ConditionSolver &solver, const Linearization &linearization,

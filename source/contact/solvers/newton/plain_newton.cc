@@ -37,7 +37,7 @@ SolverReport PlainNewton::solve(const ContactStep &step, Eigen::VectorXd &unknow
                        inexactness);
   };
   return iterate_until_converged(step, options_, iterations_between_checks, unknowns, iterate,
-                                 Diagnosis::none);
+                                 Balance::unknown);
 }
 } // namespace
 

@@ -3,7 +3,7 @@
 #include "exact_nodes.h"
 
 #include "../newton/linearization.h"
-#include "../solvers.h"
+#include "ladder.h"
 #include "worst_nodes.h"
 
 #include <orthocone/contact/law/one_node.h>
@@ -67,35 +67,11 @@ std::optional<VectorXd> exact_forces(const ContactStep &step, const Nodes &nodes
   const UnsymmetricCompliance few(compliance);
   const ContactSystem system(few, std::move(laws));
   VectorXd forces = start;
-  if (!make_continuation(system, {})->solve(ContactStep(system, free), forces).converged)
+  if (!make_whole_body_newton(system, {})->solve(ContactStep(system, free), forces).converged)
     return std::nullopt;
   return forces;
 }
 } // namespace
-
-ContactChange with_displacement(const ContactStep &step, ContactChange change)
-{
-  if (change.displacement.size() > 0)
-    return change;
-  change.displacement = step.change_of_displacement(unknowns_of(change));
-  return change;
-}
-
-std::optional<Index> hardest_node(const ContactStep &step, const VectorXd &unknowns,
-                                  const NodeVector &displacement)
-{
-  constexpr double least_share = 0.9;
-  const VectorXd map = step.natural_map(unknowns, displacement);
-  Index hardest = 0;
-  double largest = 0;
-  for (Index node = 0; node < step.n_nodes(); ++node)
-    if (const double square = map.segment<3>(3 * node).squaredNorm(); square > largest)
-    {
-      hardest = node;
-      largest = square;
-    }
-  return largest >= least_share * map.squaredNorm() ? std::optional(hardest) : std::nullopt;
-}
 
 std::optional<ContactChange> with_exact_nodes(const ContactStep &step, const VectorXd &unknowns,
                                               const NodeVector &displacement,

@@ -9,13 +9,6 @@
 
 namespace orthocone
 {
-/// A change with the displacement that it causes, which a solver with a dense compliance leaves to others.
-ContactChange with_displacement(const ContactStep &step, ContactChange change);
-
-/// The node that holds most of the natural map: nine tenths of its square or more. Nothing if no node does.
-std::optional<Eigen::Index> hardest_node(const ContactStep &step, const Eigen::VectorXd &unknowns,
-                                         const NodeVector &displacement);
-
 /// Newton's `change` of `unknowns`, altered so that some nodes obey their laws exactly, while all others obey
 /// their linearized `conditions`: the law of a node that changes its status to and fro between full steps has
 /// no use of a slope. The compliance of these nodes, with the others' conditions, takes three solutions a

@@ -57,10 +57,8 @@ ProximalSteps::ProximalSteps(const ContactSystem &system, const ContactSolverOpt
 bool ProximalSteps::are_needed() const
 {
   constexpr Index most_nodes = 500;
-  if (!is_singular_)
-    is_singular_ = system_.compliance().dense() != nullptr && system_.n_nodes() <= most_nodes &&
-                   is_singular(*system_.compliance().dense());
-  return *is_singular_;
+  const DenseView *const w = system_.compliance().dense();
+  return w != nullptr && system_.n_nodes() <= most_nodes && is_singular(*w);
 }
 
 bool ProximalSteps::are_needed_by_few_nodes() const

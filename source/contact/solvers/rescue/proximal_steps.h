@@ -4,8 +4,6 @@
 
 #include <orthocone/contact/solvers/contact_solver.h>
 
-#include <optional>
-
 namespace orthocone
 {
 /// Proximal point iteration for singular compliances, as rigid bodies with more contacts than degrees of
@@ -21,7 +19,8 @@ public:
   /// `make` makes the solver of the problems with the spring.
   ProximalSteps(const ContactSystem &system, const ContactSolverOptions &options, Make *make);
 
-  /// Whether W is dense and singular to rounding. More than 500 nodes are not looked at.
+  /// Whether W is dense and singular to rounding, which takes a factorization. More than 500 nodes are not
+  /// looked at.
   bool are_needed() const;
   /// The same for the first few nodes alone, which takes next to no time. Contacts of one rigid body show
   /// there that W is singular.
@@ -37,6 +36,5 @@ private:
   ContactSolverOptions options_;
   Make *make_;
   std::vector<OrthotropicFriction> laws_;
-  mutable std::optional<bool> is_singular_; // found when it is asked for first
 };
 } // namespace orthocone

@@ -3,6 +3,7 @@
 #include "worst_nodes.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numeric>
 
 namespace orthocone
@@ -10,6 +11,29 @@ namespace orthocone
 using Eigen::Index;
 using Eigen::VectorXd;
 using Nodes = std::vector<Index>;
+
+Index worst_node(const VectorXd &map, const Index n_nodes)
+{
+  Index worst = 0;
+  double largest = -1;
+  for (Index node = 0; node < n_nodes; ++node)
+    if (const double part = map.segment<3>(3 * node).norm(); part > largest || std::isnan(part))
+    {
+      largest = part;
+      worst = node;
+    }
+  return worst;
+}
+
+std::optional<Index> dominant_node(const ContactStep &step, const VectorXd &unknowns,
+                                   const NodeVector &displacement)
+{
+  constexpr double least_share = 0.9;
+  const VectorXd map = step.natural_map(unknowns, displacement);
+  const Index worst = worst_node(map, step.n_nodes());
+  return map.segment<3>(3 * worst).squaredNorm() >= least_share * map.squaredNorm() ? std::optional(worst)
+                                                                                     : std::nullopt;
+}
 
 Nodes worst_nodes(const ContactStep &step, const VectorXd &unknowns, const NodeVector &displacement,
                   const std::size_t most)

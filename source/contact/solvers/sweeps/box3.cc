@@ -47,7 +47,7 @@ SolverReport Box3::solve(const ContactStep &step, Eigen::VectorXd &unknowns) con
     }
   };
   return iterate_until_converged(step, options_, iterations_between_checks, unknowns, iterate,
-                                 Diagnosis::none);
+                                 Balance::unknown);
 }
 } // namespace
 

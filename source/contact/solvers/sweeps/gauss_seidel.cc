@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
+#include "gauss_seidel.h"
+
 #include "../solvers.h"
 
 #include <orthocone/base/stop_point.h>

@@ -97,17 +97,4 @@ TEST(ExactNodes, SeveralObeyTheirLawsAndLeaveTheOthersTheirConditions)
   for (const Index size : {2, 4, 8})
     expect_exact(NewtonStep(), size);
 }
-
-TEST(ExactNodes, TheHardestOneHoldsNearlyAllOfTheError)
-{
-  const GridProblem grid({0.3, 0.15, 0.05, 0.2}, 5, 1);
-  NodeVector force = grid.zero();
-  solve_step(grid.problem, solver_options("newton", 1e-12), force);
-  constexpr Index hard = 12, second = 11; // both press
-  NodeVector displacement = grid.problem.displacement(force);
-  displacement[3 * hard] -= 1;
-  EXPECT_EQ(hardest_node(grid.problem, force, displacement), hard);
-  displacement[3 * second] -= 1;
-  EXPECT_FALSE(hardest_node(grid.problem, force, displacement));
-}
 } // namespace orthocone::test

@@ -27,6 +27,19 @@ TEST(WorstNodes, AreThoseThatHoldNearlyAllOfTheError)
   EXPECT_EQ(values_at({12, 11}, force).head<3>(), force.segment<3>(36));
 }
 
+TEST(WorstNodes, TheDominantOneHoldsNearlyAllOfTheError)
+{
+  const GridProblem grid({0.3, 0.15, 0.05, 0.2}, 5, 1);
+  NodeVector force = grid.zero();
+  solve_step(grid.problem, solver_options("newton", 1e-12), force);
+  constexpr Index hard = 12, second = 11; // both press
+  NodeVector displacement = grid.problem.displacement(force);
+  displacement[3 * hard] -= 1;
+  EXPECT_EQ(dominant_node(grid.problem, force, displacement), hard);
+  displacement[3 * second] -= 1;
+  EXPECT_FALSE(dominant_node(grid.problem, force, displacement));
+}
+
 TEST(WorstNodes, ObeyLinearizedLawsOnAComplianceThatIsNotSymmetric)
 {
   GridProblem grid({0.3, 0.15, 0.05, 0.2}, 5, 1);

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 //
 // The maps of the Newton solvers, which are no public headers.
-#include "contact/solvers/newton/line_search.h"
+#include "contact/solvers/newton/newton_steps.h"
 #include "contact/contact_problems.h"
 
 #include <gtest/gtest.h>
