@@ -67,9 +67,8 @@ Iterate InexactNewton::touching(const ContactStep &step, Iterate iterate) const
 /// The nodes that are to be solved exactly: the hardest one behind a full step, if there is one, a few times.
 /// Where that has not helped, those few that are hardest behind or before the step. They may be in a row in
 /// which each one slips when its neighbour does. None where the error is on many nodes.
-std::vector<Eigen::Index> nodes_to_solve(const ContactStep &step, const Iterate &last,
-                                                        const Iterate &full, const StepRule &rule,
-                                                        Allowances &allowances)
+std::vector<Eigen::Index> nodes_to_solve(const ContactStep &step, const Iterate &last, const Iterate &full,
+                                         const StepRule &rule, Allowances &allowances)
 {
   constexpr std::size_t few = 4;
   const auto node = dominant_node(step, full.unknowns, full.displacement);
@@ -95,7 +94,7 @@ std::vector<Eigen::Index> nodes_to_solve(const ContactStep &step, const Iterate 
 /// The iterate behind Newton's change. Where that stalls because nodes change their status to and fro, these
 /// are solved exactly. For others that is worse at first as a rule. Newton's next steps mend it.
 Iterate InexactNewton::next(const ContactStep &step, const Iterate &last, const StepRule &rule,
-                                Allowances &allowances) const
+                            Allowances &allowances) const
 {
   constexpr double bearable_growth = 100;
   const ContactConditions &conditions = last.linearization.conditions;

@@ -36,7 +36,7 @@ struct LineSearch
     least_error, ///< if that is little worse than the last error, and the full step otherwise
   };
 
-  double bound;                   ///< that the error must stay below, N
+  double bound;                     ///< that the error must stay below, N
   double shortest_length = 1. / 64; ///< shares of the change: 1, 1/2, ... down to this one
   Fallback fallback = Fallback::shortest;
   /// How often the full step may still be taken where half of it is too long, too, and where it raises the

@@ -14,7 +14,8 @@ using Eigen::VectorXd;
 
 namespace
 {
-/// A law between the associated one (t = 0) and the given one (t = 1): the logarithms of the semi-axes of the slip ellipse are linear in t.
+/// A law between the associated one (t = 0) and the given one (t = 1): the logarithms of the semi-axes of the
+/// slip ellipse are linear in t.
 OrthotropicFriction between_slip_rules(OrthotropicFriction law, const double t)
 {
   if (is_frictionless(law))
@@ -48,8 +49,8 @@ bool is_associated(const ContactSystem &system)
 
 SolverReport Continuation::solve_at(const ContactStep &step, const double t, Path &path) const
 {
-  // Where slip is far from associated, a residual of 1e-5 does not mean that the solution is near. Short steps
-  // take few iterations.
+  // Where slip is far from associated, a residual of 1e-5 does not mean that the solution is near. Short
+  // steps take few iterations.
   constexpr double accurate = 1e-9;
   constexpr unsigned int most_iterations = 20; // docs/performance.md, "Multigrid"
   Allowances allowances = without_groups({});

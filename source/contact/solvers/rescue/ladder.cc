@@ -46,8 +46,7 @@ template<typename Attempt, std::size_t n>
 void climb(const Rung<Attempt> (&ladder)[n], Attempt &attempt, const unsigned int round)
 {
   for (const Rung<Attempt> &rung : ladder)
-    if (rung.first_round <= round && round <= rung.last_round && attempt.is_open() &&
-        rung.condition(attempt))
+    if (rung.first_round <= round && round <= rung.last_round && attempt.is_open() && rung.condition(attempt))
       rung.method(attempt);
 }
 
@@ -246,9 +245,8 @@ DenseTools::DenseTools(const ContactSystem &system, const ContactSolverOptions &
     : options(options_),
       sweeps(system, options_),
       conditions(condition_solver(system, "newton")),
-      elimination(is_of_small_problem
-                      ? nullptr
-                      : std::make_unique<NonlinearElimination>(options_, make<DenseNewton>)),
+      elimination(is_of_small_problem ? nullptr
+                                      : std::make_unique<NonlinearElimination>(options_, make<DenseNewton>)),
       proximal_steps(is_of_small_problem
                          ? nullptr
                          : std::make_unique<ProximalSteps>(system, options_, make<DenseNewton>)),

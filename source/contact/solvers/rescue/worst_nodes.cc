@@ -32,7 +32,7 @@ std::optional<Index> dominant_node(const ContactStep &step, const VectorXd &unkn
   const VectorXd map = step.natural_map(unknowns, displacement);
   const Index worst = worst_node(map, step.n_nodes());
   return map.segment<3>(3 * worst).squaredNorm() >= least_share * map.squaredNorm() ? std::optional(worst)
-                                                                                     : std::nullopt;
+                                                                                    : std::nullopt;
 }
 
 Nodes worst_nodes(const ContactStep &step, const VectorXd &unknowns, const NodeVector &displacement,

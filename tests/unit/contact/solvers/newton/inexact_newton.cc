@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include "contact/contact_problems.h"
 #include "contact/solvers/newton/inexact_newton.h"
+#include "contact/contact_problems.h"
 
 #include <gtest/gtest.h>
 
