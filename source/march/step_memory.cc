@@ -16,7 +16,7 @@ using Eigen::VectorXd;
 
 /// Forces of the last cycle are judged by the displacement that they cause: with the body of the last cycle
 /// that takes no V-cycle.
-void StepSolver::remember_last_cycle(const LoadStep &step) const
+void StepSolver::remember_last_cycle(const LoadStep &step)
 {
   const VectorXd *const body = starts_.body_of(step);
   const ElasticBody &elastic = scene_.body();

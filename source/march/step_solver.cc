@@ -139,7 +139,7 @@ SolverReport StepSolver::solve_from_no_force(ContactState &state, const Attempt 
 }
 
 /// The best start from the past, or the change of the step on a coarser mesh where that start is far off.
-VectorXd StepSolver::start_of(const Attempt &attempt, const ContactState &state, const LoadStep &step) const
+VectorXd StepSolver::start_of(const Attempt &attempt, const ContactState &state, const LoadStep &step)
 {
   constexpr double good = 1e-3; // what a coarser mesh finds is hardly better
   remember_last_cycle(step);

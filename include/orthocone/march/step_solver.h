@@ -141,9 +141,9 @@ private:
 
   SolverReport solve_in_one(ContactState &state, const LoadStep &step);
   void keep_bodies(const ContactState &state);
-  void remember_last_cycle(const LoadStep &step) const;
+  void remember_last_cycle(const LoadStep &step);
   void accept_undivided(const ContactState &before, const ContactState &after, const LoadStep &step);
-  Eigen::VectorXd start_of(const Attempt &attempt, const ContactState &state, const LoadStep &step) const;
+  Eigen::VectorXd start_of(const Attempt &attempt, const ContactState &state, const LoadStep &step);
   Attempt attempt(const ContactState &state, const FaceTarget &target) const;
   NodeVector free_displacement_with_wear(const ContactState &state, const FaceTarget &target) const;
   SolverReport solve_to(ContactState &state, const Attempt &attempt, Eigen::VectorXd unknowns,
