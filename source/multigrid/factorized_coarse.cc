@@ -49,7 +49,7 @@ Answers answers_of(const std::vector<ContactNode> &nodes, const std::vector<Node
     for (unsigned int d = 0; d < 3; ++d)
       row[d] = nodes[i].is_free[d] ? next++ : -1;
     for (unsigned int d = 0; d < 3; ++d)
-      if (d == 2 || (row[d] >= 0 && relations[i].hold == Hold::all))
+      if (row[d] >= 0 && relations[i].holds(d))
         answers.of_displacement(row[d], row[d]) = stiffness[row[d]];
       else if (row[d] >= 0)
       {

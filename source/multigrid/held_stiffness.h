@@ -3,7 +3,7 @@
 #pragma once
 
 #include "matrix_free_stiffness.h"
-#include "node_relation.h"
+#include "relation_rows.h"
 
 #include <vector>
 
@@ -21,8 +21,7 @@ public:
   HeldStiffness(const MatrixFreeStiffness<double> &stiffness, const std::vector<ContactNode> &nodes,
                 const std::vector<NodeRelation> &relations)
       : stiffness_(stiffness),
-        nodes_(nodes),
-        relations_(relations)
+        rows_{nodes, relations}
   {
   }
 
@@ -40,10 +39,8 @@ public:
 
 private:
   void test(Vector &forces) const;
-  void clear_held(Vector &vector) const;
 
   const MatrixFreeStiffness<double> &stiffness_;
-  const std::vector<ContactNode> &nodes_;
-  const std::vector<NodeRelation> &relations_;
+  RelationRows rows_;
 };
 } // namespace orthocone
