@@ -38,7 +38,7 @@ CoarsestCost cost_of_coarsest(const Parameters &coarsest, const ModelSymmetry &s
   mesh.degree = 1;
   const ModelSize size = make_shape(coarsest.geometry, mesh)->size(symmetry);
   const double n = size.dofs, entries = std::pow(n, 4. / 3);
-  if (MultigridBody::aggregates_coarsest(n, size.contact_nodes))
+  if (aggregates_coarsest(n, size.contact_nodes))
     return {7e3 * n / bytes_per_gigabyte, 2e-5 * n, 1.5e-5 * n, 9e-7 * n};
   const double contact = 3 * size.contact_nodes;
   constexpr double dense = 5 * 8; // bytes: the compliance, and systems that contact makes of it

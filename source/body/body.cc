@@ -4,18 +4,6 @@
 
 namespace orthocone
 {
-Body::Solid::Solid(const Parameters &parameters, const SymmetryPlanes &planes)
-    : mesh(parameters.geometry, parameters.mesh, planes),
-      discretization(mesh.triangulation(), parameters.mesh, parameters.geometry.top_face)
-{
-}
-
-Body::Section::Section(const Parameters &parameters)
-    : mesh(parameters.geometry, parameters.mesh),
-      discretization(mesh.triangulation(), parameters.mesh, parameters.geometry.top_face)
-{
-}
-
 Body::Shape Body::shape_of(const Parameters &parameters, const ModelSymmetry &symmetry)
 {
   if (symmetry.is_axisymmetric())

@@ -70,7 +70,7 @@ ApproximateSolution ElasticSolver::approximate(const Vector &forces) const
   return approximate;
 }
 
-ElasticSolver::Vector ElasticSolver::solve(const Vector &forces, const double accuracy) const
+ElasticSolver::Vector ElasticSolver::solve(const Vector &forces, const double accuracy)
 {
   constexpr unsigned int most_iterations = 200;
   constexpr double margin = 0.9; // so that the displacement is accurate enough for the same forces next time
@@ -109,8 +109,7 @@ ElasticSolver::Vector ElasticSolver::solve(const Vector &forces, const double ac
   return std::move(approximate.displacement);
 }
 
-const std::vector<Eigen::VectorXd> &ElasticSolver::forget_trials(const Vector &forces,
-                                                                 const double accuracy) const
+const std::vector<Eigen::VectorXd> &ElasticSolver::forget_trials(const Vector &forces, const double accuracy)
 {
   constexpr std::size_t most_accepted = 2; // the next one is extrapolated from these
   if (forces.l2_norm() > 0)
@@ -125,7 +124,7 @@ const std::vector<Eigen::VectorXd> &ElasticSolver::forget_trials(const Vector &f
   return accepted_;
 }
 
-void ElasticSolver::restore(const std::vector<Eigen::VectorXd> &accepted) const
+void ElasticSolver::restore(const std::vector<Eigen::VectorXd> &accepted)
 {
   // Displacements of another division of the body are of no use.
   Vector displacement = stiffness_.make_vector(), forces = stiffness_.make_vector();
@@ -143,7 +142,7 @@ void ElasticSolver::restore(const std::vector<Eigen::VectorXd> &accepted) const
   }
 }
 
-void ElasticSolver::remember(const Vector &displacement, const Vector &forces) const
+void ElasticSolver::remember(const Vector &displacement, const Vector &forces)
 {
   constexpr double same = 1e-10;
   const double energy = displacement * forces;
@@ -164,7 +163,7 @@ void ElasticSolver::remember(const Vector &displacement, const Vector &forces) c
 }
 
 /// Drops one of the known solutions, if `which` is one.
-void ElasticSolver::forget(const std::size_t which, Eigen::VectorXd &with_known) const
+void ElasticSolver::forget(const std::size_t which, Eigen::VectorXd &with_known)
 {
   if (which >= known_.size())
     return;

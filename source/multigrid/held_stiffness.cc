@@ -58,8 +58,7 @@ HeldStiffness::Vector HeldStiffness::right_side(const Vector &forces, const Eige
 {
   Vector right_side = forces;
   right_side *= -1;
-  for (Eigen::Index i = 0; i < residual.size(); ++i)
-    right_side.local_element(i) += residual[i];
+  entries(right_side, residual.size()) += residual;
   for (std::size_t i = 0; i < rows_.nodes.size(); ++i)
   {
     if (!rows_.nodes[i].is_here())

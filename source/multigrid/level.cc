@@ -50,8 +50,7 @@ void Level::invert_blocks()
 
 void Level::clear_held(Vector &vector) const
 {
-  for (unsigned int i = space_.n_free(); i < space_.n_owned(); ++i)
-    vector.local_element(i) = 0;
+  entries(vector, space_.n_owned()).tail(space_.n_owned() - space_.n_free()).setZero();
   RelationRows{nodes(), relations_}.clear_held(vector);
 }
 

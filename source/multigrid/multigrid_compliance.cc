@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include "multigrid_compliance.h"
 
-#include "contact_change.h"
+#include "node_values.h"
 
 #include <orthocone/base/ranks.h>
 
@@ -27,33 +27,17 @@ MultigridCompliance::MultigridCompliance(const ContactFrame &frame,
 {
 }
 
-namespace
-{
-void copy(const VectorXd &free, BodyVector<double> &all)
-{
-  for (Index i = 0; i < free.size(); ++i)
-    all.local_element(i) = free[i];
-}
-} // namespace
-
 BodyVector<double> MultigridCompliance::on_body(const NodeVector &force) const
 {
   BodyVector<double> forces = stiffness_.make_vector();
-  copy(frame_.on_free_unknowns(force), forces);
+  entries(forces, frame_.n_free()) = frame_.on_free_unknowns(force);
   return forces;
-}
-
-VectorXd MultigridCompliance::free_part(const BodyVector<double> &all) const
-{
-  VectorXd free(frame_.n_free());
-  for (Index i = 0; i < free.size(); ++i)
-    free[i] = all.local_element(i);
-  return free;
 }
 
 VectorXd MultigridCompliance::body_displacement(const NodeVector &force) const
 {
-  return free_part(solution(force));
+  const BodyVector<double> displacement = solution(force);
+  return entries(displacement, frame_.n_free());
 }
 
 ContactChange MultigridCompliance::approximate(const NodeVector &force) const
@@ -64,14 +48,15 @@ ContactChange MultigridCompliance::approximate(const NodeVector &force) const
   ContactChange answer;
   answer.force = force;
   answer.displacement = of_nodes(approximate.displacement, force);
-  answer.body = {free_part(approximate.displacement), free_part(approximate.residual)};
+  answer.body = {entries(approximate.displacement, frame_.n_free()),
+                 entries(approximate.residual, frame_.n_free())};
   return answer;
 }
 
 ContactChange MultigridCompliance::held_at(const VectorXd &displacement) const
 {
   BodyVector<double> all = stiffness_.make_vector(), forces = stiffness_.make_vector();
-  copy(displacement, all);
+  entries(all, displacement.size()) = displacement;
   stiffness_.vmult(forces, all);
   return contact_change(frame_, all, forces, {});
 }
@@ -79,8 +64,8 @@ ContactChange MultigridCompliance::held_at(const VectorXd &displacement) const
 void MultigridCompliance::remember(const NodeVector &force, const BodyPart &body) const
 {
   BodyVector<double> displacement = stiffness_.make_vector(), forces = stiffness_.make_vector();
-  copy(body.displacement, displacement);
-  copy(frame_.on_free_unknowns(force) - body.residual, forces);
+  entries(displacement, body.displacement.size()) = body.displacement;
+  entries(forces, frame_.n_free()) = frame_.on_free_unknowns(force) - body.residual;
   elastic_.remember(displacement, forces);
   remembered_ = {force, {}, of_nodes(displacement, force), body};
 }
@@ -147,7 +132,7 @@ double MultigridCompliance::softness() const
   return largest_eigenvalue(n_nodes(), settled,
                             [&](const NodeVector &force)
                             {
-                              copy(frame_.on_free_unknowns(force), forces);
+                              entries(forces, frame_.n_free()) = frame_.on_free_unknowns(force);
                               cycle_.vmult(displacement, forces);
                               return of_nodes(displacement, force);
                             });

@@ -39,14 +39,13 @@ private:
   {
     return elastic_.solve(on_body(force), accuracy_);
   }
-  Eigen::VectorXd free_part(const BodyVector<double> &all) const;
   NodeVector of_nodes(const BodyVector<double> &body, const NodeVector &force) const;
 
   const ContactFrame &frame_;
   const MatrixFreeStiffness<double> &stiffness_;
   VCycle &cycle_;
-  ElasticSolver elastic_;
-  Eigen::VectorXd of_nodes_; ///< mm/N
+  mutable ElasticSolver elastic_; ///< remembers solutions, from which others start
+  Eigen::VectorXd of_nodes_;      ///< mm/N
   double accuracy_;
   mutable ContactChange remembered_; ///< what remember() was given last
 };

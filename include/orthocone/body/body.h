@@ -48,18 +48,21 @@ public:
   }
 
 private:
-  struct Solid
+  /// A mesh and the displacements on it.
+  template<typename Mesh, int dim>
+  struct Part
   {
-    Solid(const Parameters &parameters, const SymmetryPlanes &planes);
-    BodyMesh mesh;
-    Discretization discretization;
+    template<typename... Planes>
+    explicit Part(const Parameters &parameters, const Planes &...planes)
+        : mesh(parameters.geometry, parameters.mesh, planes...),
+          discretization(mesh.triangulation(), parameters.mesh, parameters.geometry.top_face)
+    {
+    }
+    Mesh mesh;
+    DisplacementSpace<dim> discretization;
   };
-  struct Section
-  {
-    explicit Section(const Parameters &parameters);
-    SectionMesh mesh;
-    SectionDiscretization discretization;
-  };
+  using Solid = Part<BodyMesh, 3>;
+  using Section = Part<SectionMesh, 2>;
   using Shape = std::variant<Solid, Section>;
   static Shape shape_of(const Parameters &parameters, const ModelSymmetry &symmetry);
 

@@ -77,7 +77,7 @@ TEST(BackendChoice, KnowsThatALargeCoarsestMeshIsAggregated)
     parameters.mesh.rings = n / 2;
     parameters.load.cycles = 1; // more of them keep bodies, which are bounded
     const ModelSize size = model_size(parameters, quarter);
-    EXPECT_EQ(MultigridBody::aggregates_coarsest(size.dofs, size.contact_nodes), n > 38);
+    EXPECT_EQ(aggregates_coarsest(size.dofs, size.contact_nodes), n > 38);
     return 1e9 * multigrid_gigabytes(parameters, size, quarter) / size.dofs;
   };
   EXPECT_LT(bytes_per_unknown(48), 0.7 * bytes_per_unknown(38));
