@@ -3,8 +3,8 @@
 #include <orthocone/accuracy/adaptive_mesh.h>
 
 #include <orthocone/accuracy/backend_choice.h>
+#include <orthocone/accuracy/cost_model.h>
 #include <orthocone/accuracy/first_cycle.h>
-#include <orthocone/accuracy/memory_need.h>
 #include <orthocone/base/ranks.h>
 #include <orthocone/body/fe/stress_jumps.h>
 #include <orthocone/body/shapes/boundary.h>

@@ -4,9 +4,9 @@
 
 #include <orthocone/accuracy/adaptive_mesh.h>
 #include <orthocone/accuracy/backend_choice.h>
+#include <orthocone/accuracy/cost_model.h>
 #include <orthocone/accuracy/first_cycle.h>
-#include <orthocone/accuracy/memory_need.h>
-#include <orthocone/base/memory.h>
+#include <orthocone/base/machine.h>
 #include <orthocone/base/ranks.h>
 #include <orthocone/base/stopwatch.h>
 #include <orthocone/body/shapes/mesh_ladder.h>

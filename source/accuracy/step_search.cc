@@ -3,9 +3,9 @@
 #include <orthocone/accuracy/step_search.h>
 
 #include <orthocone/accuracy/backend_choice.h>
-#include <orthocone/accuracy/estimate.h>
+#include <orthocone/accuracy/cost_model.h>
 #include <orthocone/accuracy/first_cycle.h>
-#include <orthocone/base/memory.h>
+#include <orthocone/base/machine.h>
 #include <orthocone/body/shapes/mesh_ladder.h>
 #include <orthocone/scene/computed_steps.h>
 #include <orthocone/scene/load_program.h>

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include "assignment.h"
+#include "check_command.h"
+
 #include "commands.h"
 
 #include <orthocone/accuracy/backend_choice.h>
-#include <orthocone/accuracy/estimate.h>
-#include <orthocone/accuracy/memory_need.h>
+#include <orthocone/accuracy/cost_model.h>
 #include <orthocone/base/text.h>
 #include <orthocone/body/backends/stiffness_factor.h>
 #include <orthocone/scene/mesh_files.h>
@@ -44,11 +44,11 @@ void print_unknown_mesh(const Parameters &parameters, const ModelChoice &model)
 
 /// Says that the memory is too small for the model, and whether a factorization cannot count it: then a
 /// bigger machine would not help.
-std::string why_too_large(const ModelSize &size, const std::string &lack)
+std::string why_too_large(const CostModel &costs, const std::string &lack)
 {
   try
   {
-    require_countable(size);
+    costs.require_countable();
   }
   catch (const TooLargeError &error)
   {
@@ -64,18 +64,17 @@ ComputedSteps computed_steps(const Parameters &parameters)
 }
 
 /// Prints a model whose mesh has so many unknowns that making it takes too long for a check.
-void print_large_model(const Parameters &parameters, const ModelChoice &model, const ModelSize &size)
+void print_large_model(const Parameters &parameters, const ModelChoice &model, const CostModel &costs)
 {
   const MemoryLimit limit = memory_limit();
   const bool is_condensed = parameters.mesh.backend != BodyBackend::multigrid;
-  const Estimate cost =
-      is_condensed ? least_estimate(size) : multigrid_estimate(parameters, size, model.symmetry);
-  std::cout << describe_model(model) << describe(size) << "\n"
+  const Estimate cost = is_condensed ? costs.least() : costs.multigrid();
+  std::cout << describe_model(model) << describe(costs.size()) << "\n"
             << describe_friction(parameters) << describe_obstacle(parameters)
             << describe_steps(parameters.load)
             << describe(cost, computed_steps(parameters), limit, is_condensed) << "\n";
   const std::string lack = lack_of_memory(cost.gigabytes, limit);
-  print_warnings(parameters, is_condensed ? why_too_large(size, lack) : lack);
+  print_warnings(parameters, is_condensed ? why_too_large(costs, lack) : lack);
 }
 
 void print_lower_mesh(const Parameters &parameters, const ModelChoice &model)
@@ -85,7 +84,7 @@ void print_lower_mesh(const Parameters &parameters, const ModelChoice &model)
   std::cout << describe_lower_mesh(parameters, Body(parameters.lower, model.symmetry).unknowns()) << "\n";
 }
 
-void print_model(const Parameters &parameters, const ModelChoice &model)
+void print_model(const Parameters &parameters, const ModelChoice &model, const CostModel &costs)
 {
   const ComputedSteps n_steps = computed_steps(parameters);
   const MemoryLimit limit = memory_limit();
@@ -95,16 +94,13 @@ void print_model(const Parameters &parameters, const ModelChoice &model)
   try
   {
     const Estimate cost =
-        parameters.mesh.backend == BodyBackend::multigrid
-            ? multigrid_estimate(parameters, model_size(parameters, model.symmetry), model.symmetry)
-            : estimate(parameters, body, model.symmetry);
+        parameters.mesh.backend == BodyBackend::multigrid ? costs.multigrid() : costs.condensed(body);
     std::cout << describe(cost, n_steps, limit, false) << "\n";
     print_warnings(parameters, lack_of_memory(cost.gigabytes, limit));
   }
   catch (const TooLargeError &error)
   {
-    const Estimate least = least_estimate(model_size(parameters, model.symmetry));
-    std::cout << describe(least, n_steps, limit, true) << "\n";
+    std::cout << describe(costs.least(), n_steps, limit, true) << "\n";
     print_warnings(parameters, error.what());
   }
 }
@@ -127,15 +123,15 @@ int check(const CommandLine &line, const Parameters &given)
   if (parameters.mesh.adaptive != 0)
     std::cout << "adaptive       " << parameters.mesh.adaptive
               << " rounds of refinement by the run; what follows is for the mesh before them\n";
-  const ModelSize size = model_size(parameters, model.symmetry);
-  if (size.dofs <= largest_meshed)
+  const CostModel costs(parameters, model.symmetry);
+  if (costs.size().dofs <= largest_meshed)
     require_bodies_that_meet(line, parameters, model.symmetry);
   if (given.mesh.accuracy != 0)
     print_unknown_mesh(given, model);
-  else if (size.dofs > largest_meshed)
-    print_large_model(parameters, model, size);
+  else if (costs.size().dofs > largest_meshed)
+    print_large_model(parameters, model, costs);
   else
-    print_model(parameters, model);
+    print_model(parameters, model, costs);
   return static_cast<int>(ExitCode::done);
 }
 } // namespace orthocone

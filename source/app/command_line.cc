@@ -15,28 +15,6 @@ namespace
 {
 namespace po = boost::program_options;
 
-po::options_description visible_options()
-{
-  po::options_description options("options");
-  options.add_options()("set", po::value<std::vector<std::string>>(),
-                        "\"Section/Entry=value\": overrides one entry; may be repeated")(
-      "output,o", po::value<std::string>(), "run folder (default: output/<parameter file's stem>)")(
-      "check", "read everything, print the resolved model, compute nothing")(
-      "resume", "continue from the checkpoint in the run folder")(
-      "threads", po::value<std::string>(),
-      "threads of BLAS (default: one for each core that nobody else is busy on)")(
-      "insist", "run even if the memory is likely not to suffice")(
-      "batch",
-      "run command lines from standard input, each a line such as [\"FILE.prm\", \"--quiet\"], without the "
-      "time of a start (tools/sweep does)")("quiet,q", "print errors only")(
-      "list", "print the scenes that come with the program, a line each, and stop")(
-      "defaults", "print a complete commented parameter file and stop")(
-      "columns", "print name, unit and meaning of every column and field of the results and stop")(
-      "help,h", "print this text and stop")("version",
-                                            "print the versions of program and libraries and stop");
-  return options;
-}
-
 unsigned int threads_from(const std::string &text)
 {
   constexpr unsigned int most = 1024;
@@ -47,28 +25,34 @@ unsigned int threads_from(const std::string &text)
   return *number;
 }
 
-CommandLine from(const po::variables_map &values)
+/// The options, whose values go to `line`.
+po::options_description options_of(CommandLine &line)
 {
-  CommandLine line;
-  if (values.count("set") != 0)
-    line.overrides = values["set"].as<std::vector<std::string>>();
-  if (values.count("output") != 0)
-    line.output_folder = values["output"].as<std::string>();
-  if (values.count("file") != 0)
-    line.parameter_file = values["file"].as<std::string>();
-  if (values.count("threads") != 0)
-    line.threads = threads_from(values["threads"].as<std::string>());
-  line.batch = values.count("batch") != 0;
-  line.check = values.count("check") != 0;
-  line.resume = values.count("resume") != 0;
-  line.insist = values.count("insist") != 0;
-  line.quiet = values.count("quiet") != 0;
-  line.defaults = values.count("defaults") != 0;
-  line.list = values.count("list") != 0;
-  line.columns = values.count("columns") != 0;
-  line.help = values.count("help") != 0;
-  line.version = values.count("version") != 0;
-  return line;
+  po::options_description options("options");
+  const auto add = [&](const char *const words, const po::value_semantic *const value, const char *const help)
+  { options.add_options()(words, value, help); };
+  const auto add_switch = [&](const char *const words, bool &is_set, const char *const help)
+  { add(words, po::bool_switch(&is_set), help); };
+  add("set", po::value(&line.overrides), "\"Section/Entry=value\": overrides one entry; may be repeated");
+  add("output,o", po::value(&line.output_folder), "run folder (default: output/<parameter file's stem>)");
+  add_switch("check", line.check, "read everything, print the resolved model, compute nothing");
+  add_switch("resume", line.resume, "continue from the checkpoint in the run folder");
+  add("threads",
+      po::value<std::string>()->notifier([&](const std::string &text) { line.threads = threads_from(text); }),
+      "threads of BLAS (default: one for each core that nobody else is busy on)");
+  add_switch("insist", line.insist, "run even if the memory is likely not to suffice");
+  add_switch(
+      "batch", line.batch,
+      "run command lines from standard input, each a line such as [\"FILE.prm\", \"--quiet\"], without "
+      "the time of a start (tools/sweep does)");
+  add_switch("quiet,q", line.quiet, "print errors only");
+  add_switch("list", line.list, "print the scenes that come with the program, a line each, and stop");
+  add_switch("defaults", line.defaults, "print a complete commented parameter file and stop");
+  add_switch("columns", line.columns,
+             "print name, unit and meaning of every column and field of the results and stop");
+  add_switch("help,h", line.help, "print this text and stop");
+  add_switch("version", line.version, "print the versions of program and libraries and stop");
+  return options;
 }
 } // namespace
 
@@ -83,8 +67,9 @@ static bool is_followed_by_option(const std::string &option, const int argc, con
 
 CommandLine parse_command_line(const int argc, const char *const *const argv)
 {
-  po::options_description all;
-  all.add(visible_options()).add_options()("file", po::value<std::string>());
+  CommandLine line;
+  po::options_description all = options_of(line);
+  all.add_options()("file", po::value(&line.parameter_file));
   po::positional_options_description positional;
   positional.add("file", 1);
   po::variables_map values;
@@ -95,13 +80,13 @@ CommandLine parse_command_line(const int argc, const char *const *const argv)
     constexpr auto style = po::command_line_style::default_style & ~po::command_line_style::allow_guessing;
     po::store(po::command_line_parser(argc, argv).options(all).positional(positional).style(style).run(),
               values);
+    po::notify(values);
   }
   catch (const po::error &error)
   {
     throw InputError(std::string("command line: ") + shown(error.what()) +
                      "; 'orthocone --help' lists the options");
   }
-  CommandLine line = from(values);
   if (values.count("output") != 0 &&
       (line.output_folder.empty() || is_followed_by_option("--output", argc, argv) ||
        is_followed_by_option("-o", argc, argv)))
@@ -119,11 +104,12 @@ CommandLine parse_command_line(const int argc, const char *const *const argv)
 
 std::string usage()
 {
+  CommandLine unused;
   std::ostringstream text;
   text << "Usage: orthocone [options] FILE.prm\n\n"
        << "Elastic bodies in contact under cyclic loads, with orthotropic friction and a slip rule of its "
           "own.\n\n"
-       << visible_options()
+       << options_of(unused)
        << "\nexample: orthocone prm/paper/case_b.prm --set \"Mesh/Resolution=fine\" -o output/fine\n"
        << "\nexit codes: 0 done, 2 wrong command line or parameter file, 3 a load step could not "
        << "be solved or failed a check,\n            4 a file could not be read or written, 130 interrupted "

@@ -37,9 +37,17 @@ auto naming_file(const CommandLine &line, const Function &function)
 /// Checks entries against each other. Throws InputError, which names the file.
 ModelChoice resolve(const CommandLine &line, const Parameters &parameters);
 
-/// --check: prints the resolved model and its cost. Returns the exit code.
-int check(const CommandLine &line, const Parameters &parameters);
+/// Throws InputError, with the name of the parameter file, where a lower body is not under all of the upper
+/// one: require_cover().
+void require_bodies_that_meet(const CommandLine &line, const Parameters &parameters,
+                              const ModelSymmetry &symmetry);
 
-/// Runs the program. Returns the exit code.
-int run(const CommandLine &line, const ParameterFile &file);
+/// Several processes read the same file, each for itself. Both throw InputError: the first one if they cannot
+/// all read the file from its beginning (a pipe, for instance), the second one if their entries or options
+/// differ.
+void require_file_for_all(const std::string &path);
+void require_same_for_all(const CommandLine &line, const Parameters &parameters);
+
+/// Throws InputError for what several processes cannot compute together.
+void require_shareable(const Parameters &parameters, const ModelChoice &model);
 } // namespace orthocone

@@ -3,15 +3,16 @@
 #include "dispatch.h"
 
 #include "batch.h"
+#include "check_command.h"
 #include "commands.h"
 #include "interrupt.h"
-#include "shareable.h"
+#include "run_command.h"
 #include "shipped_scenes.h"
 
-#include <orthocone/base/memory.h>
+#include <orthocone/base/machine.h>
 #include <orthocone/base/text.h>
 #include <orthocone/base/version.h>
-#include <orthocone/results/described_columns.h>
+#include <orthocone/results/tables.h>
 
 #include <iostream>
 #include <string>

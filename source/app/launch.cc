@@ -4,8 +4,6 @@
 
 #include <orthocone/base/ranks.h>
 
-#include <deal.II/base/mpi.h>
-
 #include <unistd.h>
 
 #include <algorithm>
@@ -13,53 +11,31 @@
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
-#include <streambuf>
 #include <string>
 #include <thread>
 #include <vector>
 
 namespace orthocone
 {
-struct Launch::Mpi
-{
-  /// Discards what is written.
-  class Nowhere : public std::streambuf
-  {
-    int_type overflow(const int_type character) override { return traits_type::not_eof(character); }
-  };
-
-  Mpi()
-  {
-    int argc = 1; // libraries must not read the other words
-    char **argv = words.data();
-    session = std::make_unique<dealii::Utilities::MPI::MPI_InitFinalize>(argc, argv, 1);
-    if (!is_first_rank())
-      before = std::cout.rdbuf(&nowhere);
-  }
-
-  ~Mpi()
-  {
-    if (before != nullptr)
-      std::cout.rdbuf(before);
-  }
-  Mpi(const Mpi &) = delete;
-  Mpi &operator=(const Mpi &) = delete;
-
-  std::string name = "orthocone";
-  std::array<char *, 2> words{{name.data(), nullptr}};
-  Nowhere nowhere;
-  std::streambuf *before = nullptr;
-  std::unique_ptr<dealii::Utilities::MPI::MPI_InitFinalize> session;
-};
-
 Launch::Launch(const int argc, const char *const *const argv)
 {
   const bool is_batch =
       std::any_of(argv, argv + argc, [](const std::string &word) { return word == "--batch"; });
-  if (is_launched() && !is_batch)
-    mpi_ = std::make_unique<Mpi>();
-  else
+  if (!is_launched() || is_batch)
+  {
     forget_launcher();
+    return;
+  }
+  static std::string name = "orthocone";
+  static std::array<char *, 2> words{{name.data(), nullptr}};
+  int n_words = 1; // libraries must not read the other words
+  char **first_word = words.data();
+  session_.emplace(n_words, first_word, 1);
+  if (!is_first_rank())
+  {
+    nowhere_.open("/dev/null");
+    before_ = std::cout.rdbuf(nowhere_.rdbuf());
+  }
 }
 
 /// Processes of a batch are runs of their own, each of which may start MPI.
@@ -74,13 +50,17 @@ void Launch::forget_launcher()
     ::unsetenv(name.c_str());
 }
 
-Launch::~Launch() = default;
+Launch::~Launch()
+{
+  if (before_ != nullptr)
+    std::cout.rdbuf(before_);
+}
 
 void Launch::end(const int code)
 {
   if (code == 0)
-    mpi_.reset();
-  else if (mpi_ != nullptr)
+    session_.reset();
+  else if (session_)
     MPI_Abort(MPI_COMM_WORLD, code); // others may wait for this one
 }
 

@@ -2,7 +2,10 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
-#include <memory>
+#include <deal.II/base/mpi.h>
+
+#include <fstream>
+#include <optional>
 
 namespace orthocone
 {
@@ -12,6 +15,8 @@ class Launch
 public:
   Launch(int argc, const char *const *argv);
   ~Launch();
+  Launch(const Launch &) = delete;
+  Launch &operator=(const Launch &) = delete;
 
   /// To be called when the exit code is known. If a process fails, mpirun ends the others.
   void end(int code);
@@ -19,8 +24,9 @@ public:
 private:
   static void forget_launcher();
 
-  struct Mpi;
-  std::unique_ptr<Mpi> mpi_;
+  std::optional<dealii::Utilities::MPI::MPI_InitFinalize> session_;
+  std::ofstream nowhere_;            ///< takes what all processes but the first one print
+  std::streambuf *before_ = nullptr; ///< of std::cout
 };
 
 /// Waits, so that the first process can say why all fail, and end them.

@@ -3,7 +3,7 @@
 #include "dispatch.h"
 #include "launch.h"
 
-#include <orthocone/base/blas_kernels.h>
+#include <orthocone/base/threads.h>
 
 #include <unistd.h>
 

@@ -1,25 +1,110 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include "assignment.h"
+#include "run_command.h"
+
 #include "commands.h"
 #include "quasi_static_problem.h"
 
 #include <orthocone/accuracy/backend_choice.h>
-#include <orthocone/accuracy/estimate.h>
-#include <orthocone/accuracy/memory_need.h>
+#include <orthocone/accuracy/cost_model.h>
 #include <orthocone/base/ranks.h>
 #include <orthocone/base/text.h>
 #include <orthocone/body/backends/stiffness_factor.h>
 #include <orthocone/body/shapes/mesh_ladder.h>
 #include <orthocone/march/rank_memory.h>
+#include <orthocone/output/history.h>
 
+#include <algorithm>
+#include <filesystem>
+#include <iostream>
 #include <optional>
+#include <sstream>
 #include <utility>
 
 namespace orthocone
 {
 namespace
 {
+namespace fs = std::filesystem;
+
+/// The task of a run, and its messages before it has a log.
+struct Assignment
+{
+  const CommandLine &line;
+  const ParameterFile &file;
+  const ModelChoice model;
+  ThreadChooser threads;
+  std::string lines{}; ///< for log.txt, which begins when the run is known to begin
+
+  void report(const std::string &text)
+  {
+    lines += text + "\n";
+    if (!line.quiet)
+      std::cout << text << std::endl;
+  }
+};
+
+std::string complete_text(const Parameters &parameters)
+{
+  std::ostringstream text;
+  write_parameters(parameters, text);
+  return text.str();
+}
+
+std::string input_name(const CommandLine &line)
+{
+  return is_json(line.parameter_file) ? "input.json" : "input.prm";
+}
+
+/// A path without detours such as a/../b, which would create the folder a.
+fs::path without_detours(const fs::path &path)
+{
+  const auto goes_back = [](const fs::path &part, const fs::path &next)
+  { return part != ".." && next == ".."; };
+  if (std::adjacent_find(path.begin(), path.end(), goes_back) == path.end())
+    return path;
+  std::error_code code;
+  const fs::path direct = fs::weakly_canonical(path, code);
+  return code ? path : direct;
+}
+
+/// Path of the parameter file, which distinguishes it from others of the same name.
+std::string path_of(const CommandLine &line)
+{
+  return shown_path(fs::absolute(line.parameter_file).lexically_normal().string());
+}
+
+/// The folder of the results.
+fs::path run_folder_of(const CommandLine &line)
+{
+  if (!line.output_folder.empty())
+    return without_detours(line.output_folder);
+  const fs::path stem = fs::path(line.parameter_file).stem();
+  return "output" / (stem == "." || stem == ".." ? fs::path(line.parameter_file).filename() : stem);
+}
+
+/// Writes the parameters into the run folder: as the user wrote them, and complete. Throws FileError.
+void keep_parameters(const RunFolder &folder, Assignment &task, const Parameters &parameters)
+{
+  const std::string path = path_of(task.line);
+  if (const auto earlier =
+          folder.start_anew(complete_text(parameters), path, probe_files(parameters.output.probes)))
+    task.report("warning: " + folder.path() + " held the results of another file, " + *earlier +
+                "; those of this run take their place (--output DIR keeps both)");
+  folder.write(input_name(task.line), task.file.text);
+}
+
+/// The same for a run that goes on, perhaps with more cycles, probes or fields than it began with.
+void update_parameters(const RunFolder &folder, const Assignment &task, const Parameters &parameters)
+{
+  const std::string text = complete_text(parameters);
+  if (folder.has(input_name(task.line)) && folder.has("parameters.prm") &&
+      folder.read("parameters.prm") == text)
+    return;
+  folder.write("parameters.prm", text);
+  folder.write(input_name(task.line), task.file.text);
+}
+
 /// Refuses a model for which there is not enough memory, before anything is touched.
 void require_memory_for(const Assignment &task, const Parameters &parameters)
 {

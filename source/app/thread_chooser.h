@@ -4,7 +4,7 @@
 
 #include "command_line.h"
 
-#include <orthocone/base/machine_load.h>
+#include <orthocone/base/machine.h>
 #include <orthocone/base/threads.h>
 
 #include <optional>

@@ -31,7 +31,20 @@ unsigned int asked(int (*const ask)(MPI_Comm, int *), const int otherwise)
 
 /// MPI counts in int.
 constexpr std::size_t most_at_once = std::numeric_limits<int>::max() / 2;
-constexpr int tag = 0;
+
+/// The text of one rank on all of them.
+std::string text_of(const unsigned int rank, std::string text)
+{
+  if (n_ranks() == 1)
+    return text;
+  unsigned long long size = text.size();
+  MPI_Bcast(&size, 1, MPI_UNSIGNED_LONG_LONG, static_cast<int>(rank), MPI_COMM_WORLD);
+  text.resize(size);
+  for (std::size_t at = 0; at < size; at += most_at_once)
+    MPI_Bcast(text.data() + at, static_cast<int>(std::min(most_at_once, text.size() - at)), MPI_CHAR,
+              static_cast<int>(rank), MPI_COMM_WORLD);
+  return text;
+}
 } // namespace
 
 bool is_launched()
@@ -95,39 +108,15 @@ double of_first_rank(double value)
 
 std::string of_first_rank(std::string text)
 {
-  if (n_ranks() == 1)
-    return text;
-  unsigned long long size = text.size();
-  MPI_Bcast(&size, 1, MPI_UNSIGNED_LONG_LONG, 0, MPI_COMM_WORLD);
-  text.resize(size);
-  for (std::size_t at = 0; at < size; at += most_at_once)
-    MPI_Bcast(text.data() + at, static_cast<int>(std::min(most_at_once, text.size() - at)), MPI_CHAR, 0,
-              MPI_COMM_WORLD);
-  return text;
+  return text_of(0, std::move(text));
 }
 
 std::vector<std::string> gather_on_first(const std::string &text)
 {
-  std::vector<std::string> texts{text};
-  if (!is_first_rank())
-  {
-    unsigned long long size = text.size();
-    MPI_Send(&size, 1, MPI_UNSIGNED_LONG_LONG, 0, tag, MPI_COMM_WORLD);
-    for (std::size_t at = 0; at < size; at += most_at_once)
-      MPI_Send(text.data() + at, static_cast<int>(std::min(most_at_once, text.size() - at)), MPI_CHAR, 0, tag,
-               MPI_COMM_WORLD);
-    return {};
-  }
-  for (unsigned int rank = 1; rank < n_ranks(); ++rank)
-  {
-    const int from = static_cast<int>(rank);
-    unsigned long long size = 0;
-    MPI_Recv(&size, 1, MPI_UNSIGNED_LONG_LONG, from, tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-    std::string &other = texts.emplace_back(size, '\0');
-    for (std::size_t at = 0; at < size; at += most_at_once)
-      MPI_Recv(other.data() + at, static_cast<int>(std::min(most_at_once, other.size() - at)), MPI_CHAR, from,
-               tag, MPI_COMM_WORLD, MPI_STATUS_IGNORE);
-  }
+  std::vector<std::string> texts;
+  for (unsigned int rank = 0; rank < n_ranks(); ++rank)
+    if (std::string of_rank = text_of(rank, text); is_first_rank())
+      texts.push_back(std::move(of_rank));
   return texts;
 }
 

@@ -1,49 +1,46 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include "blas_function.h"
-
-#include <orthocone/base/control_group.h>
 #include <orthocone/base/threads.h>
 
-#include <sched.h>
-#include <unistd.h>
+#include <dlfcn.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <fstream>
-#include <limits>
 
 namespace orthocone
 {
 namespace
 {
-/// How many cores' time a control group allows. Its file has "quota period"; in version 1 these are two
-/// files. Infinite for "max" and -1.
-double cores_of_group(const std::string &folder, const bool is_unified)
+/// A function of the BLAS that runs, or of what runs with it: Debian's alternatives decide that at run time.
+/// Null if there is none of that name.
+template<typename Function>
+Function *function_of_blas(const char *const name)
 {
-  double quota = -1, period = 0;
-  if (is_unified)
-    std::ifstream(folder + "/cpu.max") >> quota >> period;
-  else
-  {
-    std::ifstream(folder + "/cpu.cfs_quota_us") >> quota;
-    std::ifstream(folder + "/cpu.cfs_period_us") >> period;
-  }
-  return quota > 0 && period > 0 ? quota / period : std::numeric_limits<double>::infinity();
+  return reinterpret_cast<Function *>(dlsym(RTLD_DEFAULT, name));
 }
 
+/// OpenBLAS's name of its best kernels for this processor, or null for its own choice.
+const char *kernels_of_this_processor()
+{
+#if defined(__x86_64__)
+  if (__builtin_cpu_supports("avx512cd") && __builtin_cpu_supports("avx512bw") &&
+      __builtin_cpu_supports("avx512dq") && __builtin_cpu_supports("avx512vl"))
+    return "SkylakeX";
+  if (__builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma"))
+    return "Haswell";
+#endif
+  return nullptr;
+}
+
+/// CHOLMOD's loops ask OpenMP for four threads, whatever OMP_NUM_THREADS says. With no active level they get
+/// the calling one.
+void set_openmp_levels(const int number)
+{
+  if (auto *const set = function_of_blas<void(int)>("omp_set_max_active_levels"))
+    set(number);
+}
 } // namespace
-
-UsableCores usable_cores()
-{
-  cpu_set_t mask;
-  CPU_ZERO(&mask);
-  const auto allowed = static_cast<unsigned int>(std::max(
-      1L, sched_getaffinity(0, sizeof mask, &mask) == 0 ? CPU_COUNT(&mask) : sysconf(_SC_NPROCESSORS_ONLN)));
-  const double granted = std::ceil(least_in_control_groups("cpu", cores_of_group));
-  return {allowed, granted < allowed ? static_cast<unsigned int>(std::max(1., granted)) : allowed};
-}
 
 bool depends_on_load(const double unknowns, const UsableCores &cores)
 {
@@ -59,14 +56,6 @@ ThreadChoice choose_threads(const double unknowns, const UsableCores &cores, con
   const unsigned int n_free = cores.allowed > n_others ? cores.allowed - n_others : 1;
   return {std::min(cores.granted, n_free),
           std::to_string(cores.granted) + " cores, others busy on " + std::to_string(n_others)};
-}
-
-/// CHOLMOD's loops ask OpenMP for four threads, whatever OMP_NUM_THREADS says. With no active level they get
-/// the calling one.
-static void set_openmp_levels(const int number)
-{
-  if (auto *const set = function_of_blas<void(int)>("omp_set_max_active_levels"))
-    set(number);
 }
 
 void set_blas_threads(const unsigned int number)
@@ -108,5 +97,31 @@ BlasThreads::~BlasThreads()
 {
   if (n_before_ > 0)
     set_blas_threads(n_before_);
+}
+
+void use_kernels_of_this_processor()
+{
+  constexpr const char *variable = "OPENBLAS_CORETYPE";
+  const auto name = function_of_blas<char *()>("openblas_get_corename");
+  // OpenBLAS exports both, but declares them in none of its headers.
+  const auto forget = function_of_blas<void()>("gotoblas_dynamic_quit");
+  const auto choose = function_of_blas<void()>("gotoblas_dynamic_init");
+  const char *const kernels = kernels_of_this_processor();
+  if (std::getenv(variable) != nullptr || name == nullptr || forget == nullptr || choose == nullptr ||
+      std::string(name()) != "Prescott" || kernels == nullptr)
+    return;
+  ::setenv(variable, kernels, 0);
+  forget();
+  choose();
+}
+
+std::string running_blas()
+{
+  if (auto *const describe = function_of_blas<const char *()>("openblas_get_config"))
+    return describe();
+  Dl_info info{};
+  const bool is_found = dladdr(dlsym(RTLD_DEFAULT, "dgemm_"), &info) != 0;
+  return std::string(is_found ? info.dli_fname : "unknown") +
+         " (not OpenBLAS: dense algebra may be ten times slower)";
 }
 } // namespace orthocone

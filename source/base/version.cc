@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include "blas_function.h"
-
 #include <orthocone/base/version.h>
+
+#include <orthocone/base/threads.h>
 
 #include <Eigen/Core>
 #include <cholmod.h>
-#include <dlfcn.h>
 #include <orthocone_revision.h>
 
 namespace orthocone
@@ -14,16 +13,6 @@ namespace orthocone
 std::string program_version()
 {
   return ORTHOCONE_VERSION " (" ORTHOCONE_REVISION ")";
-}
-
-std::string running_blas()
-{
-  if (auto *const describe = function_of_blas<const char *()>("openblas_get_config"))
-    return describe();
-  Dl_info info{};
-  const bool is_found = dladdr(dlsym(RTLD_DEFAULT, "dgemm_"), &info) != 0;
-  return std::string(is_found ? info.dli_fname : "unknown") +
-         " (not OpenBLAS: dense algebra may be ten times slower)";
 }
 
 std::vector<std::pair<std::string, std::string>> versions()

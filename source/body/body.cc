@@ -4,18 +4,6 @@
 
 namespace orthocone
 {
-Body::Solid::Solid(const BodyOptions &options, const SymmetryPlanes &planes)
-    : mesh(options.geometry, options.mesh, planes),
-      discretization(mesh.triangulation(), options.mesh, options.geometry.top_face)
-{
-}
-
-Body::Section::Section(const BodyOptions &options)
-    : mesh(options.geometry, options.mesh),
-      discretization(mesh.triangulation(), options.mesh, options.geometry.top_face)
-{
-}
-
 Body::Shape Body::shape_of(const BodyOptions &options, const ModelSymmetry &symmetry)
 {
   if (symmetry.is_axisymmetric())

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include <orthocone/march/step_solver.h>
+#include <orthocone/march/start_forces.h>
 
 #include <orthocone/base/ranks.h>
 
@@ -10,9 +10,6 @@ namespace orthocone
 {
 using Eigen::VectorXd;
 
-namespace
-{
-/// Forces, and the motion of the held face behind them.
 NodeVector with_motion(const ContactState &state)
 {
   NodeVector all(state.force.size() + n_rigid_components);
@@ -20,7 +17,6 @@ NodeVector with_motion(const ContactState &state)
   return all;
 }
 
-/// Turns such a vector into unknowns of a step whose face has these components.
 VectorXd unknowns_of(const NodeVector &all, const ContactStep &problem,
                      const std::vector<unsigned int> &components)
 {
@@ -32,8 +28,6 @@ VectorXd unknowns_of(const NodeVector &all, const ContactStep &problem,
   unknowns << all.head(n), problem.face().unknowns(motions);
   return unknowns;
 }
-} // namespace
-
 /// The most likely candidate comes first.
 std::vector<StartForces::Candidate> StartForces::candidates_for(const ContactState &state,
                                                                 const LoadStep &step) const
@@ -66,7 +60,7 @@ VectorXd StartForces::best(const ContactStep &problem, const std::vector<unsigne
   {
     VectorXd unknowns = unknowns_of(candidates[i].all, problem, components);
     const double residual =
-        candidates[i].is_likely ? problem.residual(unknowns) : problem.near_residual(unknowns);
+        candidates[i].is_likely ? problem.residual(unknowns) : problem.approximate_residual(unknowns);
     if (residual < least || best.size() == 0)
     {
       least = residual;

@@ -2,9 +2,9 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/march/step_solver.h>
 
+#include <orthocone/base/ranks.h>
 #include <orthocone/body/node_compliance.h>
 #include <orthocone/march/coarser_march.h>
-#include <orthocone/march/touching.h>
 
 #include <algorithm>
 #include <utility>
@@ -38,6 +38,15 @@ void add_earlier(SolverReport &report, const SolverReport &earlier)
 std::shared_ptr<const SolvedProblem> solved(const ContactStep &problem, const VectorXd &unknowns)
 {
   return std::make_shared<const SolvedProblem>(SolvedProblem{problem, unknowns});
+}
+
+/// The least motion along the normal that leaves no node under pressure, mm.
+double opening_motion(const NodeVector &free_gap)
+{
+  double motion = -free_gap[0];
+  for (Index i = 0; i < free_gap.size(); i += 3)
+    motion = std::max(motion, -free_gap[i]);
+  return motion;
 }
 } // namespace
 
@@ -139,24 +148,24 @@ SolverReport StepSolver::solve_from_no_force(ContactState &state, const Attempt 
 }
 
 /// The best start from the past, or the change of the step on a coarser mesh where that start is far off.
-VectorXd StepSolver::start_of(const Attempt &attempt, const ContactState &state, const LoadStep &step) const
+VectorXd StepSolver::start_of(const Attempt &attempt, const ContactState &state, const LoadStep &step)
 {
   constexpr double good = 1e-3; // what a coarser mesh finds is hardly better
-  learn_last_cycle(step);
+  remember_last_cycle(step);
   VectorXd start = starts_.best(attempt.problem, attempt.components, state, step, tolerance_);
   if (coarser_ == nullptr)
     return start;
   const auto change = coarser_->solve(step);
-  if (!change || attempt.problem.near_residual(start) <= good)
+  if (!change || attempt.problem.approximate_residual(start) <= good)
     return start;
   const ElasticBody &body = scene_.body();
   const ContactChange held = body.compliance().held_at(body.elastic_displacement(state.force) +
                                                        body.prolonged(change->displacement));
-  body.compliance().learn(held.force, held.body);
+  body.compliance().remember(held.force, held.body);
   ContactState moved = state;
   moved.force = held.force;
   moved.motion.components += change->motion.components;
-  return present_unknowns(moved, attempt);
+  return attempt.unknowns_of(moved);
 }
 
 FaceState StepSolver::leg_begin(const ContactState &before, const LoadStep &step) const
@@ -179,19 +188,9 @@ double StepSolver::carried_share(const ContactState &before, const LoadStep &ste
     ContactState state = before;
     const Attempt attempt =
         this->attempt(state, on_the_way(now, end, (share - first) / (step.share - first)));
-    (solve_to(state, attempt, present_unknowns(state, attempt), 0).converged ? carried : lost) = share;
+    (solve_to(state, attempt, attempt.unknowns_of(state), 0).converged ? carried : lost) = share;
   }
   return carried;
-}
-
-VectorXd StepSolver::present_unknowns(const ContactState &state, const Attempt &attempt) const
-{
-  VectorXd motions(attempt.components.size());
-  for (std::size_t j = 0; j < attempt.components.size(); ++j)
-    motions[static_cast<Index>(j)] = state.motion[attempt.components[j]];
-  VectorXd unknowns(attempt.problem.n_unknowns());
-  unknowns << state.force, attempt.problem.face().unknowns(motions);
-  return unknowns;
 }
 
 void StepSolver::accept_unknowns(ContactState &state, const Attempt &attempt, const VectorXd &unknowns) const
@@ -205,7 +204,7 @@ void StepSolver::accept_unknowns(ContactState &state, const Attempt &attempt, co
   for (std::size_t j = 0; j < attempt.components.size(); ++j)
     motion[attempt.components[j]] = motions[static_cast<Index>(j)];
   const ContactState before = state;
-  const RigidMotion way{motion.components - before.motion.components};
+  const RigidMotion increment{motion.components - before.motion.components};
   advance(state, attempt.problem, opening_, unknowns, motion, attempt.worn.size() == 0 ? wear_ : WearLaw(),
           tolerance_);
   if (attempt.worn.size() > 0) // it is found already
@@ -213,9 +212,9 @@ void StepSolver::accept_unknowns(ContactState &state, const Attempt &attempt, co
     state.wear_depth += attempt.worn;
     state.found_depth = state.wear_depth;
   }
-  state.work +=
-      0.5 * (scene_.held_wrench(before.force).work(way) + scene_.held_wrench(state.force).work(way)) +
-      scene_.symmetry().n_copies() * work_without_contact(before, state, opening_);
+  state.work += 0.5 * (scene_.held_wrench(before.force).work(increment) +
+                       scene_.held_wrench(state.force).work(increment)) +
+                scene_.symmetry().n_copies() * work_without_contact(before, state, opening_);
 }
 
 SolverReport StepSolver::solve_to(ContactState &state, const Attempt &attempt, VectorXd unknowns,
@@ -277,16 +276,96 @@ SolverReport StepSolver::solve_halves(ContactState &state, const FaceTarget &tar
 {
   const Attempt half =
       attempt(state, on_the_way({state.motion, scene_.held_wrench(state.force)}, target, 0.5));
-  const SolverReport first = solve_to(state, half, present_unknowns(state, half), n_halvings);
+  const SolverReport first = solve_to(state, half, half.unknowns_of(state), n_halvings);
   SolverReport report = first;
   if (first.converged)
   {
     const Attempt rest = attempt(state, target);
-    report = solve_to(state, rest, present_unknowns(state, rest), n_halvings);
+    report = solve_to(state, rest, rest.unknowns_of(state), n_halvings);
   }
   if (first.converged)
     add_earlier(report, first);
   report.iterations += failure.iterations;
   return report;
+}
+
+/// Nothing presses, so that there are no contact forces. This leaves the motion undetermined; taken is the
+/// first one on the way at which the forces vanish (docs/theory.md, section 3).
+SolverReport StepSolver::release(ContactState &state, const Attempt &attempt) const
+{
+  constexpr unsigned int normal = 2;
+  FaceTarget open{{}, attempt.target.motion, {}};
+  for (const unsigned int component : attempt.components)
+    open.motion[component] = component == normal ? 0 : state.motion[component];
+  open.motion[normal] = opening_motion(free_displacement_with_wear(state, open));
+  const Attempt apart = this->attempt(state, open);
+  const VectorXd none = VectorXd::Zero(apart.problem.n_unknowns());
+  SolverReport report = make_report(apart.problem, none, 0, tolerance_);
+  report.is_released = true;
+  if (report.converged)
+  {
+    accept_unknowns(state, apart, none);
+    report.last_part = solved(apart.problem, none);
+  }
+  return report;
+}
+
+/// Forces of the last cycle are judged by the displacement that they cause: with the body of the last cycle
+/// that takes no V-cycle.
+void StepSolver::remember_last_cycle(const LoadStep &step)
+{
+  const VectorXd *const body = starts_.body_of(step);
+  const ElasticBody &elastic = scene_.body();
+  const auto n = static_cast<Index>(elastic.unknowns().n_free());
+  if (body == nullptr || any_rank(body->size() < n)) // of another division of the body
+    return;
+  const ContactChange held = elastic.compliance().held_at(body->head(n)); // behind them are the held ones
+  elastic.compliance().remember(held.force, held.body);
+}
+
+void StepSolver::accept(const ContactState &before, const ContactState &after, const LoadStep &step)
+{
+  if (step.parts.empty())
+    accept_undivided(before, after, step);
+}
+
+void StepSolver::accept_undivided(const ContactState &before, const ContactState &after, const LoadStep &step)
+{
+  starts_.remember(before, after, step);
+  if (coarser_ != nullptr)
+    coarser_->accept(step);
+  keep_bodies(after);
+  const bool is_repeated = step.cycle > 0 && step.cycle < scene_.parameters().load.cycles;
+  if (is_repeated && !after.force.isZero(0))
+    starts_.keep_body(step, scene_.body().n_v_cycles() > v_cycles_before_);
+}
+
+void StepSolver::keep_bodies(const ContactState &state)
+{
+  std::vector<MarchMemory> coarser;
+  if (coarser_ != nullptr)
+    coarser.push_back(coarser_->memory());
+  starts_.keep(scene_.system().compliance().forget_trials(state.force), std::move(coarser));
+}
+
+void StepSolver::remember_body(const ContactState &state)
+{
+  if (coarser_ != nullptr)
+    coarser_->remember_body();
+  keep_bodies(state);
+}
+
+void StepSolver::reject()
+{
+  if (before_parts_)
+    restore(*before_parts_);
+}
+
+void StepSolver::restore(const StartMemory &memory)
+{
+  starts_.restore(memory);
+  scene_.system().compliance().restore(memory.bodies);
+  if (coarser_ != nullptr && !memory.coarser.empty())
+    coarser_->restore(memory.coarser.front());
 }
 } // namespace orthocone

@@ -34,7 +34,15 @@ enum class CoarseMethod : unsigned char
   algebraic,
 };
 
-/// `space` must outlive the solver.
+/// The solver of a mesh that no other process shares; `space` must outlive it. It is exact where it is
+/// factorized; a large mesh is solved by one V-cycle of aggregates (Trilinos ML). Throws as StiffnessFactor
+/// does, or SolveError where nodes cannot be aggregated.
 std::unique_ptr<CoarseSolver> make_coarse_solver(const Discretization &space, const MaterialOptions &material,
                                                  CoarseMethod method);
+
+/// The solver of a mesh without halved cells that several processes share: each of them solves the whole
+/// mesh, so that none waits for the answer of another. `shared` need not outlive it.
+std::unique_ptr<CoarseSolver> make_shared_coarse_solver(const Discretization &shared, const MeshOptions &mesh,
+                                                        TopFace top_face, const MaterialOptions &material,
+                                                        CoarseMethod method);
 } // namespace orthocone

@@ -62,15 +62,15 @@ Eigen::VectorXd ElasticSolver::combination(const Eigen::VectorXd &works) const
   return scale.cwiseProduct(modes.eigenvectors() * of_modes);
 }
 
-NearSolution ElasticSolver::near(const Vector &forces) const
+ApproximateSolution ElasticSolver::approximate(const Vector &forces) const
 {
-  NearSolution near{best_start(forces), stiffness_.make_vector()};
-  stiffness_.vmult(near.rest, near.displacement);
-  near.rest.sadd(-1, 1, forces);
-  return near;
+  ApproximateSolution approximate{best_start(forces), stiffness_.make_vector()};
+  stiffness_.vmult(approximate.residual, approximate.displacement);
+  approximate.residual.sadd(-1, 1, forces);
+  return approximate;
 }
 
-ElasticSolver::Vector ElasticSolver::solve(const Vector &forces, const double accuracy) const
+ElasticSolver::Vector ElasticSolver::solve(const Vector &forces, const double accuracy)
 {
   constexpr unsigned int most_iterations = 200;
   constexpr double margin = 0.9; // so that the displacement is accurate enough for the same forces next time
@@ -84,11 +84,11 @@ ElasticSolver::Vector ElasticSolver::solve(const Vector &forces, const double ac
     if (difference.l2_norm() <= bound)
       return known->displacement;
   }
-  NearSolution near = this->near(forces);
-  if (near.rest.l2_norm() <= bound)
+  ApproximateSolution approximate = this->approximate(forces);
+  if (approximate.residual.l2_norm() <= bound)
   {
-    learn(near.displacement, forces);
-    return std::move(near.displacement);
+    remember(approximate.displacement, forces);
+    return std::move(approximate.displacement);
   }
   cycle_.release();
   Vector correction = stiffness_.make_vector();
@@ -96,7 +96,7 @@ ElasticSolver::Vector ElasticSolver::solve(const Vector &forces, const double ac
   dealii::SolverCG<Vector> cg(control);
   try
   {
-    cg.solve(stiffness_, correction, near.rest, cycle_);
+    cg.solve(stiffness_, correction, approximate.residual, cycle_);
   }
   catch (const dealii::SolverControl::NoConvergence &)
   {
@@ -104,45 +104,45 @@ ElasticSolver::Vector ElasticSolver::solve(const Vector &forces, const double ac
                      " iterations the elastic body is not in equilibrium; cells that are far from "
                      "cubes make it so, or a Poisson ratio next to 0.5");
   }
-  near.displacement += correction;
-  learn(near.displacement, forces);
-  return std::move(near.displacement);
+  approximate.displacement += correction;
+  remember(approximate.displacement, forces);
+  return std::move(approximate.displacement);
 }
 
-const std::vector<Eigen::VectorXd> &ElasticSolver::settle(const Vector &forces, const double accuracy) const
+const std::vector<Eigen::VectorXd> &ElasticSolver::forget_trials(const Vector &forces, const double accuracy)
 {
-  constexpr std::size_t most_settled = 2; // the next one is extrapolated from these
+  constexpr std::size_t most_accepted = 2; // the next one is extrapolated from these
   if (forces.l2_norm() > 0)
   {
     const Vector displacement = solve(forces, accuracy);
-    if (settled_.size() == most_settled)
-      settled_.erase(settled_.begin());
-    settled_.emplace_back(Eigen::Map<const Eigen::VectorXd>(
+    if (accepted_.size() == most_accepted)
+      accepted_.erase(accepted_.begin());
+    accepted_.emplace_back(Eigen::Map<const Eigen::VectorXd>(
         displacement.begin(), static_cast<Eigen::Index>(displacement.locally_owned_size())));
   }
-  restore(std::vector<Eigen::VectorXd>(settled_));
-  return settled_;
+  restore(std::vector<Eigen::VectorXd>(accepted_));
+  return accepted_;
 }
 
-void ElasticSolver::restore(const std::vector<Eigen::VectorXd> &settled) const
+void ElasticSolver::restore(const std::vector<Eigen::VectorXd> &accepted)
 {
   // Displacements of another division of the body are of no use.
   Vector displacement = stiffness_.make_vector(), forces = stiffness_.make_vector();
   const auto fits = [n = displacement.locally_owned_size()](const Eigen::VectorXd &state)
   { return static_cast<std::size_t>(state.size()) == n; };
-  const bool is_known = !any_rank(!std::all_of(settled.begin(), settled.end(), fits));
-  settled_ = is_known ? settled : std::vector<Eigen::VectorXd>();
+  const bool is_known = !any_rank(!std::all_of(accepted.begin(), accepted.end(), fits));
+  accepted_ = is_known ? accepted : std::vector<Eigen::VectorXd>();
   known_.clear();
   energies_.resize(0, 0);
-  for (const Eigen::VectorXd &state : settled_)
+  for (const Eigen::VectorXd &state : accepted_)
   {
     std::copy(state.begin(), state.end(), displacement.begin());
     stiffness_.vmult(forces, displacement);
-    learn(displacement, forces);
+    remember(displacement, forces);
   }
 }
 
-void ElasticSolver::learn(const Vector &displacement, const Vector &forces) const
+void ElasticSolver::remember(const Vector &displacement, const Vector &forces)
 {
   constexpr double same = 1e-10;
   const double energy = displacement * forces;
@@ -163,7 +163,7 @@ void ElasticSolver::learn(const Vector &displacement, const Vector &forces) cons
 }
 
 /// Drops one of the known solutions, if `which` is one.
-void ElasticSolver::forget(const std::size_t which, Eigen::VectorXd &with_known) const
+void ElasticSolver::forget(const std::size_t which, Eigen::VectorXd &with_known)
 {
   if (which >= known_.size())
     return;

@@ -9,9 +9,9 @@
 namespace orthocone
 {
 /// A displacement (mm), and the forces that remain beside its own K u (N).
-struct NearSolution
+struct ApproximateSolution
 {
-  BodyVector<double> displacement, rest;
+  BodyVector<double> displacement, residual;
 };
 
 /// Displacements of a body by forces: conjugate gradients with one V-cycle an iteration, from the best
@@ -27,17 +27,17 @@ public:
 
   /// The displacement u with ||K u - forces|| <= accuracy ||forces||. Throws SolveError if that is out of
   /// reach.
-  Vector solve(const Vector &forces, double accuracy) const;
+  Vector solve(const Vector &forces, double accuracy);
 
   /// The best combination of earlier solutions, for one product with K.
-  NearSolution near(const Vector &forces) const;
+  ApproximateSolution approximate(const Vector &forces) const;
 
-  /// Compliance::settle() and restore().
-  const std::vector<Eigen::VectorXd> &settle(const Vector &forces, double accuracy) const;
-  void restore(const std::vector<Eigen::VectorXd> &settled) const;
+  /// Compliance::forget_trials() and restore().
+  const std::vector<Eigen::VectorXd> &forget_trials(const Vector &forces, double accuracy);
+  void restore(const std::vector<Eigen::VectorXd> &accepted);
 
   /// Remembers a displacement and the forces K u that go with it.
-  void learn(const Vector &displacement, const Vector &forces) const;
+  void remember(const Vector &displacement, const Vector &forces);
 
 private:
   struct Known
@@ -48,14 +48,14 @@ private:
   Vector best_start(const Vector &forces) const;
   Eigen::VectorXd works_with(const Vector &forces) const;
   Eigen::VectorXd combination(const Eigen::VectorXd &works) const;
-  void forget(std::size_t which, Eigen::VectorXd &with_known) const;
+  void forget(std::size_t which, Eigen::VectorXd &with_known);
 
   static constexpr std::size_t most_known = 5; // the last states, and trials after them
 
   const MatrixFreeStiffness<double> &stiffness_;
   VCycle &cycle_;
-  mutable std::vector<Eigen::VectorXd> settled_; ///< displacements of the last accepted states, mm
-  mutable std::vector<Known> known_;             ///< the oldest first
-  mutable Eigen::MatrixXd energies_;             ///< displacement times forces of each pair, N mm
+  std::vector<Eigen::VectorXd> accepted_; ///< displacements of the last accepted states, mm
+  std::vector<Known> known_;              ///< the oldest first
+  Eigen::MatrixXd energies_;              ///< displacement times forces of each pair, N mm
 };
 } // namespace orthocone

@@ -67,9 +67,10 @@ LaneSums<Number> in_lanes(std::vector<Sum> sums)
   return result;
 }
 
-/// Calls `use` with the target and the value of each sum.
-template<typename Number, typename Use>
-ORTHOCONE_INLINE void for_each_sum(const LaneSums<Number> &sums, const Number *values, const Use &use)
+/// Sets each target to its sum over `values`, or adds the sum to it.
+template<typename Number>
+ORTHOCONE_INLINE void put_sums(const LaneSums<Number> &sums, const Number *values, const bool adds,
+                               Number *targets)
 {
   constexpr std::size_t lanes = Lanes<Number>::n;
   const unsigned int *dofs = sums.dofs.data();
@@ -87,52 +88,24 @@ ORTHOCONE_INLINE void for_each_sum(const LaneSums<Number> &sums, const Number *v
     }
     const std::size_t n = std::min(lanes, sums.targets.size() - first);
     for (std::size_t lane = 0; lane < n; ++lane)
-      use(sums.targets[first + lane], sum.values[lane]);
+    {
+      Number &target = targets[sums.targets[first + lane]];
+      target = adds ? target + sum.values[lane] : sum.values[lane];
+    }
     first += lanes;
   }
 }
 
-template<typename Number>
-ORTHOCONE_INLINE void distribute_all(const LaneSums<Number> &of_hanging, Number *displacement)
+ORTHOCONE_FOR_EVERY_PROCESSOR
+void put(const LaneSums<float> &sums, const float *values, const bool adds, float *targets)
 {
-  for_each_sum(of_hanging, displacement,
-               [&](const unsigned int hanging, const Number value) ORTHOCONE_INLINE_LAMBDA
-               { displacement[hanging] = value; });
-}
-
-template<typename Number>
-ORTHOCONE_INLINE void collect_all(const LaneSums<Number> &of_hanging, const LaneSums<Number> &of_moving,
-                                  Number *forces)
-{
-  for_each_sum(of_moving, forces,
-               [&](const unsigned int moving, const Number value) ORTHOCONE_INLINE_LAMBDA
-               { forces[moving] += value; });
-  for (const unsigned int hanging : of_hanging.targets)
-    forces[hanging] = 0;
+  put_sums(sums, values, adds, targets);
 }
 
 ORTHOCONE_FOR_EVERY_PROCESSOR
-void distribute_on(const LaneSums<float> &of_hanging, float *displacement)
+void put(const LaneSums<double> &sums, const double *values, const bool adds, double *targets)
 {
-  distribute_all(of_hanging, displacement);
-}
-
-ORTHOCONE_FOR_EVERY_PROCESSOR
-void distribute_on(const LaneSums<double> &of_hanging, double *displacement)
-{
-  distribute_all(of_hanging, displacement);
-}
-
-ORTHOCONE_FOR_EVERY_PROCESSOR
-void collect_from(const LaneSums<float> &of_hanging, const LaneSums<float> &of_moving, float *forces)
-{
-  collect_all(of_hanging, of_moving, forces);
-}
-
-ORTHOCONE_FOR_EVERY_PROCESSOR
-void collect_from(const LaneSums<double> &of_hanging, const LaneSums<double> &of_moving, double *forces)
-{
-  collect_all(of_hanging, of_moving, forces);
+  put_sums(sums, values, adds, targets);
 }
 } // namespace
 
@@ -146,13 +119,15 @@ HangingProducts<Number>::HangingProducts(const HangingDofs &hanging)
 template<typename Number>
 void HangingProducts<Number>::distribute(Number *const displacement) const
 {
-  distribute_on(of_hanging_, displacement);
+  put(of_hanging_, displacement, false, displacement);
 }
 
 template<typename Number>
 void HangingProducts<Number>::collect(Number *const forces) const
 {
-  collect_from(of_hanging_, of_moving_, forces);
+  put(of_moving_, forces, true, forces);
+  for (const unsigned int hanging : of_hanging_.targets)
+    forces[hanging] = 0;
 }
 
 template class HangingProducts<float>;

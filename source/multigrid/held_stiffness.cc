@@ -2,16 +2,17 @@
 // Copyright (C) 2026 the orthocone authors
 #include "held_stiffness.h"
 
-#include "node_values.h"
-
 namespace orthocone
 {
 void HeldStiffness::add_displacement(Vector &displacement, const Vector &free) const
 {
   displacement += free;
-  for (std::size_t i = 0; i < nodes_.size(); ++i)
-    if (nodes_[i].is_here() && relations_[i].hold == Hold::normal)
-      displacement.local_element(nodes_[i].dofs[2]) -= relations_[i].follows.dot(tangential(free, nodes_[i]));
+  const auto follow = [&](const std::size_t i)
+  {
+    const ContactNode &node = rows_.nodes[i];
+    displacement.local_element(node.dofs[2]) -= rows_.relations[i].follows.dot(tangential(free, node));
+  };
+  rows_.for_resisting(follow);
 }
 
 void HeldStiffness::vmult(Vector &result, const Vector &free) const
@@ -19,58 +20,52 @@ void HeldStiffness::vmult(Vector &result, const Vector &free) const
   Vector displacement = stiffness_.make_vector();
   add_displacement(displacement, free);
   stiffness_.vmult(result, displacement);
-  for (std::size_t i = 0; i < nodes_.size(); ++i)
-    if (nodes_[i].is_here() && relations_[i].hold == Hold::normal)
-      add_tangential<double>(result, nodes_[i], relations_[i].robin * tangential(free, nodes_[i]));
+  const auto resist = [&](const std::size_t i)
+  {
+    const ContactNode &node = rows_.nodes[i];
+    add_tangential<double>(result, node, rows_.relations[i].robin * tangential(free, node));
+  };
+  rows_.for_resisting(resist);
   test(result);
 }
 
 /// Turns forces into the left sides of the relations' equations.
 void HeldStiffness::test(Vector &forces) const
 {
-  for (std::size_t i = 0; i < nodes_.size(); ++i)
-    if (nodes_[i].is_here() && relations_[i].hold == Hold::normal)
-      add_tangential<double>(forces, nodes_[i],
-                             relations_[i].coupling * forces.local_element(nodes_[i].dofs[2]));
-  clear_held(forces);
-}
-
-void HeldStiffness::clear_held(Vector &vector) const
-{
-  for (std::size_t i = 0; i < nodes_.size(); ++i)
-    if (nodes_[i].is_here() && relations_[i].hold != Hold::nothing)
-    {
-      vector.local_element(nodes_[i].dofs[2]) = 0;
-      if (relations_[i].hold == Hold::all)
-        set_tangential<double>(vector, nodes_[i], Eigen::Vector2d::Zero());
-    }
+  const auto couple = [&](const std::size_t i)
+  {
+    const ContactNode &node = rows_.nodes[i];
+    const double normal = forces.local_element(node.dofs[2]);
+    add_tangential<double>(forces, node, rows_.relations[i].coupling * normal);
+  };
+  rows_.for_resisting(couple);
+  rows_.clear_held(forces);
 }
 
 HeldStiffness::Vector HeldStiffness::given() const
 {
   Vector displacement = stiffness_.make_vector();
-  for (std::size_t i = 0; i < nodes_.size(); ++i)
-    if (nodes_[i].is_here() && relations_[i].hold != Hold::nothing)
+  for (std::size_t i = 0; i < rows_.nodes.size(); ++i)
+    if (rows_.nodes[i].is_here() && rows_.relations[i].hold != Hold::nothing)
     {
-      displacement.local_element(nodes_[i].dofs[2]) = relations_[i].displacement[2];
-      add_tangential<double>(displacement, nodes_[i], relations_[i].displacement.head<2>());
+      displacement.local_element(rows_.nodes[i].dofs[2]) = rows_.relations[i].displacement[2];
+      add_tangential<double>(displacement, rows_.nodes[i], rows_.relations[i].displacement.head<2>());
     }
   return displacement;
 }
 
-HeldStiffness::Vector HeldStiffness::right_side(const Vector &forces, const Eigen::VectorXd &rest) const
+HeldStiffness::Vector HeldStiffness::right_side(const Vector &forces, const Eigen::VectorXd &residual) const
 {
   Vector right_side = forces;
   right_side *= -1;
-  for (Eigen::Index i = 0; i < rest.size(); ++i)
-    right_side.local_element(i) += rest[i];
-  for (std::size_t i = 0; i < nodes_.size(); ++i)
+  entries(right_side, residual.size()) += residual;
+  for (std::size_t i = 0; i < rows_.nodes.size(); ++i)
   {
-    if (!nodes_[i].is_here())
+    if (!rows_.nodes[i].is_here())
       continue;
-    add_tangential<double>(right_side, nodes_[i], relations_[i].force.head<2>());
-    if (relations_[i].hold == Hold::nothing)
-      right_side.local_element(nodes_[i].dofs[2]) += relations_[i].force[2];
+    add_tangential<double>(right_side, rows_.nodes[i], rows_.relations[i].force.head<2>());
+    if (rows_.relations[i].hold == Hold::nothing)
+      right_side.local_element(rows_.nodes[i].dofs[2]) += rows_.relations[i].force[2];
   }
   test(right_side);
   return right_side;

@@ -3,7 +3,7 @@
 #pragma once
 
 #include "matrix_free_stiffness.h"
-#include "node_relation.h"
+#include "relation_rows.h"
 
 #include <vector>
 
@@ -21,8 +21,7 @@ public:
   HeldStiffness(const MatrixFreeStiffness<double> &stiffness, const std::vector<ContactNode> &nodes,
                 const std::vector<NodeRelation> &relations)
       : stiffness_(stiffness),
-        nodes_(nodes),
-        relations_(relations)
+        rows_{nodes, relations}
   {
   }
 
@@ -31,19 +30,17 @@ public:
   /// The displacement that contact gives where y = 0.
   Vector given() const;
 
-  /// The forces (N) that y must balance when the displacement is given() and the body lacks `rest` (free
+  /// The forces (N) that y must balance when the displacement is given() and the body lacks `residual` (free
   /// degrees of freedom, or empty) of its equilibrium. `forces` are K given().
-  Vector right_side(const Vector &forces, const Eigen::VectorXd &rest) const;
+  Vector right_side(const Vector &forces, const Eigen::VectorXd &residual) const;
 
   /// Adds the displacement u of y.
   void add_displacement(Vector &displacement, const Vector &free) const;
 
 private:
   void test(Vector &forces) const;
-  void clear_held(Vector &vector) const;
 
   const MatrixFreeStiffness<double> &stiffness_;
-  const std::vector<ContactNode> &nodes_;
-  const std::vector<NodeRelation> &relations_;
+  RelationRows rows_;
 };
 } // namespace orthocone

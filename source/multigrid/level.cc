@@ -2,14 +2,12 @@
 // Copyright (C) 2026 the orthocone authors
 #include "level.h"
 
-#include "node_values.h"
+#include "relation_rows.h"
 
 #include <utility>
 
 namespace orthocone
 {
-using Eigen::Vector2f;
-
 Level::Level(const Discretization &space, const MaterialOptions &material)
     : space_(space),
       stiffness_(space, material),
@@ -37,41 +35,36 @@ void Level::invert_blocks()
 {
   blocks_.assign(relations_.size(), Eigen::Matrix2f::Zero());
   robin_.assign(relations_.size(), Eigen::Matrix2f::Zero());
-  for (std::size_t i = 0; i < relations_.size(); ++i)
-    if (nodes()[i].is_here() && relations_[i].hold == Hold::normal)
-    {
-      Eigen::Matrix2d block =
-          bounded_robin(relations_[i], 1 / inverse_diagonal_.local_element(nodes()[i].dofs[2]));
-      robin_[i] = block.cast<float>();
-      for (unsigned int d = 0; d < 2; ++d)
-        block(d, d) += nodes()[i].is_free[d] ? 1 / inverse_diagonal_.local_element(nodes()[i].dofs[d]) : 1;
-      blocks_[i] = block.inverse().cast<float>();
-    }
+  const auto stiffness = [&](const unsigned int dof) { return 1 / inverse_diagonal_.local_element(dof); };
+  const auto invert = [&](const std::size_t i)
+  {
+    const ContactNode &node = nodes()[i];
+    Eigen::Matrix2d block = bounded_robin(relations_[i], stiffness(node.dofs[2]));
+    robin_[i] = block.cast<float>();
+    for (unsigned int d = 0; d < 2; ++d)
+      block(d, d) += node.is_free[d] ? stiffness(node.dofs[d]) : 1;
+    blocks_[i] = block.inverse().cast<float>();
+  };
+  RelationRows{nodes(), relations_}.for_resisting(invert);
 }
 
 void Level::clear_held(Vector &vector) const
 {
-  for (unsigned int i = space_.n_free(); i < space_.n_owned(); ++i)
-    vector.local_element(i) = 0;
-  for (std::size_t i = 0; i < relations_.size(); ++i)
-  {
-    if (!nodes()[i].is_here() || relations_[i].hold == Hold::nothing)
-      continue;
-    vector.local_element(nodes()[i].dofs[2]) = 0;
-    if (relations_[i].hold == Hold::all)
-      set_tangential<float>(vector, nodes()[i], Vector2f::Zero());
-  }
+  entries(vector, space_.n_owned()).tail(space_.n_owned() - space_.n_free()).setZero();
+  RelationRows{nodes(), relations_}.clear_held(vector);
 }
 
 void Level::vmult(Vector &result, const Vector &vector) const
 {
   stiffness_.vmult(result, vector);
-  for (std::size_t i = 0; i < relations_.size(); ++i)
-    if (nodes()[i].is_here() && relations_[i].hold == Hold::normal)
-      add_tangential<float>(result, nodes()[i],
-                            robin_[i] * tangential(vector, nodes()[i]) +
-                                relations_[i].coupling.cast<float>() *
-                                    result.local_element(nodes()[i].dofs[2]));
+  const auto resist = [&](const std::size_t i)
+  {
+    const float normal = result.local_element(nodes()[i].dofs[2]);
+    add_tangential<float>(result, nodes()[i],
+                          robin_[i] * tangential(vector, nodes()[i]) +
+                              relations_[i].coupling.cast<float>() * normal);
+  };
+  RelationRows{nodes(), relations_}.for_resisting(resist);
   clear_held(result);
 }
 
@@ -79,10 +72,12 @@ void Level::Jacobi::vmult(Vector &result, const Vector &vector) const
 {
   result = vector;
   result.scale(level_.inverse_diagonal_);
-  for (std::size_t i = 0; i < level_.relations_.size(); ++i)
-    if (level_.nodes()[i].is_here() && level_.relations_[i].hold == Hold::normal)
-      set_tangential<float>(result, level_.nodes()[i],
-                            level_.blocks_[i] * tangential(vector, level_.nodes()[i]));
+  const auto divide = [&](const std::size_t i)
+  {
+    const ContactNode &node = level_.nodes()[i];
+    set_tangential<float>(result, node, level_.blocks_[i] * tangential(vector, node));
+  };
+  RelationRows{level_.nodes(), level_.relations_}.for_resisting(divide);
   level_.clear_held(result);
 }
 

@@ -3,6 +3,7 @@
 #include <orthocone/multigrid/multigrid_body.h>
 
 #include "multigrid_compliance.h"
+#include "node_values.h"
 
 #include <orthocone/base/ranks.h>
 #include <orthocone/base/stopwatch.h>
@@ -16,103 +17,95 @@ namespace orthocone
 using Eigen::Index;
 using Eigen::VectorXd;
 
-struct MultigridBody::Modules
+namespace
 {
-  Modules(const BodyOptions &options, const ModelSymmetry &symmetry, double accuracy, const Body &mesh,
-          const std::function<LocalAxes(const ContactSurface &)> &axes_of, PhaseSeconds &seconds)
-      : frame(mesh.unknowns(), axes_of(mesh.unknowns().contact_surface())),
-        stiffness(timed(
-            seconds.assembly, [&]
-            { return std::make_unique<MatrixFreeStiffness<double>>(mesh.solid(), options.material); })),
-        cycle(timed(seconds.factorization,
-                    [&]
-                    {
-                      return std::make_unique<VCycle>(mesh.solid(), options.mesh, options.geometry,
-                                                      options.material);
-                    })),
-        compliance(frame, *stiffness, *cycle,
-                   node_compliance(mesh.unknowns().contact_surface(), symmetry, options.material),
-                   accuracy)
+/// Reports the meshed body before the long work begins.
+const BodyUnknowns &announced(const Body &mesh, const std::function<void(const Body &)> &on_meshed)
+{
+  on_meshed(mesh);
+  return mesh.unknowns();
+}
+
+class MultigridBody : public ElasticBody
+{
+public:
+  MultigridBody(const BodyOptions &options, const ModelSymmetry &symmetry, const double accuracy,
+                const std::function<LocalAxes(const ContactSurface &)> &axes_of,
+                const std::function<void(const Body &)> &on_meshed, PhaseSeconds &seconds)
+      : mesh_(timed(seconds.mesh, [&] { return Body(options, symmetry); })),
+        surface_(announced(mesh_, on_meshed).contact_surface()),
+        frame_(mesh_.unknowns(), axes_of(surface_)),
+        stiffness_(timed(seconds.assembly,
+                         [&] { return MatrixFreeStiffness<double>(mesh_.solid(), options.material); })),
+        cycle_(timed(
+            seconds.factorization, [&]
+            { return VCycle(mesh_.solid(), options.mesh, options.geometry, options.material); })),
+        compliance_(frame_, stiffness_, cycle_, node_compliance(surface_, symmetry, options.material),
+                    accuracy)
   {
   }
+  MultigridBody(const MultigridBody &) = delete; // its modules refer to each other
+  MultigridBody &operator=(const MultigridBody &) = delete;
 
-  ContactFrame frame;
-  std::unique_ptr<MatrixFreeStiffness<double>> stiffness;
-  std::unique_ptr<VCycle> cycle;
-  MultigridCompliance compliance;
+  const Body &mesh() const override { return mesh_; }
+  const ContactFrame &frame() const override { return frame_; }
+  const Compliance &compliance() const override { return compliance_; }
+
+  VectorXd elastic_displacement(const NodeVector &force) const override
+  {
+    return compliance_.body_displacement(force);
+  }
+
+  VectorXd with_motion(const RigidMotion &held, const VectorXd &elastic) const override
+  {
+    BodyVector<double> displacement = stiffness_.make_vector();
+    std::copy(elastic.begin(), elastic.end(), displacement.begin());
+    displacement.update_ghost_values();
+    return frame_.with_motion(
+        held, Eigen::Map<const VectorXd>(displacement.begin(), static_cast<Index>(unknowns().n_dofs())));
+  }
+
+  VectorXd prolonged(const VectorXd &coarser) const override { return cycle_.prolonged(coarser); }
+  BodyMismatch mismatch(const NodeVector &force, const NodeVector &elastic, double bound) const override;
+  unsigned long n_v_cycles() const override { return cycle_.n_cycles(); }
+
+private:
+  Body mesh_;
+  const ContactSurface &surface_;
+  ContactFrame frame_;
+  MatrixFreeStiffness<double> stiffness_;
+  VCycle cycle_;
+  MultigridCompliance compliance_;
 };
-
-MultigridBody::MultigridBody(const BodyOptions &options, const ModelSymmetry &symmetry, const double accuracy,
-                             const std::function<LocalAxes(const ContactSurface &)> &axes_of,
-                             const std::function<void(const Body &)> &on_meshed, PhaseSeconds &seconds)
-    : mesh_(timed(seconds.mesh, [&] { return Body(options, symmetry); }))
-{
-  on_meshed(mesh_);
-  modules_ = std::make_unique<const Modules>(options, symmetry, accuracy, mesh_, axes_of, seconds);
-}
-
-MultigridBody::~MultigridBody() = default;
-
-/// The limits are from docs/performance.md, "Large coarsest meshes".
-bool MultigridBody::aggregates_coarsest(const double n_dofs, const double n_contact_nodes)
-{
-  constexpr double most_dofs = 1.5e5, most_contact_nodes = 1500;
-  return n_dofs > most_dofs || n_contact_nodes > most_contact_nodes;
-}
-
-const Compliance &MultigridBody::compliance() const
-{
-  return modules_->compliance;
-}
-
-NodeVector MultigridBody::moved_with(const RigidMotion &held) const
-{
-  return modules_->frame.moved_with(held);
-}
-
-Wrench MultigridBody::wrench(const NodeVector &force) const
-{
-  return modules_->frame.wrench(force);
-}
-
-VectorXd MultigridBody::elastic_displacement(const NodeVector &force) const
-{
-  return modules_->compliance.body_displacement(force);
-}
-
-VectorXd MultigridBody::with_motion(const RigidMotion &held, const VectorXd &elastic) const
-{
-  BodyVector<double> displacement = modules_->stiffness->make_vector();
-  std::copy(elastic.begin(), elastic.end(), displacement.begin());
-  displacement.update_ghost_values();
-  return modules_->frame.with_motion(
-      held, Eigen::Map<const VectorXd>(displacement.begin(), static_cast<Index>(unknowns().n_dofs())));
-}
-
-VectorXd MultigridBody::prolonged(const VectorXd &coarser) const
-{
-  return modules_->cycle->prolonged(coarser);
-}
 
 BodyMismatch MultigridBody::mismatch(const NodeVector &force, const NodeVector &elastic, double) const
 {
-  const VectorXd forces = modules_->frame.on_free_unknowns(force);
+  const VectorXd forces = frame_.on_free_unknowns(force);
   BodyMismatch mismatch{0, 0, elastic_displacement(force)};
-  BodyVector<double> displacement = modules_->stiffness->make_vector(), image = displacement;
+  BodyVector<double> displacement = stiffness_.make_vector(), image = displacement;
+  entries(displacement, forces.size()) = mismatch.volume;
+  stiffness_.vmult(image, displacement);
+  double residual = 0;
   for (Index i = 0; i < forces.size(); ++i)
-    displacement.local_element(i) = mismatch.volume[i];
-  modules_->stiffness->vmult(image, displacement);
-  double rest = 0;
-  for (Index i = 0; i < forces.size(); ++i)
-    rest += (image.local_element(i) - forces[i]) * (image.local_element(i) - forces[i]);
-  rest = sum_over_ranks(rest);
-  mismatch.unbalanced = rest == 0 ? 0 : std::sqrt(rest / sum_over_ranks(forces.squaredNorm()));
-  mismatch.displacement = modules_->frame.difference(elastic, mismatch.volume);
+    residual += (image.local_element(i) - forces[i]) * (image.local_element(i) - forces[i]);
+  residual = sum_over_ranks(residual);
+  mismatch.unbalanced = residual == 0 ? 0 : std::sqrt(residual / sum_over_ranks(forces.squaredNorm()));
+  mismatch.displacement = frame_.difference(elastic, mismatch.volume);
   return mismatch;
 }
+} // namespace
 
-unsigned long MultigridBody::n_v_cycles() const
+std::unique_ptr<const ElasticBody>
+make_multigrid_body(const BodyOptions &options, const ModelSymmetry &symmetry, const double accuracy,
+                    const std::function<LocalAxes(const ContactSurface &)> &axes_of,
+                    const std::function<void(const Body &)> &on_meshed, PhaseSeconds &seconds)
 {
-  return modules_->cycle->n_cycles();
+  return std::make_unique<MultigridBody>(options, symmetry, axes_of, on_meshed, seconds);
+}
+
+bool aggregates_coarsest(const double n_dofs, const double n_contact_nodes)
+{
+  constexpr double most_dofs = 1.5e5, most_contact_nodes = 1500;
+  return n_dofs > most_dofs || n_contact_nodes > most_contact_nodes;
 }
 } // namespace orthocone

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include "multigrid_compliance.h"
 
-#include "contact_change.h"
+#include "node_values.h"
 
 #include <orthocone/base/ranks.h>
 
@@ -27,62 +27,47 @@ MultigridCompliance::MultigridCompliance(const ContactFrame &frame,
 {
 }
 
-namespace
-{
-void copy(const VectorXd &free, BodyVector<double> &all)
-{
-  for (Index i = 0; i < free.size(); ++i)
-    all.local_element(i) = free[i];
-}
-} // namespace
-
 BodyVector<double> MultigridCompliance::on_body(const NodeVector &force) const
 {
   BodyVector<double> forces = stiffness_.make_vector();
-  copy(frame_.on_free_unknowns(force), forces);
+  entries(forces, frame_.n_free()) = frame_.on_free_unknowns(force);
   return forces;
-}
-
-VectorXd MultigridCompliance::free_part(const BodyVector<double> &all) const
-{
-  VectorXd free(frame_.n_free());
-  for (Index i = 0; i < free.size(); ++i)
-    free[i] = all.local_element(i);
-  return free;
 }
 
 VectorXd MultigridCompliance::body_displacement(const NodeVector &force) const
 {
-  return free_part(solution(force));
+  const BodyVector<double> displacement = solution(force);
+  return entries(displacement, frame_.n_free());
 }
 
-ContactChange MultigridCompliance::near(const NodeVector &force) const
+ContactChange MultigridCompliance::approximate(const NodeVector &force) const
 {
-  if (force.size() == learned_.force.size() && force == learned_.force)
-    return learned_;
-  const NearSolution near = elastic_.near(on_body(force));
+  if (force.size() == remembered_.force.size() && force == remembered_.force)
+    return remembered_;
+  const ApproximateSolution approximate = elastic_.approximate(on_body(force));
   ContactChange answer;
   answer.force = force;
-  answer.displacement = of_nodes(near.displacement, force);
-  answer.body = {free_part(near.displacement), free_part(near.rest)};
+  answer.displacement = of_nodes(approximate.displacement, force);
+  answer.body = {entries(approximate.displacement, frame_.n_free()),
+                 entries(approximate.residual, frame_.n_free())};
   return answer;
 }
 
 ContactChange MultigridCompliance::held_at(const VectorXd &displacement) const
 {
   BodyVector<double> all = stiffness_.make_vector(), forces = stiffness_.make_vector();
-  copy(displacement, all);
+  entries(all, displacement.size()) = displacement;
   stiffness_.vmult(forces, all);
   return contact_change(frame_, all, forces, {});
 }
 
-void MultigridCompliance::learn(const NodeVector &force, const BodyPart &body) const
+void MultigridCompliance::remember(const NodeVector &force, const BodyPart &body) const
 {
   BodyVector<double> displacement = stiffness_.make_vector(), forces = stiffness_.make_vector();
-  copy(body.displacement, displacement);
-  copy(frame_.on_free_unknowns(force) - body.rest, forces);
-  elastic_.learn(displacement, forces);
-  learned_ = {force, {}, of_nodes(displacement, force), body};
+  entries(displacement, body.displacement.size()) = body.displacement;
+  entries(forces, frame_.n_free()) = frame_.on_free_unknowns(force) - body.residual;
+  elastic_.remember(displacement, forces);
+  remembered_ = {force, {}, of_nodes(displacement, force), body};
 }
 
 /// Displacement of the contact nodes. A direction that symmetry holds has a compliance of its own.
@@ -110,16 +95,16 @@ void MultigridCompliance::vmult(NodeVector &displacement, const NodeVector &forc
   displacement = of_nodes(solution(force), force);
 }
 
-std::vector<VectorXd> MultigridCompliance::settle(const NodeVector &force) const
+std::vector<VectorXd> MultigridCompliance::forget_trials(const NodeVector &force) const
 {
-  learned_ = {};
-  return elastic_.settle(on_body(force), accuracy_);
+  remembered_ = {};
+  return elastic_.forget_trials(on_body(force), accuracy_);
 }
 
-void MultigridCompliance::restore(const std::vector<VectorXd> &settled) const
+void MultigridCompliance::restore(const std::vector<VectorXd> &accepted) const
 {
-  learned_ = {};
-  elastic_.restore(settled);
+  remembered_ = {};
+  elastic_.restore(accepted);
 }
 
 Eigen::Matrix3d MultigridCompliance::diagonal_block(const Index node) const
@@ -132,9 +117,9 @@ std::unique_ptr<ConditionSolver> MultigridCompliance::condition_solver(double) c
   return std::make_unique<WholeBodyConditions>(frame_, stiffness_, cycle_);
 }
 
-double MultigridCompliance::norm(const VectorXd &rest) const
+double MultigridCompliance::norm(const VectorXd &residual) const
 {
-  return std::sqrt(sum_over_ranks(rest.squaredNorm()));
+  return std::sqrt(sum_over_ranks(residual.squaredNorm()));
 }
 
 /// This is a scale that need not be accurate, and solutions are expensive: one V-cycle is close to a
@@ -147,7 +132,7 @@ double MultigridCompliance::softness() const
   return largest_eigenvalue(n_nodes(), settled,
                             [&](const NodeVector &force)
                             {
-                              copy(frame_.on_free_unknowns(force), forces);
+                              entries(forces, frame_.n_free()) = frame_.on_free_unknowns(force);
                               cycle_.vmult(displacement, forces);
                               return of_nodes(displacement, force);
                             });

@@ -20,12 +20,12 @@ public:
 
   Eigen::Index n_nodes() const override { return of_nodes_.size(); }
   void vmult(NodeVector &displacement, const NodeVector &force) const override;
-  ContactChange near(const NodeVector &force) const override;
+  ContactChange approximate(const NodeVector &force) const override;
   ContactChange held_at(const Eigen::VectorXd &displacement) const override;
-  void learn(const NodeVector &force, const BodyPart &body) const override;
-  std::vector<Eigen::VectorXd> settle(const NodeVector &force) const override;
-  void restore(const std::vector<Eigen::VectorXd> &settled) const override;
-  double norm(const Eigen::VectorXd &rest) const override;
+  void remember(const NodeVector &force, const BodyPart &body) const override;
+  std::vector<Eigen::VectorXd> forget_trials(const NodeVector &force) const override;
+  void restore(const std::vector<Eigen::VectorXd> &accepted) const override;
+  double norm(const Eigen::VectorXd &residual) const override;
   Eigen::Matrix3d diagonal_block(Eigen::Index node) const override;
   std::unique_ptr<ConditionSolver> condition_solver(double softness) const override;
   double softness() const override;
@@ -39,15 +39,14 @@ private:
   {
     return elastic_.solve(on_body(force), accuracy_);
   }
-  Eigen::VectorXd free_part(const BodyVector<double> &all) const;
   NodeVector of_nodes(const BodyVector<double> &body, const NodeVector &force) const;
 
   const ContactFrame &frame_;
   const MatrixFreeStiffness<double> &stiffness_;
   VCycle &cycle_;
-  ElasticSolver elastic_;
-  Eigen::VectorXd of_nodes_; ///< mm/N
+  mutable ElasticSolver elastic_; ///< remembers solutions, from which others start
+  Eigen::VectorXd of_nodes_;      ///< mm/N
   double accuracy_;
-  mutable ContactChange learned_; ///< what learn() was given last
+  mutable ContactChange remembered_; ///< what remember() was given last
 };
 } // namespace orthocone

@@ -20,6 +20,8 @@ enum class Hold : unsigned char
 ///   nothing: f = force
 ///   normal:  u_z = displacement_z - follows . u_t,  f_t + coupling f_z + robin u_t = force_t
 ///   all:     u = displacement
+/// All operators with contact have these equations: on vectors (relation_rows.h) on the body and on levels,
+/// as rows of a sparse matrix (NodeStiffness), and of a dense one (FactorizedCoarse).
 struct NodeRelation
 {
   Hold hold = Hold::nothing;
@@ -28,6 +30,13 @@ struct NodeRelation
   Eigen::Vector2d follows = Eigen::Vector2d::Zero();
   Eigen::Vector2d coupling = Eigen::Vector2d::Zero();
   Eigen::Matrix2d robin = Eigen::Matrix2d::Zero(); ///< N/mm
+
+  /// Whether a direction of the node is held, or friction resists in it. Else its force is given.
+  bool holds(const unsigned int direction) const
+  {
+    return hold == Hold::all || (hold == Hold::normal && direction == 2);
+  }
+  bool resists(const unsigned int direction) const { return hold == Hold::normal && direction < 2; }
 };
 
 /// The relation of a condition. `global_in_local` is LocalAxes::global_in_local() of the node. Directions

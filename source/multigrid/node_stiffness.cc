@@ -117,11 +117,10 @@ std::map<unsigned int, MatrixRow> NodeStiffness::resisting_rows(const std::vecto
   for (std::size_t i = 0; i < relations.size(); ++i)
     for (unsigned int d = 0; d < 3; ++d)
     {
-      const Hold hold = relations[i].hold;
       const unsigned int row = row_of_dof_[nodes()[i].dofs[d]];
-      if (hold == Hold::all || (hold == Hold::normal && d == 2))
+      if (relations[i].holds(d))
         is_held_[row] = true;
-      else if (hold == Hold::normal && nodes()[i].is_free[d])
+      else if (relations[i].resists(d) && nodes()[i].is_free[d])
       {
         rows[row] = tangential_row(d, nodes()[i], relations[i]);
         couplings_.push_back({row, row_of_dof_[nodes()[i].dofs[2]], relations[i].coupling[d]});

@@ -10,6 +10,19 @@
 
 namespace orthocone
 {
+/// The first n entries that this process owns.
+template<typename Number>
+Eigen::Map<Eigen::Matrix<Number, Eigen::Dynamic, 1>> entries(BodyVector<Number> &vector, const Eigen::Index n)
+{
+  return {vector.begin(), n};
+}
+template<typename Number>
+Eigen::Map<const Eigen::Matrix<Number, Eigen::Dynamic, 1>> entries(const BodyVector<Number> &vector,
+                                                                   const Eigen::Index n)
+{
+  return {vector.begin(), n};
+}
+
 /// Entries of a vector at the tangential degrees of freedom of a contact node; 0 where symmetry holds them.
 template<typename Number>
 Eigen::Matrix<Number, 2, 1> tangential(const BodyVector<Number> &vector, const ContactNode &node)

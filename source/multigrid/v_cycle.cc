@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include "v_cycle.h"
 
-#include "replicated_coarse.h"
+#include "node_values.h"
 
 #include <orthocone/base/ranks.h>
 #include <orthocone/base/stop_point.h>
@@ -107,7 +107,7 @@ VCycle::VCycle(const Discretization &space, const MeshOptions &mesh, const Geome
   for (std::size_t i = 0; i + 1 < triangulations.size(); ++i)
     meshes_.push_back(std::make_unique<Mesh>(triangulations[i], mesh, geometry.top_face));
   coarsest_ = space.is_shared()
-                  ? std::make_unique<ReplicatedCoarse>(space_of(0), mesh, geometry, material, on_coarsest)
+                  ? make_shared_coarse_solver(space_of(0), mesh, geometry.top_face, material, on_coarsest)
                   : make_coarse_solver(space_of(0), material, on_coarsest);
   for (std::size_t level = 1; level <= meshes_.size(); ++level)
     levels_.push_back(std::make_unique<Level>(space_of(level), material));
@@ -171,13 +171,9 @@ void VCycle::hold(const std::vector<NodeRelation> &relations)
 void VCycle::solve_coarsest(Vector &displacement, const Vector &forces) const
 {
   const unsigned int n = space_of(0).n_free();
-  Eigen::VectorXd right_side(n);
-  for (unsigned int i = 0; i < n; ++i)
-    right_side[i] = forces.local_element(i);
-  const Eigen::VectorXd solution = coarsest_->solve(std::move(right_side));
+  const Eigen::VectorXd solution = coarsest_->solve(entries(forces, n).cast<double>());
   displacement = 0;
-  for (unsigned int i = 0; i < n; ++i)
-    displacement.local_element(i) = static_cast<float>(solution[i]);
+  entries(displacement, n) = solution.cast<float>();
 }
 
 void VCycle::solve(const std::size_t level, Vector &displacement, const Vector &forces) const
@@ -185,26 +181,26 @@ void VCycle::solve(const std::size_t level, Vector &displacement, const Vector &
   if (level == 0)
     return solve_coarsest(displacement, forces);
   const Level &fine = *levels_[level - 1];
-  Vector &rest = work_[level].rest;
+  Vector &residual = work_[level].residual;
   Vector &coarse_forces = work_[level - 1].forces, &coarse_displacement = work_[level - 1].displacement;
   fine.smooth_from_zero(displacement, forces);
-  fine.vmult(rest, displacement);
-  rest.sadd(-1, 1, forces);
+  fine.vmult(residual, displacement);
+  residual.sadd(-1, 1, forces);
   coarse_forces = 0;
-  transfers_[level - 1]->restrict_and_add(coarse_forces, rest);
+  transfers_[level - 1]->restrict_and_add(coarse_forces, residual);
   if (level > 1)
     levels_[level - 2]->clear_held(coarse_forces);
   solve(level - 1, coarse_displacement, coarse_forces);
-  rest = 0;
-  transfers_[level - 1]->prolongate_and_add(rest, coarse_displacement);
-  fine.clear_held(rest);
-  displacement += rest;
+  residual = 0;
+  transfers_[level - 1]->prolongate_and_add(residual, coarse_displacement);
+  fine.clear_held(residual);
+  displacement += residual;
   fine.smooth(displacement, forces);
 }
 
 Eigen::VectorXd VCycle::prolonged(const Eigen::VectorXd &coarser) const
 {
-  Vector &coarse = work_[levels_.size() - 1].displacement, &fine = work_.back().rest;
+  Vector &coarse = work_[levels_.size() - 1].displacement, &fine = work_.back().residual;
   const double size = largest_of_ranks(coarser.lpNorm<Eigen::Infinity>());
   Eigen::VectorXd result = Eigen::VectorXd::Zero(finest_.n_free());
   if (size == 0)
@@ -212,11 +208,9 @@ Eigen::VectorXd VCycle::prolonged(const Eigen::VectorXd &coarser) const
   AssertThrow(coarser.size() == space_of(levels_.size() - 1).n_free(), dealii::ExcInternalError());
   coarse = 0;
   fine = 0;
-  for (Eigen::Index i = 0; i < coarser.size(); ++i)
-    coarse.local_element(i) = static_cast<float>(coarser[i] / size);
+  entries(coarse, coarser.size()) = (coarser / size).cast<float>();
   transfers_.back()->prolongate_and_add(fine, coarse);
-  for (Eigen::Index i = 0; i < result.size(); ++i)
-    result[i] = size * static_cast<double>(fine.local_element(i));
+  result = size * entries(fine, result.size()).cast<double>();
   return result;
 }
 
@@ -230,10 +224,9 @@ void VCycle::vmult(BodyVector<double> &displacement, const BodyVector<double> &f
   if (size == 0)
     return;
   Workspace &work = work_.back();
-  for (unsigned int i = 0; i < finest_.n_owned(); ++i)
-    work.forces.local_element(i) = static_cast<float>(forces.local_element(i) / size);
+  entries(work.forces, finest_.n_owned()) = (entries(forces, finest_.n_owned()) / size).cast<float>();
   solve(levels_.size(), work.displacement, work.forces);
-  for (unsigned int i = 0; i < finest_.n_free(); ++i)
-    displacement.local_element(i) = size * static_cast<double>(work.displacement.local_element(i));
+  entries(displacement, finest_.n_free()) =
+      size * entries(work.displacement, finest_.n_free()).cast<double>();
 }
 } // namespace orthocone

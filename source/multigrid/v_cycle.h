@@ -54,7 +54,7 @@ private:
   /// Vectors of the levels.
   struct Workspace
   {
-    Vector forces, displacement, rest;
+    Vector forces, displacement, residual;
   };
 
   const Discretization &finest_;

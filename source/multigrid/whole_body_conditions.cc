@@ -2,8 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include "whole_body_conditions.h"
 
-#include "contact_change.h"
 #include "held_stiffness.h"
+#include "node_values.h"
 
 #include <orthocone/base/ranks.h>
 
@@ -20,6 +20,42 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
+
+ContactChange contact_change(const ContactFrame &frame, const BodyVector<double> &displacement,
+                             const BodyVector<double> &forces, const VectorXd &residual)
+{
+  const auto n = static_cast<Index>(frame.n_free());
+  ContactChange change;
+  change.body = {entries(displacement, n),
+                 residual.size() == 0 ? VectorXd(VectorXd::Zero(n)) : VectorXd(-residual)};
+  // First this is K u less the forces that the body lacks already; then the contact forces are taken out.
+  VectorXd &left = change.body.residual;
+  left += entries(forces, n);
+  change.force.setZero(3 * frame.nodes().size());
+  change.displacement.setZero(change.force.size());
+  for (std::size_t i = 0; i < frame.nodes().size(); ++i)
+  {
+    if (!frame.nodes()[i].is_here())
+      continue;
+    Vector3d force = Vector3d::Zero(), moved = Vector3d::Zero();
+    for (unsigned int d = 0; d < 3; ++d)
+      if (frame.nodes()[i].is_free[d])
+      {
+        const unsigned int dof = frame.nodes()[i].dofs[d];
+        std::swap(force[d], left[dof]);
+        moved[d] = displacement.local_element(dof);
+      }
+    const auto place = 3 * static_cast<Index>(i);
+    change.force.segment<3>(place) = frame.global_in_local(i).transpose() * force;
+    change.displacement.segment<3>(place) = frame.global_in_local(i).transpose() * moved;
+  }
+  sum_over_ranks(change.force.data(), static_cast<std::size_t>(change.force.size()));
+  sum_over_ranks(change.displacement.data(), static_cast<std::size_t>(change.displacement.size()));
+  left *= -1;
+  if (residual.size() > 0)
+    left -= residual;
+  return change;
+}
 
 WholeBodyConditions::WholeBodyConditions(const ContactFrame &frame,
                                          const MatrixFreeStiffness<double> &stiffness, VCycle &cycle)
@@ -50,8 +86,8 @@ static double square_of(const std::vector<NodeCondition> &nodes)
 /// Size of what the conditions require, N: an inexact Newton step must leave no more than a share of it.
 static double size_of(const ContactConditions &conditions)
 {
-  return std::sqrt(sum_over_ranks(conditions.rest.squaredNorm()) + conditions.face_right_side.squaredNorm() +
-                   square_of(conditions.nodes));
+  return std::sqrt(sum_over_ranks(conditions.residual.squaredNorm()) +
+                   conditions.face_right_side.squaredNorm() + square_of(conditions.nodes));
 }
 
 /// The conditions of the nodes under a motion of the face by 1.
@@ -69,13 +105,13 @@ static std::vector<NodeCondition> conditions_of_column(const ContactConditions &
 }
 
 ContactChange WholeBodyConditions::solve_nodes(const std::vector<NodeRelation> &relations,
-                                               const VectorXd &rest, const double bound) const
+                                               const VectorXd &residual, const double bound) const
 {
   constexpr unsigned int most_iterations = 60;
   const HeldStiffness held(stiffness_, frame_.nodes(), relations);
   BodyVector<double> displacement = held.given(), forces = stiffness_.make_vector();
   stiffness_.vmult(forces, displacement);
-  const BodyVector<double> right_side = held.right_side(forces, rest);
+  const BodyVector<double> right_side = held.right_side(forces, residual);
   BodyVector<double> free = stiffness_.make_vector();
   // The solution is as accurate as asked for, or as far as the iterations come: Newton's method corrects it.
   dealii::IterationNumberControl control(most_iterations, bound, false, false);
@@ -85,7 +121,7 @@ ContactChange WholeBodyConditions::solve_nodes(const std::vector<NodeRelation> &
     gmres.solve(held, free, right_side, cycle_);
   held.add_displacement(displacement, free);
   stiffness_.vmult(forces, displacement);
-  return contact_change(frame_, displacement, forces, rest);
+  return contact_change(frame_, displacement, forces, residual);
 }
 
 /// Eliminates the face, which takes one more solution for each of its columns.
@@ -94,7 +130,7 @@ ContactChange WholeBodyConditions::solve(const ContactConditions &conditions, co
   const std::vector<NodeRelation> relations = relations_of(conditions.nodes);
   cycle_.hold(relations);
   const double bound = accuracy * size_of(conditions);
-  ContactChange change = solve_nodes(relations, conditions.rest, bound);
+  ContactChange change = solve_nodes(relations, conditions.residual, bound);
   const Index m = conditions.face.cols();
   if (m == 0)
     return change;

@@ -3,7 +3,7 @@
 #include "local_form.h"
 #include "stored_matrix.h"
 
-#include <orthocone/base/memory.h>
+#include <orthocone/base/machine.h>
 #include <orthocone/base/text.h>
 
 #include <cmath>

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include "solve_command.h"
 
-#include <orthocone/base/blas_kernels.h>
+#include <orthocone/base/threads.h>
 
 #include <cstdlib>
 #include <iostream>

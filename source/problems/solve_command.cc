@@ -4,7 +4,6 @@
 #include "solve_options.h"
 
 #include <orthocone/base/errors.h>
-#include <orthocone/base/message.h>
 #include <orthocone/base/stopwatch.h>
 #include <orthocone/base/text.h>
 #include <orthocone/base/threads.h>

@@ -6,7 +6,6 @@
 #include <orthocone/base/text.h>
 #include <orthocone/body/node_compliance.h>
 #include <orthocone/march/implicit_wear.h>
-#include <orthocone/march/touching.h>
 #include <orthocone/scene/load_program.h>
 
 #include <algorithm>

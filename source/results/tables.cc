@@ -3,6 +3,7 @@
 #include <orthocone/results/tables.h>
 
 #include <orthocone/base/numbers.h>
+#include <orthocone/results/volume_fields.h>
 #include <orthocone/scene/options.h>
 
 namespace orthocone
@@ -102,6 +103,16 @@ Columns<SolvedStep> columns_of_held_face_and_contact()
           {"held_moment_x", "N mm", on_face, [](const Step &s) { return 0. - s.totals.moment[0]; }},
           {"held_moment_y", "N mm", on_face, [](const Step &s) { return 0. - s.totals.moment[1]; }},
           {"held_moment_z", "N mm", on_face, [](const Step &s) { return 0. - s.totals.moment[2]; }}};
+}
+
+/// The lines of one file. An `Item` has a name, a unit, and a text on its meaning.
+template<typename Item>
+std::string lines(const std::string &file, const std::vector<Item> &items)
+{
+  std::string text;
+  for (const Item &item : items)
+    text += file + "\t" + item.name + "\t" + item.unit + "\t" + item.how + "\n";
+  return text;
 }
 } // namespace
 
@@ -214,5 +225,13 @@ const Columns<CycleRow> &cycle_columns()
       {"wear_error", "mm^3", "estimated error of worn_volume by the jumps",
        [](const Cycle &c) { return c.wear_error; }}};
   return columns;
+}
+
+std::string described_columns()
+{
+  return lines("history.csv", history_columns()) + lines("probe-NAME.csv", probe_columns()) +
+         lines("cycles.csv", cycle_columns()) + lines("checks.csv", checks_columns()) +
+         lines("timing.csv", timing_columns()) + lines("contact-NNNN.vtu", contact_field_list()) +
+         lines("volume-NNNN.vtu", volume_field_list());
 }
 } // namespace orthocone

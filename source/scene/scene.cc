@@ -49,7 +49,7 @@ std::unique_ptr<const ElasticBody> make_body(const Parameters &parameters, const
                                              PhaseSeconds &seconds)
 {
   if (parameters.mesh.backend == BodyBackend::multigrid)
-    return std::make_unique<MultigridBody>(parameters, symmetry, accuracy_of_solutions(parameters), axes_of, on_meshed, seconds);
+    return make_multigrid_body(parameters, symmetry, accuracy_of_solutions(parameters), axes_of, on_meshed, seconds);
   return std::make_unique<FactorizedBody>(parameters, symmetry, axes_of, on_meshed, seconds);
 }
 

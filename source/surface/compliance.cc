@@ -16,7 +16,7 @@ std::unique_ptr<ConditionSolver> Compliance::condition_solver(double) const
   return nullptr;
 }
 
-ContactChange Compliance::near(const NodeVector &force) const
+ContactChange Compliance::approximate(const NodeVector &force) const
 {
   ContactChange answer;
   answer.force = force;
@@ -29,9 +29,9 @@ ContactChange Compliance::held_at(const Eigen::VectorXd &) const
   throw std::logic_error("this compliance has no body");
 }
 
-void Compliance::learn(const NodeVector &, const BodyPart &) const {}
+void Compliance::remember(const NodeVector &, const BodyPart &) const {}
 
-std::vector<Eigen::VectorXd> Compliance::settle(const NodeVector &) const
+std::vector<Eigen::VectorXd> Compliance::forget_trials(const NodeVector &) const
 {
   return {};
 }

@@ -3,6 +3,8 @@
 #include "direct_conditions.h"
 
 #include <algorithm>
+#include <limits>
+#include <utility>
 
 namespace orthocone
 {
@@ -53,12 +55,13 @@ MatrixXd moved_by_unknowns(const ContactConditions &conditions, const std::vecto
   return moved;
 }
 
+/// `moved_by_fixed` is the displacement by the forces `fixed`.
 Equations equations_of(const ContactConditions &conditions, const std::vector<Index> &first,
-                       const NodeVector &fixed, const DenseView &compliance, const double softness)
+                       const NodeVector &fixed, const NodeVector &moved_by_fixed, const DenseView &compliance,
+                       const double softness)
 {
   const Index n = first.back(), m = conditions.face.cols();
   const MatrixXd moved = moved_by_unknowns(conditions, first, compliance, softness);
-  const NodeVector moved_by_fixed = compliance.selfadjointView<Eigen::Lower>() * fixed;
   Equations equations{MatrixXd::Zero(n + m, n + m), VectorXd(n + m)};
   for (std::size_t i = 0; i < conditions.nodes.size(); ++i)
   {
@@ -86,17 +89,11 @@ bool is_singular(const Eigen::PartialPivLU<MatrixXd> &factor)
   return !(pivots.minCoeff() > rounding * pivots.maxCoeff());
 }
 
-std::optional<ContactChange> eliminated(const ContactConditions &conditions, const std::vector<Index> &first,
-                                        const DenseView &compliance, const double softness)
+/// The change of these unknowns.
+ContactChange change_of(const ContactConditions &conditions, const std::vector<Index> &first,
+                        NodeVector fixed, const VectorXd &unknowns, const double softness)
 {
-  ContactChange change{fixed_forces(conditions)};
-  const Equations equations = equations_of(conditions, first, change.force, compliance, softness);
-  if (!equations.matrix.allFinite()) // LAPACK would leave the pivots as they are
-    return std::nullopt;
-  const Eigen::PartialPivLU<MatrixXd> factor(equations.matrix);
-  if (is_singular(factor))
-    return std::nullopt;
-  const VectorXd unknowns = factor.solve(equations.right_side);
+  ContactChange change{std::move(fixed)};
   for (std::size_t i = 0; i < conditions.nodes.size(); ++i)
   {
     const NodeCondition &node = conditions.nodes[i];
@@ -105,6 +102,20 @@ std::optional<ContactChange> eliminated(const ContactConditions &conditions, con
   }
   change.face = softness * unknowns.tail(conditions.face.cols());
   return change;
+}
+
+std::optional<ContactChange> eliminated(const ContactConditions &conditions, const std::vector<Index> &first,
+                                        const DenseView &compliance, const double softness)
+{
+  NodeVector fixed = fixed_forces(conditions);
+  const NodeVector moved = compliance.selfadjointView<Eigen::Lower>() * fixed;
+  const Equations equations = equations_of(conditions, first, fixed, moved, compliance, softness);
+  if (!equations.matrix.allFinite()) // LAPACK would leave the pivots as they are
+    return std::nullopt;
+  const Eigen::PartialPivLU<MatrixXd> factor(equations.matrix);
+  if (is_singular(factor))
+    return std::nullopt;
+  return change_of(conditions, first, std::move(fixed), factor.solve(equations.right_side), softness);
 }
 
 /// Whether the face is at rest and no node slips: then displacements are given, or forces.
@@ -162,5 +173,21 @@ std::optional<ContactChange> eliminate(const ContactConditions &conditions, cons
 {
   const std::vector<Index> first = first_unknowns(conditions);
   return first.back() > 0 ? eliminated(conditions, first, compliance, softness) : std::nullopt;
+}
+
+ContactChange eliminate_whatever_it_gives(const ContactConditions &conditions, const DenseView &compliance,
+                                          const double softness)
+{
+  const std::vector<Index> first = first_unknowns(conditions);
+  NodeVector fixed = fixed_forces(conditions);
+  const Index m = conditions.face.cols();
+  if (first.back() == 0)
+    return {std::move(fixed), VectorXd::Zero(m)};
+  const NodeVector moved = compliance * fixed;
+  Equations equations = equations_of(conditions, first, fixed, moved, compliance, softness);
+  VectorXd unknowns = VectorXd::Constant(first.back() + m, std::numeric_limits<double>::quiet_NaN());
+  if (equations.matrix.allFinite()) // LAPACK might not return
+    unknowns = Eigen::PartialPivLU<Eigen::Ref<MatrixXd>>(equations.matrix).solve(equations.right_side);
+  return change_of(conditions, first, std::move(fixed), unknowns, softness);
 }
 } // namespace orthocone

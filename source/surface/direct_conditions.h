@@ -17,4 +17,9 @@ std::optional<ContactChange> solve_directly(const ContactConditions &conditions,
 /// The same, however many unknowns there are.
 std::optional<ContactChange> eliminate(const ContactConditions &conditions, const DenseView &compliance,
                                        double softness);
+
+/// The same on a compliance that need not be symmetric, and with whatever a system close to singular gives.
+/// Without unknowns the forces are those that are given; they are no numbers where the system has none.
+ContactChange eliminate_whatever_it_gives(const ContactConditions &conditions, const DenseView &compliance,
+                                          double softness);
 } // namespace orthocone

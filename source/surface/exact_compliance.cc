@@ -2,16 +2,14 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/surface/exact_compliance.h>
 
-#include "joined_conditions.h"
+#include "direct_conditions.h"
 
-#include <limits>
 #include <utility>
 
 namespace orthocone
 {
 using Eigen::Index;
 using Eigen::MatrixXd;
-using Eigen::VectorXd;
 
 namespace
 {
@@ -24,40 +22,15 @@ public:
   {
   }
 
-  ContactChange solve(const ContactConditions &conditions, double) const override;
+  ContactChange solve(const ContactConditions &conditions, double) const override
+  {
+    return eliminate_whatever_it_gives(conditions, compliance_, softness_);
+  }
 
 private:
   DenseView compliance_;
-  double
-      softness_; ///< the motions of a face are softness_ times a force (N), so that all unknowns are forces
+  double softness_; ///< Compliance::softness()
 };
-
-ContactChange Elimination::solve(const ContactConditions &conditions, double) const
-{
-  const JoinedConditions nodes(conditions);
-  const Index n = nodes.right_side.size(), m = conditions.face.cols();
-  ContactChange change{nodes.fixed, VectorXd::Zero(m)};
-  if (n == 0)
-    return change;
-  MatrixXd matrix = MatrixXd::Zero(n + m, n + m);
-  VectorXd right_side(n + m);
-  matrix.topLeftCorner(n, n) = nodes.rows.transpose() * MatrixXd(compliance_ * nodes.basis);
-  matrix.diagonal().head(n) += nodes.diagonal;
-  const NodeVector moved = compliance_ * nodes.fixed;
-  right_side.head(n) = nodes.right_side - nodes.rows.transpose() * moved;
-  if (m > 0)
-  {
-    matrix.topRightCorner(n, m) = nodes.rows.transpose() * MatrixXd(softness_ * conditions.face);
-    matrix.bottomLeftCorner(m, n) = conditions.face.transpose() * nodes.basis;
-    right_side.tail(m) = conditions.face_right_side - conditions.face.transpose() * nodes.fixed;
-  }
-  VectorXd unknowns = VectorXd::Constant(n + m, std::numeric_limits<double>::quiet_NaN());
-  if (matrix.allFinite()) // LAPACK might not return
-    unknowns = Eigen::PartialPivLU<Eigen::Ref<MatrixXd>>(matrix).solve(right_side);
-  change.force += nodes.basis * unknowns.head(n);
-  change.face = softness_ * unknowns.tail(m);
-  return change;
-}
 } // namespace
 
 std::unique_ptr<ConditionSolver> ExactCompliance::condition_solver(const double softness) const

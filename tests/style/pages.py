@@ -54,6 +54,16 @@ class PagesTest(unittest.TestCase):
                 with self.subTest(page=page.name, test=f"{suite}.{name}"):
                     self.assertTrue(suite in suites if name == "*" else f"{suite}.{name}" in tests)
 
+    def test_theory_draws_the_ladder(self):
+        """What `newton` tries, in the order of source/contact/solvers/rescue/ladder.cc."""
+        source = (ROOT / "source/contact/solvers/rescue/ladder.cc").read_text(encoding="utf-8")
+        rungs = [(str(int(first) + 1) + ("+" if last == "ever" else ""), name)
+                 for first, last, name in re.findall(r'^    \{(\d+), (\w+), "([^"]+)"', source, re.MULTILINE)]
+        page = (ROOT / "docs/theory.md").read_text(encoding="utf-8").partition("**The ladder.**")[2]
+        drawn = re.findall(r"^  (\d\+?) +(\S.*?)(?:  .*)?$", page.split("```")[1], re.MULTILINE)
+        self.assertGreater(len(rungs), 10)
+        self.assertEqual(drawn, rungs)
+
     def test_extensions_touch_few_files(self):
         rows = [line.split("|")[1:4] for line in (ROOT / "docs/extending.md").read_text(encoding="utf-8").splitlines()
                 if line.startswith("| ")][1:]

@@ -18,6 +18,11 @@ std::string to_text(double value);
 std::string shown(const std::string &text);
 std::string shown_path(const std::string &path);
 
+/// A message as a terminal may show it: at most 600 bytes a line, without the middle of longer ones, and with
+/// escapes for what a terminal would not print. Whatever it quotes, its beginning says what is wrong, its
+/// end what to do.
+std::string shown_message(const std::string &text);
+
 /// Text without white space at both ends.
 std::string trimmed(const std::string &text);
 

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
+//
+// Threads, and the BLAS that most of them compute with.
 #pragma once
+
+#include <orthocone/base/machine.h>
 
 #include <optional>
 #include <string>
@@ -13,16 +17,6 @@ struct ThreadChoice
   unsigned int number = 1;
   std::string reason{};
 };
-
-/// Cores that this process may use.
-struct UsableCores
-{
-  unsigned int allowed = 1; ///< by its affinity
-  unsigned int granted = 1; ///< of these, as many at a time as its control group grants
-};
-
-/// The cores of this process; throws nothing.
-UsableCores usable_cores();
 
 /// One thread for each core that nobody else keeps busy: threads of BLAS wait for each other, so that threads
 /// that share a core make a factorization several times as long. One thread where the model is so small that
@@ -63,4 +57,13 @@ public:
 private:
   unsigned int n_before_ = 0; ///< 0 if nothing was changed
 };
+
+/// OpenBLAS before 0.3.25 computes with the SSE3 kernels of `Prescott` on Intel processors that are newer
+/// than itself (its issue 4267). They are replaced by those of `SkylakeX` (AVX-512) or `Haswell` (AVX2): a
+/// factorization takes half of the time (docs/performance.md, "Threads"). Does nothing where
+/// OPENBLAS_CORETYPE is set, or with another BLAS. Must be called before any other thread uses BLAS.
+void use_kernels_of_this_processor();
+
+/// The description that the running BLAS gives of itself, or the file that it comes from.
+std::string running_blas();
 } // namespace orthocone

@@ -13,7 +13,4 @@ std::string program_version();
 
 /// Names and versions of the program and of the libraries that compute. The BLAS is the one that runs.
 std::vector<std::pair<std::string, std::string>> versions();
-
-/// The description that the running BLAS gives of itself, or the file that it comes from.
-std::string running_blas();
 } // namespace orthocone

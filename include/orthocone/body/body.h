@@ -48,18 +48,21 @@ public:
   }
 
 private:
-  struct Solid
+  /// A mesh and the displacements on it.
+  template<typename Mesh, int dim>
+  struct Part
   {
-    Solid(const BodyOptions &options, const SymmetryPlanes &planes);
-    BodyMesh mesh;
-    Discretization discretization;
+    template<typename... Planes>
+    explicit Part(const BodyOptions &options, const Planes &...planes)
+        : mesh(options.geometry, options.mesh, planes...),
+          discretization(mesh.triangulation(), options.mesh, options.geometry.top_face)
+    {
+    }
+    Mesh mesh;
+    DisplacementSpace<dim> discretization;
   };
-  struct Section
-  {
-    explicit Section(const BodyOptions &options);
-    SectionMesh mesh;
-    SectionDiscretization discretization;
-  };
+  using Solid = Part<BodyMesh, 3>;
+  using Section = Part<SectionMesh, 2>;
   using Shape = std::variant<Solid, Section>;
   static Shape shape_of(const BodyOptions &options, const ModelSymmetry &symmetry);
 

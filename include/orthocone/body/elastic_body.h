@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
+#include <orthocone/body/backends/contact_frame.h>
 #include <orthocone/body/body.h>
 #include <orthocone/surface/compliance.h>
 #include <orthocone/surface/rigid_motion.h>
@@ -34,18 +35,24 @@ public:
   /// W of the contact nodes, 3 n x 3 n, local axes, mm/N.
   virtual const Compliance &compliance() const = 0;
 
+  /// The contact nodes in their local axes.
+  virtual const ContactFrame &frame() const = 0;
+
   /// Displacement of every contact node (3 n, mm), without contact forces, when the held face moves by
   /// `held`.
-  virtual NodeVector moved_with(const RigidMotion &held) const = 0;
+  NodeVector moved_with(const RigidMotion &held) const { return frame().moved_with(held); }
 
   /// Wrench of contact forces (3 n) on the nodes of the model about the centre of the held face, without the
   /// copies of the model: its components are the work of the forces on moved_with() of unit motions.
-  virtual Wrench wrench(const NodeVector &force) const = 0;
+  Wrench wrench(const NodeVector &force) const { return frame().wrench(force); }
 
   /// Displacements of the free degrees of freedom (mm) under contact forces (3 n, N), and displacements of
   /// all degrees of freedom when the held face moves, too.
   virtual Eigen::VectorXd elastic_displacement(const NodeVector &force) const = 0;
-  virtual Eigen::VectorXd with_motion(const RigidMotion &held, const Eigen::VectorXd &elastic) const = 0;
+  virtual Eigen::VectorXd with_motion(const RigidMotion &held, const Eigen::VectorXd &elastic) const
+  {
+    return frame().with_motion(held, elastic);
+  }
 
   /// A displacement (mm) of the free degrees of freedom of the mesh before the last refinement, interpolated
   /// to the free degrees of freedom of this one. Throws std::logic_error where the body has no such mesh.

@@ -32,8 +32,8 @@ public:
   /// To be called when the step that was solved last is accepted.
   void accept(const LoadStep &step);
 
-  /// StepSolver::settle().
-  void settle() { solver_.settle(state_); }
+  /// StepSolver::remember_body().
+  void remember_body() { solver_.remember_body(state_); }
 
   MarchMemory memory() const { return {state_, solver_.memory()}; }
   void restore(const MarchMemory &memory);

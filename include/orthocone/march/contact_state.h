@@ -52,6 +52,21 @@ double slip_since_stick(const ContactState &state, Eigen::Index node);
 double dissipation(const Eigen::Vector2d &before, const Eigen::Vector2d &after,
                    const Eigen::Vector2d &change);
 
+/// Share of a step in which a node touches the obstacle. It is 1 where the node is closed at both ends of the
+/// step, and 0 where it is open at both. A node that closes or opens within the step has one end with a gap
+/// and one with a normal force: gap and force are taken as linear in between, with the force that would pull
+/// the gap shut as its continuation. `compliance` is node_compliance() of the node, mm/N. docs/theory.md,
+/// section 4.
+double share_in_contact(const ContactState &before, const ContactState &after, Eigen::Index node,
+                        double compliance);
+
+/// Half the sum of the forces before and after, times the motion of the nodes that close or open while they
+/// do not touch, N mm, of the modelled part. There is no force on this motion, but the trapezoidal rule for
+/// the held face takes the force as if it grew over the whole step. The work of the face is that of the rule
+/// and this. `opening` is node_compliance() of all nodes.
+double work_without_contact(const ContactState &before, const ContactState &after,
+                            const Eigen::VectorXd &opening);
+
 /// Enters the solution of a step into the state: displacement, status, accumulated slip, wear, and
 /// dissipation. This is the work of the mean friction force, or of the final one where the slip reverses. A
 /// node that closes or lifts off within the step counts for the share in which it touches (docs/theory.md,

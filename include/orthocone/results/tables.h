@@ -24,4 +24,8 @@ const Columns<SolvedStep> &checks_columns();
 const Columns<SolvedStep> &timing_columns();
 const Columns<ProbedStep> &probe_columns();
 const Columns<CycleRow> &cycle_columns();
+
+/// The output of --columns: a line for each column of the CSV files and each field of the VTU files, with
+/// file, name, unit and meaning separated by tabs. docs/results.md is made from it.
+std::string described_columns();
 } // namespace orthocone

@@ -20,8 +20,8 @@ namespace orthocone
 {
 /// Body and obstacle for one choice of parameters: the constructor meshes, factorizes and condenses the body,
 /// and makes the contact system on its surface. Nothing in a scene changes from step to step but what its
-/// compliance remembers to start from (Compliance::learn), so that several marches can share it one after the
-/// other.
+/// compliance remembers to start from (Compliance::remember), so that several marches can share it one after
+/// the other.
 class Scene
 {
 public:

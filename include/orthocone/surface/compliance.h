@@ -33,24 +33,25 @@ public:
 
   /// The part of W force that is known without long work: all of it, or a displacement and the forces (N)
   /// that the body lacks of its equilibrium then. Motions of a face are not included.
-  virtual ContactChange near(const NodeVector &force) const;
+  virtual ContactChange approximate(const NodeVector &force) const;
 
   /// The contact forces (N) that hold a body whose free degrees of freedom have this displacement (mm), and
   /// what the body lacks then. Throws std::logic_error where there is no body.
   virtual ContactChange held_at(const Eigen::VectorXd &displacement) const;
 
   /// Remembers a body under these forces (N) that the caller has found: later answers may start from it.
-  virtual void learn(const NodeVector &force, const BodyPart &body) const;
+  virtual void remember(const NodeVector &force, const BodyPart &body) const;
 
-  /// To be called with the forces (N) of an accepted state. Of all that was learned it keeps what comes from
-  /// the last accepted states, and returns that. A new compliance of the same body to which restore() gives
-  /// it answers as this one does from then on, to the last bit. Empty where answers do not depend on earlier
-  /// ones.
-  virtual std::vector<Eigen::VectorXd> settle(const NodeVector &force) const;
-  virtual void restore(const std::vector<Eigen::VectorXd> &settled) const;
+  /// To be called with the forces (N) of an accepted state. Of all that was remembered it keeps what comes
+  /// from the last accepted states, and returns that. A new compliance of the same body to which restore()
+  /// gives it answers as this one does from then on, to the last bit. Empty where answers do not depend on
+  /// earlier ones.
+  virtual std::vector<Eigen::VectorXd> forget_trials(const NodeVector &force) const;
+  virtual void restore(const std::vector<Eigen::VectorXd> &accepted) const;
 
-  /// Norm (N) of the forces that the body lacks, BodyPart::rest, over all processes that have a part of it.
-  virtual double norm(const Eigen::VectorXd &rest) const { return rest.norm(); }
+  /// Norm (N) of the forces that the body lacks, BodyPart::residual, over all processes that have a part of
+  /// it.
+  virtual double norm(const Eigen::VectorXd &residual) const { return residual.norm(); }
 
   /// The 3 x 3 block of W of one node, mm/N.
   virtual Eigen::Matrix3d diagonal_block(Eigen::Index node) const = 0;

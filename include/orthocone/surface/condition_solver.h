@@ -40,7 +40,7 @@ struct ContactConditions
   std::vector<NodeCondition> nodes;
   Eigen::MatrixXd face;            ///< 3 n x m, orthonormal columns; no columns: the face does not move
   Eigen::VectorXd face_right_side; ///< m, N
-  Eigen::VectorXd rest{};          ///< BodyPart::rest of the present state
+  Eigen::VectorXd residual{};      ///< BodyPart::residual of the present state
 };
 
 /// The body behind the contact nodes, where no dense compliance replaces it: displacement (mm) of all free
@@ -49,18 +49,18 @@ struct ContactConditions
 struct BodyPart
 {
   Eigen::VectorXd displacement{};
-  Eigen::VectorXd rest{};
+  Eigen::VectorXd residual{};
 
   /// This part, moved by a share of a change. A change that is empty changes nothing.
   BodyPart moved(const double share, const BodyPart &change) const
   {
-    if (change.rest.size() == 0)
+    if (change.residual.size() == 0)
       return *this;
-    BodyPart result{share * change.displacement, share * change.rest};
-    if (rest.size() > 0)
+    BodyPart result{share * change.displacement, share * change.residual};
+    if (residual.size() > 0)
     {
       result.displacement += displacement;
-      result.rest += rest;
+      result.residual += residual;
     }
     return result;
   }

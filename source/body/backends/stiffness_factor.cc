@@ -179,7 +179,7 @@ Factor analyze(cholmod_sparse &all, const dealii::SparsityPattern &pattern, cons
 
 struct StiffnessFactor::Cholmod
 {
-  mutable Session session;
+  Session session;
   Factor factor{nullptr, {&session.common}};
 };
 

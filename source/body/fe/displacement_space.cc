@@ -4,7 +4,6 @@
 
 #include "contact_faces.h"
 #include "dof_places.h"
-#include "dof_ranges.h"
 #include "local_dofs.h"
 
 #include <orthocone/base/numbers.h>

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
+#include "imported_cells.h"
+
 #include <orthocone/base/errors.h>
-#include <orthocone/body/shapes/imported_mesh.h>
 
 #include <deal.II/grid/grid_tools.h>
 
@@ -10,25 +11,65 @@
 
 namespace orthocone
 {
+namespace
+{
+/// Finds the faces of each physical surface. A face may be in several.
+FacesOfGroups faces_of_groups(const GmshFile &file, const std::vector<unsigned int> &vertex_of_node,
+                              const dealii::Triangulation<3> &triangulation)
+{
+  using Face = FacesOfGroups::mapped_type::value_type;
+  using Corners = std::array<unsigned int, 4>;
+  FacesOfGroups faces_of_group;
+  std::map<Corners, Face> outside;
+  for (const Face &face : triangulation.active_face_iterators())
+    if (face->at_boundary() && !file.quadrilaterals.empty())
+    {
+      Corners corners{
+          {face->vertex_index(0), face->vertex_index(1), face->vertex_index(2), face->vertex_index(3)}};
+      std::sort(corners.begin(), corners.end());
+      outside.emplace(corners, face);
+    }
+  for (const auto &given : file.quadrilaterals)
+  {
+    Corners corners{};
+    std::transform(given.nodes.begin(), given.nodes.end(), corners.begin(),
+                   [&](const unsigned int node) { return vertex_of_node[node]; });
+    std::sort(corners.begin(), corners.end());
+    const auto found = outside.find(corners);
+    if (found == outside.end())
+      continue;
+    faces_of_group[given.group].push_back(found->second);
+    if (found->second->boundary_id() == 0)
+      found->second->set_boundary_id(given.group);
+  }
+  for (auto &[number, faces] : faces_of_group)
+  {
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+  }
+  return faces_of_group;
+}
+} // namespace
+
 /// Makes the cells as deal.II's reader of such files does. Quadrilaterals that are no faces on the outside
 /// are left out: files without physical surfaces have them between parts of the body.
-void ImportedMesh::read()
+FacesOfGroups make_imported_cells(const GmshFile &file, dealii::Triangulation<3> &triangulation)
 {
   constexpr std::array<unsigned int, 8> place_of{{0, 1, 5, 4, 2, 3, 7, 6}}; // of Gmsh's nodes in a cell
   constexpr unsigned int unused = dealii::numbers::invalid_unsigned_int;
-  std::vector<unsigned int> vertex_of_node(file_.nodes.size(), unused);
-  for (const auto &cell : file_.hexahedra)
+  std::vector<unsigned int> vertex_of_node(file.nodes.size(), unused);
+  for (const auto &cell : file.hexahedra)
     for (const unsigned int node : cell.nodes)
       vertex_of_node[node] = 0;
   std::vector<dealii::Point<3>> vertices;
-  for (std::size_t i = 0; i < file_.nodes.size(); ++i)
-    if (const auto &node = file_.nodes[i]; vertex_of_node[i] != unused)
+  for (std::size_t i = 0; i < file.nodes.size(); ++i)
+    if (const auto &node = file.nodes[i]; vertex_of_node[i] != unused)
     {
       vertex_of_node[i] = static_cast<unsigned int>(vertices.size());
       vertices.emplace_back(node[0], node[1], node[2]);
     }
   std::vector<dealii::CellData<3>> cells;
-  for (const auto &given : file_.hexahedra)
+  for (const auto &given : file.hexahedra)
   {
     dealii::CellData<3> &cell = cells.emplace_back();
     for (unsigned int i = 0; i < place_of.size(); ++i)
@@ -39,48 +80,14 @@ void ImportedMesh::read()
   {
     dealii::GridTools::invert_cells_with_negative_measure(vertices, cells);
     dealii::GridTools::consistently_order_cells(cells);
-    triangulation_.create_triangulation(vertices, cells, dealii::SubCellData());
+    triangulation.create_triangulation(vertices, cells, dealii::SubCellData());
   }
   catch (const std::exception &)
   {
-    triangulation_.clear();
-    throw InputError(file_.path + ": its elements do not fit together: allowed are hexahedra that share "
-                                  "whole faces, each with one other");
+    triangulation.clear();
+    throw InputError(file.path + ": its elements do not fit together: allowed are hexahedra that share "
+                                 "whole faces, each with one other");
   }
-  find_groups(vertex_of_node);
-  file_ = GmshFile{file_.path, "", file_.groups, {}, {}, {}, {}};
-}
-
-/// Finds the faces of each physical surface. A face may be in several.
-void ImportedMesh::find_groups(const std::vector<unsigned int> &vertex_of_node)
-{
-  using Corners = std::array<unsigned int, 4>;
-  std::map<Corners, Face> outside;
-  for (const Face &face : triangulation_.active_face_iterators())
-    if (face->at_boundary() && !file_.quadrilaterals.empty())
-    {
-      Corners corners{
-          {face->vertex_index(0), face->vertex_index(1), face->vertex_index(2), face->vertex_index(3)}};
-      std::sort(corners.begin(), corners.end());
-      outside.emplace(corners, face);
-    }
-  for (const auto &given : file_.quadrilaterals)
-  {
-    Corners corners{};
-    std::transform(given.nodes.begin(), given.nodes.end(), corners.begin(),
-                   [&](const unsigned int node) { return vertex_of_node[node]; });
-    std::sort(corners.begin(), corners.end());
-    const auto found = outside.find(corners);
-    if (found == outside.end())
-      continue;
-    faces_of_group_[given.group].push_back(found->second);
-    if (found->second->boundary_id() == 0)
-      found->second->set_boundary_id(given.group);
-  }
-  for (auto &[number, faces] : faces_of_group_)
-  {
-    std::sort(faces.begin(), faces.end());
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-  }
+  return faces_of_groups(file, vertex_of_node, triangulation);
 }
 } // namespace orthocone

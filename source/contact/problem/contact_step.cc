@@ -82,13 +82,13 @@ NodeVector ContactStep::displacement(const VectorXd &unknowns) const
   return d;
 }
 
-ContactChange ContactStep::near(const VectorXd &unknowns) const
+ContactChange ContactStep::approximate(const VectorXd &unknowns) const
 {
-  ContactChange near = system_->compliance().near(unknowns.head(q_.size()));
-  near.displacement += q_;
+  ContactChange approximate = system_->compliance().approximate(unknowns.head(q_.size()));
+  approximate.displacement += q_;
   if (face_.n() > 0)
-    near.displacement.noalias() += face_.columns() * unknowns.tail(face_.n());
-  return near;
+    approximate.displacement.noalias() += face_.columns() * unknowns.tail(face_.n());
+  return approximate;
 }
 
 VectorXd ContactStep::admissible(VectorXd unknowns) const
@@ -135,15 +135,15 @@ double ContactStep::residual(const VectorXd &unknowns, const NodeVector &displac
   return residual_of(natural_map(unknowns, displacement), unknowns);
 }
 
-double ContactStep::near_residual(const VectorXd &unknowns) const
+double ContactStep::approximate_residual(const VectorXd &unknowns) const
 {
-  const ContactChange near = this->near(unknowns);
-  VectorXd map = natural_map(unknowns, near.displacement);
+  const ContactChange approximate = this->approximate(unknowns);
+  VectorXd map = natural_map(unknowns, approximate.displacement);
   // All processes must ask, also one without a part of the body.
-  if (const double rest = system_->compliance().norm(near.body.rest); !(rest == 0))
+  if (const double residual = system_->compliance().norm(approximate.body.residual); !(residual == 0))
   {
     map.conservativeResize(map.size() + 1);
-    map.tail<1>()[0] = rest;
+    map.tail<1>()[0] = residual;
   }
   return residual_of(map, unknowns);
 }

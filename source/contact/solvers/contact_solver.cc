@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include "balancing_face.h"
-#include "load_limit.h"
+#include "face/balancing_face.h"
+#include "face/load_limit.h"
+#include "rescue/worst_nodes.h"
 #include "solvers.h"
 
 #include <algorithm>
@@ -22,10 +23,34 @@ bool is_blind(const LawErrors &law, const double tolerance)
   constexpr double of_loose_tolerances = 100; // a residual may cause this many times as much penetration
   return law.penetration > std::max(visible, of_loose_tolerances * tolerance);
 }
+
+/// How an iteration has ended: this is the one place that decides it. The trace says whether the residual
+/// still fell (judge()). That there is no equilibrium is said in three cases: the method has watched the face
+/// run away; it cycles while nothing holds the face; or a motion of the face proves it. Forces that hide what
+/// penetrates have diverged, however small their relative residual is.
+Verdict verdict_of(const SolverReport &report, const ContactStep &step, const Eigen::VectorXd &unknowns,
+                   const double tolerance, const Balance balance)
+{
+  if (balance == Balance::lost)
+    return Verdict::unbalanced;
+  const Verdict of_trace = judge(report.trace.points(), tolerance, step.system().rounding());
+  if (report.converged)
+    return of_trace;
+  if ((of_trace == Verdict::cycling && nothing_holds(step, unknowns)) || is_beyond_every_force(step))
+    return balance == Balance::unknown ? Verdict::cycling : Verdict::unbalanced;
+  return of_trace == Verdict::converged ? Verdict::diverged : of_trace;
+}
 } // namespace
 
 SolverReport make_report(const ContactStep &step, const Eigen::VectorXd &unknowns,
                          const unsigned int iterations, const double tolerance, Trace trace)
+{
+  return make_report(step, unknowns, iterations, tolerance, std::move(trace), Balance::judged);
+}
+
+SolverReport make_report(const ContactStep &step, const Eigen::VectorXd &unknowns,
+                         const unsigned int iterations, const double tolerance, Trace trace,
+                         const Balance balance)
 {
   const NodeVector d = step.displacement(unknowns);
   const Eigen::VectorXd map = step.natural_map(unknowns, d);
@@ -34,34 +59,12 @@ SolverReport make_report(const ContactStep &step, const Eigen::VectorXd &unknown
   report.residual = step.residual_of(map, unknowns);
   report.law = law_errors(step, unknowns, d);
   report.converged = report.residual <= tolerance && !is_blind(report.law, tolerance);
-  trace.add(iterations, report.residual, step.force_scale(unknowns));
-  report.verdict = judge(trace.points(), tolerance, step.system().rounding());
-  if (report.verdict == Verdict::cycling && nothing_holds(step, unknowns))
-    report.verdict = Verdict::unbalanced;
-  else if (report.verdict == Verdict::converged && !report.converged)
-    report.verdict = Verdict::diverged;
-  if (!report.converged && report.verdict != Verdict::unbalanced && is_beyond_every_force(step))
-    report.verdict = Verdict::unbalanced;
-  report.trace = std::move(trace);
-  double worst = -1;
+  report.worst_node = worst_node(map, step.n_nodes());
   for (Eigen::Index node = 0; node < step.n_nodes(); ++node)
-  {
-    const double error = map.segment<3>(3 * node).norm();
-    if (error > worst || std::isnan(error))
-    {
-      worst = error;
-      report.worst_node = node;
-    }
     report.penetration = std::max(report.penetration, -d[3 * node]);
-  }
-  return report;
-}
-
-SolverReport unbalanced_report(const ContactStep &step, const Eigen::VectorXd &unknowns,
-                               const unsigned int iterations, const double tolerance, Trace trace)
-{
-  SolverReport report = make_report(step, unknowns, iterations, tolerance, std::move(trace));
-  report.verdict = Verdict::unbalanced;
+  trace.add(iterations, report.residual, step.force_scale(unknowns));
+  report.trace = std::move(trace);
+  report.verdict = verdict_of(report, step, unknowns, tolerance, balance);
   return report;
 }
 

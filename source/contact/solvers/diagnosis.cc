@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/contact/solvers/diagnosis.h>
 
-#include "solvers.h"
+#include "newton/inexact_newton.h"
 
 #include <orthocone/base/text.h>
 

@@ -4,51 +4,27 @@
 // Code that the contact solvers share, and their list for contact_methods.cc.
 #pragma once
 
-#include "balancing_face.h"
+#include "face/balancing_face.h"
 
-#include <orthocone/contact/law/one_node.h>
 #include <orthocone/contact/solvers/contact_method.h>
 #include <orthocone/contact/solvers/contact_solver.h>
 
 #include <cmath>
-#include <cstddef>
 #include <utility>
 
 namespace orthocone
 {
-/// Gauss-Seidel sweeps: every node in turn is solved exactly, with the forces of the others fixed.
-class GaussSeidel : public ContactSolver
+/// What a method may say of the balance of a face that forces drive.
+enum class Balance
 {
-public:
-  GaussSeidel(const ContactSystem &system, const ContactSolverOptions &options);
-
-  SolverReport solve(const ContactStep &step, Eigen::VectorXd &unknowns) const override;
-
-  /// One sweep over all nodes, in place; `relaxation` is the share of the one-node solutions that is taken.
-  void sweep(const ContactStep &step, Eigen::VectorXd &unknowns, double relaxation) const;
-
-private:
-  void sweep_with_face(const ContactStep &step, Eigen::VectorXd &unknowns, double relaxation) const;
-
-  const ContactSystem &system_;
-  ContactSolverOptions options_;
-  std::vector<OneNodeProblem> nodes_;
+  judged,  ///< by its final unknowns
+  lost,    ///< the face has run away
+  unknown, ///< nothing: the method fails where there is equilibrium, too, and its faces run away then
 };
 
-/// Iterations of Newton's method without a dense compliance: more have never helped, and each is expensive.
-constexpr unsigned int most_inexact_iterations = 60;
-
-/// make_report() of a step without equilibrium.
-SolverReport unbalanced_report(const ContactStep &step, const Eigen::VectorXd &unknowns,
-                               unsigned int iterations, double tolerance, Trace trace);
-
-/// Whether a method that does not get on may say that there is no equilibrium. Methods that fail where there
-/// is one may not: their faces run away for other reasons, too.
-enum class Diagnosis
-{
-  of_balance,
-  none
-};
+/// make_report() of a method that knows more than its unknowns say.
+SolverReport make_report(const ContactStep &step, const Eigen::VectorXd &unknowns, unsigned int iterations,
+                         double tolerance, Trace trace, Balance balance);
 
 /// Calls `iterate` until the residual is within the tolerance, the iterations are used up, the unknowns are
 /// no longer numbers or the face runs away. The residual costs about as much as an iteration and is evaluated
@@ -56,27 +32,23 @@ enum class Diagnosis
 template<typename Iterate>
 SolverReport iterate_until_converged(const ContactStep &step, const ContactSolverOptions &options,
                                      const unsigned int interval, Eigen::VectorXd &unknowns,
-                                     const Iterate &iterate,
-                                     const Diagnosis diagnosis = Diagnosis::of_balance)
+                                     const Iterate &iterate, Balance balance = Balance::judged)
 {
   unsigned int n_iterations = 0;
   Trace trace;
-  BalanceWatch balance;
+  BalanceWatch watch;
   double residual = step.residual(unknowns);
-  while (residual > options.tolerance && n_iterations < options.maximum_iterations && std::isfinite(residual))
+  while (residual > options.tolerance && n_iterations < options.maximum_iterations &&
+         std::isfinite(residual) && balance != Balance::lost)
   {
     trace.add(n_iterations, residual, step.force_scale(unknowns));
     for (unsigned int i = 0; i < interval && n_iterations < options.maximum_iterations; ++i, ++n_iterations)
       iterate(unknowns);
     residual = step.residual(unknowns);
-    if (diagnosis == Diagnosis::of_balance && residual > options.tolerance &&
-        balance.runs_away(step, unknowns))
-      return unbalanced_report(step, unknowns, n_iterations, options.tolerance, std::move(trace));
+    if (balance == Balance::judged && residual > options.tolerance && watch.runs_away(step, unknowns))
+      balance = Balance::lost;
   }
-  SolverReport report = make_report(step, unknowns, n_iterations, options.tolerance, std::move(trace));
-  if (diagnosis == Diagnosis::none && report.verdict == Verdict::unbalanced)
-    report.verdict = Verdict::cycling;
-  return report;
+  return make_report(step, unknowns, n_iterations, options.tolerance, std::move(trace), balance);
 }
 
 /// Step of the paper's Box 3 at a node: factor / min(w_nn, w_xx, w_yy), N/mm.
@@ -98,26 +70,6 @@ std::unique_ptr<ContactSolver> make(const ContactSystem &system, const ContactSo
 {
   return std::make_unique<Solver>(system, options);
 }
-
-/// How often the steps of one solution may do what leads out of a trap, or only costs.
-struct Allowances
-{
-  unsigned int leaps = 3;           ///< full steps to a larger error; they may lead to another solution
-  unsigned int exact_nodes = 3;     ///< nodes that are solved exactly, one at a time
-  std::size_t nodes_in_groups = 24; ///< the same, several at a time
-};
-
-/// The first two are Newton's method where the backend has no dense compliance, on the map that asks for the
-/// pressure first and on the natural map. The third one is the method `newton` there: it tries both, and
-/// follows the solution from the associated slip rule where they fail.
-std::unique_ptr<ContactSolver> make_inexact_newton(const ContactSystem &system,
-                                                   const ContactSolverOptions &options,
-                                                   const Allowances &allowances = {});
-std::unique_ptr<ContactSolver> make_natural_newton(const ContactSystem &system,
-                                                   const ContactSolverOptions &options,
-                                                   const Allowances &allowances = {});
-std::unique_ptr<ContactSolver> make_continuation(const ContactSystem &system,
-                                                 const ContactSolverOptions &options);
 
 // The file of each solver defines its method.
 ContactMethod newton_method();

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/accuracy/backend_choice.h>
 
-#include <orthocone/accuracy/estimate.h>
+#include <orthocone/accuracy/cost_model.h>
 #include <orthocone/multigrid/multigrid_body.h>
 
 #include "body/even_mesh.h"
@@ -77,8 +77,8 @@ TEST(BackendChoice, KnowsThatALargeCoarsestMeshIsAggregated)
     parameters.mesh.rings = n / 2;
     parameters.load.cycles = 1; // more of them keep bodies, which are bounded
     const ModelSize size = model_size(parameters, quarter);
-    EXPECT_EQ(MultigridBody::aggregates_coarsest(size.dofs, size.contact_nodes), n > 38);
-    return 1e9 * multigrid_gigabytes(parameters, size, quarter) / size.dofs;
+    EXPECT_EQ(aggregates_coarsest(size.dofs, size.contact_nodes), n > 38);
+    return 1e9 * CostModel(parameters, quarter).multigrid_gigabytes() / size.dofs;
   };
   EXPECT_LT(bytes_per_unknown(48), 0.7 * bytes_per_unknown(38));
   EXPECT_NEAR(bytes_per_unknown(96), bytes_per_unknown(48), 0.1 * bytes_per_unknown(48));
@@ -101,7 +101,8 @@ TEST(BackendChoice, KnowsThatHalvedCellsTakeMoreMemory)
     parameters.mesh.refined_cells.resize(run.n_rounds);
     parameters.load.cycles = 1;
     const ModelSize size{0, run.contact_nodes, run.dofs, 0}; // memory depends on no more
-    EXPECT_NEAR(multigrid_gigabytes(parameters, size, quarter) / run.gigabytes, 1, 0.3) << run.n_rounds;
+    EXPECT_NEAR(CostModel(parameters, quarter, size).multigrid_gigabytes() / run.gigabytes, 1, 0.3)
+        << run.n_rounds;
   }
 }
 
@@ -109,11 +110,10 @@ TEST(BackendChoice, KnowsThatHalvedCellsTakeMoreMemory)
 TEST(BackendChoice, KnowsThatCyclesKeepBodies)
 {
   Parameters parameters = refined(3);
-  const ModelSize size = model_size(parameters, quarter);
   const auto gigabytes = [&](const unsigned int cycles)
   {
     parameters.load.cycles = cycles;
-    return multigrid_gigabytes(parameters, size, quarter);
+    return CostModel(parameters, quarter).multigrid_gigabytes();
   };
   EXPECT_GT(gigabytes(2), gigabytes(1));
   EXPECT_NEAR(gigabytes(200), gigabytes(2), 0.1 * gigabytes(2)); // of one cycle
@@ -166,7 +166,7 @@ TEST(BackendChoice, KnowsThatNearlyIncompressibleBodiesTakeMoreCycles)
   const auto seconds_with = [&](const double poisson_ratio)
   {
     parameters.material.poisson_ratio = poisson_ratio;
-    return multigrid_estimate(parameters, model_size(parameters, quarter), quarter).step_seconds;
+    return CostModel(parameters, quarter).multigrid().step_seconds;
   };
   const double of_steel = seconds_with(0.3);
   const std::pair<double, double> measured[] = {
@@ -181,7 +181,7 @@ TEST(BackendChoice, LeavesNearlyIncompressibleBodiesToMultigridWhereTheMemoryAsk
   Parameters parameters = refined(2);
   parameters.mesh.degree = 2;
   parameters.material.poisson_ratio = 0.4999;
-  const double enough = multigrid_gigabytes(parameters, model_size(parameters, quarter), quarter);
+  const double enough = CostModel(parameters, quarter).multigrid_gigabytes();
   EXPECT_EQ(chosen(parameters, 1.01 * enough), BodyBackend::multigrid);
   EXPECT_NE(chosen(parameters), BodyBackend::multigrid);
 }

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include <orthocone/base/message.h>
 #include <orthocone/base/text.h>
 
 #include <gtest/gtest.h>

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include <orthocone/base/control_group.h>
-#include <orthocone/base/machine_load.h>
+#include <orthocone/base/machine.h>
 #include <orthocone/base/threads.h>
 
 #include <gtest/gtest.h>

@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include "refined_body.h"
 
-#include "multigrid/algebraic_coarse.h"
+#include "multigrid/coarse_solver.h"
 #include "multigrid/held_stiffness.h"
 
 #include <gtest/gtest.h>
@@ -191,16 +191,18 @@ TEST(AlgebraicCoarse, IsTheSameWhenMadeAgain)
 {
   const RefinedBody refined(default_geometry, cells_without_hierarchy(1, 6), quarter);
   const VectorXd forces = random_numbers(refined.body.discretization.n_free(), 3);
-  AlgebraicCoarse first(refined.body.discretization, default_material);
-  const VectorXd expected = first.solve(forces);
-  first.hold(mixed_relations(refined));
-  const VectorXd held = first.solve(forces);
+  const auto first =
+      make_coarse_solver(refined.body.discretization, default_material, CoarseMethod::algebraic);
+  const VectorXd expected = first->solve(forces);
+  first->hold(mixed_relations(refined));
+  const VectorXd held = first->solve(forces);
   EXPECT_NE(held, expected);
-  AlgebraicCoarse second(refined.body.discretization, default_material);
-  second.hold(mixed_relations(refined));
-  EXPECT_EQ(second.solve(forces), held);
-  second.hold({});
-  EXPECT_EQ(second.solve(forces), expected);
+  const auto second =
+      make_coarse_solver(refined.body.discretization, default_material, CoarseMethod::algebraic);
+  second->hold(mixed_relations(refined));
+  EXPECT_EQ(second->solve(forces), held);
+  second->hold({});
+  EXPECT_EQ(second->solve(forces), expected);
 }
 
 /// Nodes that are all open are held by nothing.
@@ -208,9 +210,10 @@ TEST(AlgebraicCoarse, IsFreeWhereNothingIsHeld)
 {
   const RefinedBody refined(default_geometry, cells_without_hierarchy(1, 4), quarter);
   const VectorXd forces = random_numbers(refined.body.discretization.n_free(), 3);
-  AlgebraicCoarse coarse(refined.body.discretization, default_material);
-  const VectorXd expected = coarse.solve(forces);
-  coarse.hold(std::vector<NodeRelation>(refined.nodes().size()));
-  EXPECT_EQ(coarse.solve(forces), expected);
+  const auto coarse =
+      make_coarse_solver(refined.body.discretization, default_material, CoarseMethod::algebraic);
+  const VectorXd expected = coarse->solve(forces);
+  coarse->hold(std::vector<NodeRelation>(refined.nodes().size()));
+  EXPECT_EQ(coarse->solve(forces), expected);
 }
 } // namespace orthocone::test

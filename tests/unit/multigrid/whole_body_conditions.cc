@@ -85,11 +85,11 @@ TEST(WholeBodyConditions, RestoresEquilibrium)
   const WholeBodyConditions solver(refined.body.condensed.frame(), refined.stiffness,
                                    const_cast<VCycle &>(refined.cycle));
   ContactConditions conditions{mixed_conditions(refined, node_stiffness), MatrixXd(), VectorXd()};
-  conditions.rest = random_numbers(refined.body.discretization.n_free(), 11);
+  conditions.residual = random_numbers(refined.body.discretization.n_free(), 11);
   const ContactChange change = solver.solve(conditions, 1e-8);
-  EXPECT_LE((conditions.rest + change.body.rest).norm(), 1e-7 * conditions.rest.norm());
+  EXPECT_LE((conditions.residual + change.body.residual).norm(), 1e-7 * conditions.residual.norm());
   const VectorXd forces = refined.body.condensed.frame().on_free_unknowns(change.force);
-  EXPECT_LE((forces - refined.body.stiffness.vmult(change.body.displacement) - change.body.rest).norm(),
+  EXPECT_LE((forces - refined.body.stiffness.vmult(change.body.displacement) - change.body.residual).norm(),
             1e-9 * forces.norm());
 }
 } // namespace orthocone::test

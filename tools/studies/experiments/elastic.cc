@@ -6,7 +6,7 @@
 #include "scene.h"
 
 #include <orthocone/accuracy/adaptive_mesh.h>
-#include <orthocone/base/memory.h>
+#include <orthocone/base/machine.h>
 #include <orthocone/base/stopwatch.h>
 #include <orthocone/body/body.h>
 

@@ -3,8 +3,13 @@
 //
 // A quarter of trilinear cells that multigrid knows no coarser ones of, factorized or aggregated, and what
 // aggregates of the nodes of quadratic cells would be worth (docs/performance.md, "Large coarsest meshes").
+<<<<<<< HEAD:tools/studies/kernels/coarsest_kernels.cc
 // tools/study benchmark leaves them out.
 #include "multigrid/algebraic_coarse.h"
+=======
+// tools/benchmark leaves them out.
+#include "multigrid/coarse_solver.h"
+>>>>>>> helper-parts:tests/benchmarks/coarsest_kernels.cc
 #include "multigrid/elastic_solver.h"
 
 #include <orthocone/body/shapes/body_mesh.h>
@@ -115,7 +120,7 @@ struct Aggregates
     displacement = 0;
     std::copy(solution.begin(), solution.end(), displacement.begin());
   }
-  const AlgebraicCoarse &coarse;
+  const CoarseSolver &coarse;
   Eigen::Index coarse_size;
 };
 
@@ -143,8 +148,8 @@ void quadratic_by_levels(benchmark::State &state, const MeshOptions &mesh)
 void quadratic_by_aggregates(benchmark::State &state, const MeshOptions &mesh)
 {
   const Coarsest body(state, quadratic(mesh), CoarseMethod::by_size);
-  const AlgebraicCoarse coarse(body.space, {});
-  solve(state, body, Aggregates{coarse, body.space.n_free()});
+  const auto coarse = make_coarse_solver(body.space, {}, CoarseMethod::algebraic);
+  solve(state, body, Aggregates{*coarse, body.space.n_free()});
 }
 
 void sizes(benchmark::internal::Benchmark *const kernel)

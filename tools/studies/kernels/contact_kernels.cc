@@ -2,8 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 //
 // What the contact solvers are made of, at the first step of unloading.
-#include "contact/solvers/linearization.h"
-#include "contact/solvers/solvers.h"
+#include "contact/solvers/newton/linearization.h"
+#include "contact/solvers/sweeps/gauss_seidel.h"
 #include "sizes.h"
 
 #include <array>

@@ -24,18 +24,10 @@ public:
 
   const Body &mesh() const override { return mesh_; }
   const Compliance &compliance() const override { return condensed_.compliance(); }
-  NodeVector moved_with(const RigidMotion &held) const override
-  {
-    return condensed_.frame().moved_with(held);
-  }
-  Wrench wrench(const NodeVector &force) const override { return condensed_.frame().wrench(force); }
+  const ContactFrame &frame() const override { return condensed_.frame(); }
   Eigen::VectorXd elastic_displacement(const NodeVector &force) const override
   {
     return condensed_.elastic_displacement(force);
-  }
-  Eigen::VectorXd with_motion(const RigidMotion &held, const Eigen::VectorXd &elastic) const override
-  {
-    return condensed_.frame().with_motion(held, elastic);
   }
   BodyMismatch mismatch(const NodeVector &force, const NodeVector &elastic, const double bound) const override
   {

@@ -10,7 +10,12 @@ namespace orthocone
 struct LameParameters
 {
   /// lambda = E nu / ((1 + nu) (1 - 2 nu)), mu = E / (2 (1 + nu)), of the isotropic constants.
-  explicit LameParameters(const MaterialOptions &material);
+  explicit LameParameters(const MaterialOptions &material)
+      : lambda(material.young_modulus * material.poisson_ratio /
+               ((1 + material.poisson_ratio) * (1 - 2 * material.poisson_ratio))),
+        mu(material.young_modulus / (2 * (1 + material.poisson_ratio)))
+  {
+  }
 
   double lambda;
   double mu;

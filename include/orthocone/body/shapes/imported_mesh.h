@@ -43,8 +43,6 @@ public:
 private:
   using Face = dealii::Triangulation<3>::active_face_iterator;
 
-  void read();
-  void find_groups(const std::vector<unsigned int> &vertex_of_node);
   void find_planes();
   void align();
   void check_cells();

@@ -46,8 +46,8 @@ public:
   NodeVector displacement(const Eigen::VectorXd &unknowns) const;
 
   /// d (mm) as far as it is known without long work, and what the rest of the body lacks of its equilibrium
-  /// then (N): Compliance::near().
-  ContactChange near(const Eigen::VectorXd &unknowns) const;
+  /// then (N): Compliance::approximate().
+  ContactChange approximate(const Eigen::VectorXd &unknowns) const;
 
   /// W and C times a change of the unknowns: the change of d, mm.
   NodeVector change_of_displacement(const Eigen::VectorXd &change) const;
@@ -73,9 +73,9 @@ public:
   double residual(const Eigen::VectorXd &unknowns) const;
   double residual(const Eigen::VectorXd &unknowns, const NodeVector &displacement) const;
 
-  /// The same without long work: with the d of near(), and with its rest as one more entry of the natural
-  /// map.
-  double near_residual(const Eigen::VectorXd &unknowns) const;
+  /// The same without long work: with the d of approximate(), and with its rest as one more entry of the
+  /// natural map.
+  double approximate_residual(const Eigen::VectorXd &unknowns) const;
 
   /// The same from the natural map at `unknowns`.
   double residual_of(const Eigen::VectorXd &map, const Eigen::VectorXd &unknowns) const;

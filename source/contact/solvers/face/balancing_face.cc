@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include "balancing_face.h"
+
+#include <algorithm>
+
+namespace orthocone
+{
+using Eigen::Index;
+using Eigen::VectorXd;
+
+BalancingFace::BalancingFace(const ContactStep &step, const VectorXd &unknowns)
+    : columns_(step.face().columns()),
+      softness_(step.system().softness()),
+      motion_(unknowns.tail(step.face().n())),
+      imbalance_(step.imbalance(unknowns))
+{
+}
+
+Eigen::Vector3d BalancingFace::displacement(const Index node) const
+{
+  return columns_.middleRows<3>(3 * node) * (motion_ + softness_ * imbalance_);
+}
+
+Eigen::Matrix3d BalancingFace::compliance(const Index node) const
+{
+  return softness_ * columns_.middleRows<3>(3 * node) * columns_.middleRows<3>(3 * node).transpose();
+}
+
+void BalancingFace::add(const Index node, const Eigen::Vector3d &change)
+{
+  imbalance_.noalias() += columns_.middleRows<3>(3 * node).transpose() * change;
+}
+
+namespace
+{
+constexpr double negligible = 1e-4;
+
+/// What the face lacks of its balance, relative to its forces.
+double imbalance_share(const ContactStep &step, const VectorXd &unknowns)
+{
+  return step.imbalance(unknowns).norm() / step.force_scale(unknowns);
+}
+
+/// Whether the face approaches the obstacle somewhere when it follows what is out of balance.
+bool is_pressed_on(const ContactStep &step, const VectorXd &unknowns)
+{
+  const VectorXd increment = step.face().columns() * step.imbalance(unknowns);
+  for (Index node = 0; node < increment.size(); node += 3)
+    if (increment[node] < 0)
+      return true;
+  return false;
+}
+
+/// Whether a node sticks that the face would move if it followed what is out of balance. One at the centre of
+/// a face that turns sticks, too, but does not hold it.
+bool is_held(const ContactStep &step, const VectorXd &unknowns, const std::vector<NodeStatus> &statuses)
+{
+  constexpr double still = 0.1; // of the largest motion of a node
+  const NodeVector increment = step.face().columns() * step.imbalance(unknowns);
+  double largest = 0, of_stuck = 0;
+  for (Index node = 0; node < step.n_nodes(); ++node)
+  {
+    const double moved = increment.segment<3>(3 * node).norm();
+    largest = std::max(largest, moved);
+    if (statuses[static_cast<std::size_t>(node)] == NodeStatus::stick)
+      of_stuck = std::max(of_stuck, moved);
+  }
+  return of_stuck > still * largest;
+}
+} // namespace
+
+bool nothing_holds(const ContactStep &step, const VectorXd &unknowns)
+{
+  if (step.face().n() == 0 || imbalance_share(step, unknowns) <= negligible)
+    return false;
+  const auto statuses = step.statuses(unknowns, step.displacement(unknowns));
+  const auto some_are = [&](const NodeStatus which)
+  { return std::find(statuses.begin(), statuses.end(), which) != statuses.end(); };
+  if (is_held(step, unknowns, statuses))
+    return false;
+  return some_are(NodeStatus::slip) || !is_pressed_on(step, unknowns);
+}
+
+bool BalanceWatch::runs_away(const ContactStep &step, const VectorXd &unknowns)
+{
+  constexpr double standing = 0.98;
+  constexpr unsigned int patience = 4;
+  if (step.face().n() == 0)
+    return false;
+  const double lacking = imbalance_share(step, unknowns);
+  const bool stands = lacking > negligible && lacking > standing * last_;
+  last_ = lacking;
+  n_standing_ = stands ? n_standing_ + 1 : 0;
+  if (n_standing_ < patience)
+    return false;
+  // An iteration goes on while any node sticks: those that hold the face in the end may be others.
+  const auto statuses = step.statuses(unknowns, step.displacement(unknowns));
+  return std::count(statuses.begin(), statuses.end(), NodeStatus::stick) == 0 &&
+         nothing_holds(step, unknowns);
+}
+} // namespace orthocone

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/contact/problem/contact_step.h>
+
+namespace orthocone
+{
+/// A map that vanishes at the solution, linearized at given unknowns: the conditions of every node and of the
+/// face for Newton's method.
+struct Linearization
+{
+  ContactConditions conditions;
+  double error; ///< norm of the map, N
+};
+
+/// The natural map. `displacement` belongs to `unknowns`; the map has `rho_factor` times the rho of the
+/// system.
+Linearization linearize(const ContactStep &step, const Eigen::VectorXd &unknowns,
+                        const NodeVector &displacement, double rho_factor = 1);
+
+/// The map of Alart and Curnier (1991), which asks for the pressure first, and for friction under this
+/// pressure then: docs/theory.md, section 3. Its slopes are not those of the natural map, so that Newton's
+/// method stalls elsewhere.
+Linearization linearize_alart_curnier(const ContactStep &step, const Eigen::VectorXd &unknowns,
+                                      const NodeVector &displacement, double rho_factor = 1);
+
+/// Forces and motion of the face of a change, in the order of the unknowns of a step.
+Eigen::VectorXd unknowns_of(const ContactChange &change);
+
+/// A change with the displacement that it causes, which a solver with a dense compliance leaves to others.
+ContactChange with_displacement(const ContactStep &step, ContactChange change);
+
+/// Newton's change of the unknowns, up to a relative error `accuracy` or the best that can be reached. Not
+/// finite if the linearization is singular.
+Eigen::VectorXd newton_change(const ConditionSolver &solver, const Linearization &linearization,
+                              double accuracy);
+} // namespace orthocone

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/contact/law/one_node.h>
+#include <orthocone/contact/solvers/contact_solver.h>
+
+#include <vector>
+
+namespace orthocone
+{
+/// Gauss-Seidel sweeps: every node in turn is solved exactly, with the forces of the others fixed.
+class GaussSeidel : public ContactSolver
+{
+public:
+  GaussSeidel(const ContactSystem &system, const ContactSolverOptions &options);
+
+  SolverReport solve(const ContactStep &step, Eigen::VectorXd &unknowns) const override;
+
+  /// One sweep over all nodes, in place; `relaxation` is the share of the one-node solutions that is taken.
+  void sweep(const ContactStep &step, Eigen::VectorXd &unknowns, double relaxation) const;
+
+private:
+  void sweep_with_face(const ContactStep &step, Eigen::VectorXd &unknowns, double relaxation) const;
+
+  const ContactSystem &system_;
+  ContactSolverOptions options_;
+  std::vector<OneNodeProblem> nodes_;
+};
+} // namespace orthocone
