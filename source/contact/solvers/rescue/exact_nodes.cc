@@ -73,6 +73,12 @@ std::optional<VectorXd> exact_forces(const ContactStep &step, const Nodes &nodes
 }
 } // namespace
 
+/// Where all other nodes obey their linearized conditions, the chosen ones have the displacement
+///   d = d_free + S r,
+/// with their forces r and the Schur complement S of the conditions of the others, which need not be
+/// symmetric. Column 3 k + i of S is the displacement under a unit force in direction i of node k. With S the
+/// chosen nodes are a contact problem of their own. The change that belongs to its forces is the sum of the
+/// columns' changes, so that the others still obey their conditions.
 std::optional<ContactChange> with_exact_nodes(const ContactStep &step, const VectorXd &unknowns,
                                               const NodeVector &displacement,
                                               const ContactConditions &conditions,

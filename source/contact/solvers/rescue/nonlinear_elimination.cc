@@ -66,6 +66,8 @@ NonlinearElimination::NonlinearElimination(const ContactSolverOptions &options, 
   options_.maximum_iterations = std::min(options.maximum_iterations, most_iterations);
 }
 
+/// With the nodes e that are eliminated, and the forces of all others as they are, d_e = q_e + W_ee r_e with
+/// q_e = d_e - W_ee r_e of the present state: a contact problem on a block of W.
 NonlinearElimination::Result NonlinearElimination::solve(const ContactStep &step, const VectorXd &unknowns,
                                                          const NodeVector &displacement) const
 {
