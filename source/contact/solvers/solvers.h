@@ -51,12 +51,6 @@ SolverReport iterate_until_converged(const ContactStep &step, const ContactSolve
   return make_report(step, unknowns, n_iterations, options.tolerance, std::move(trace), balance);
 }
 
-/// Step of the paper's Box 3 at a node: factor / min(w_nn, w_xx, w_yy), N/mm.
-inline double rho_of_box3(const ContactSystem &system, const Eigen::Index node, const double factor)
-{
-  return factor / system.compliance().diagonal_block(node).diagonal().minCoeff();
-}
-
 /// The dense compliance. Throws std::invalid_argument, which names the method, where there is none.
 const DenseView &dense_compliance(const ContactSystem &system, const char *method);
 

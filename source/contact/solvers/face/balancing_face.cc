@@ -42,28 +42,17 @@ double imbalance_share(const ContactStep &step, const VectorXd &unknowns)
   return step.imbalance(unknowns).norm() / step.force_scale(unknowns);
 }
 
-/// Whether the face approaches the obstacle somewhere when it follows what is out of balance.
-bool is_pressed_on(const ContactStep &step, const VectorXd &unknowns)
-{
-  const VectorXd increment = step.face().columns() * step.imbalance(unknowns);
-  for (Index node = 0; node < increment.size(); node += 3)
-    if (increment[node] < 0)
-      return true;
-  return false;
-}
-
-/// Whether a node sticks that the face would move if it followed what is out of balance. One at the centre of
+/// Whether a node sticks that the face would move by `increment` (mm a N of imbalance). One at the centre of
 /// a face that turns sticks, too, but does not hold it.
-bool is_held(const ContactStep &step, const VectorXd &unknowns, const std::vector<NodeStatus> &statuses)
+bool is_held(const NodeVector &increment, const std::vector<NodeStatus> &statuses)
 {
   constexpr double still = 0.1; // of the largest motion of a node
-  const NodeVector increment = step.face().columns() * step.imbalance(unknowns);
   double largest = 0, of_stuck = 0;
-  for (Index node = 0; node < step.n_nodes(); ++node)
+  for (std::size_t node = 0; node < statuses.size(); ++node)
   {
-    const double moved = increment.segment<3>(3 * node).norm();
+    const double moved = increment.segment<3>(3 * static_cast<Index>(node)).norm();
     largest = std::max(largest, moved);
-    if (statuses[static_cast<std::size_t>(node)] == NodeStatus::stick)
+    if (statuses[node] == NodeStatus::stick)
       of_stuck = std::max(of_stuck, moved);
   }
   return of_stuck > still * largest;
@@ -75,11 +64,13 @@ bool nothing_holds(const ContactStep &step, const VectorXd &unknowns)
   if (step.face().n() == 0 || imbalance_share(step, unknowns) <= negligible)
     return false;
   const auto statuses = step.statuses(unknowns, step.displacement(unknowns));
-  const auto some_are = [&](const NodeStatus which)
-  { return std::find(statuses.begin(), statuses.end(), which) != statuses.end(); };
-  if (is_held(step, unknowns, statuses))
+  // How the face would follow what is out of balance. All open nodes do not hold it, but those will that it
+  // approaches.
+  const NodeVector increment = step.face().columns() * step.imbalance(unknowns);
+  if (is_held(increment, statuses))
     return false;
-  return some_are(NodeStatus::slip) || !is_pressed_on(step, unknowns);
+  const bool some_slip = std::count(statuses.begin(), statuses.end(), NodeStatus::slip) > 0;
+  return some_slip || !(increment(Eigen::seq(0, Eigen::last, 3)).array() < 0).any();
 }
 
 bool BalanceWatch::runs_away(const ContactStep &step, const VectorXd &unknowns)

@@ -23,84 +23,12 @@ inline Allowances without_groups(Allowances allowances)
   return allowances;
 }
 
-/// How accurately the next linear system is solved: as accurately as Newton's method converges on the law,
-/// which is all that is not linear, and no better than the tolerance asks for.
-class Forcing
-{
-public:
-  double next(const double of_law, const double error, const double wanted)
-  {
-    constexpr double coarse = 0.3, fine = 1e-2, oversolving = 0.05;
-    const double reduction = last_ > 0 ? of_law / last_ : 1;
-    last_ = of_law;
-    return std::max(std::clamp(0.9 * reduction * reduction, fine, coarse), oversolving * wanted / error);
-  }
-
-private:
-  double last_ = 0; ///< error of the law
-};
-
-/// Whether iterates have come near the solution. Steps across a ridge lead away from it again for a while.
-class Nearness
-{
-public:
-  /// Whether one had an error of no more than a share of the first one, up to that with `error`.
-  bool has_come(const double error)
-  {
-    constexpr double share = 1e-3;
-    if (first_ == 0)
-      first_ = error;
-    has_come_ = has_come_ || error <= share * first_;
-    return has_come_;
-  }
-
-private:
-  double first_ = 0;
-  bool has_come_ = false;
-};
-
-/// The error that a step must stay below. Near the solution it is the larger one of the last two errors.
-/// Where slip is far from associated, the error may have a minimum beside the solution. Only a step across
-/// the ridge between both leads out of it (Grippo, Lampariello and Lucidi, SIAM J. Numer. Anal. 23 (1986)
-/// 707). Far from the solution such steps cost more than they save. docs/performance.md, "Multigrid".
-class Ridge
-{
-public:
-  double height(const double error, const bool is_near)
-  {
-    const double before = std::exchange(last_, error);
-    return is_near ? std::max(before, error) : error;
-  }
-
-private:
-  double last_ = 0;
-};
-
 /// Whether a step hardly pays.
 inline bool has_stalled(const double error, const double last_error)
 {
   constexpr double share = 0.5;
   return error > share * last_error;
 }
-
-/// Tells steps that are hard from easy ones, which stall once where nodes change their status. Far from the
-/// solution many nodes do, and to solve some of them exactly helps little (docs/performance.md, "Multigrid").
-class Stalls
-{
-public:
-  /// Steps that have stalled near the solution, up to the one that has led to `error`.
-  unsigned int number(const double error, const bool is_near)
-  {
-    const double before = std::exchange(last_, error);
-    if (is_near && has_stalled(error, before))
-      ++number_;
-    return number_;
-  }
-
-private:
-  double last_ = 0;
-  unsigned int number_ = 0;
-};
 
 /// What the next step may do.
 struct StepRule
@@ -112,7 +40,7 @@ struct StepRule
   bool may_solve_nodes; ///< several at once
 };
 
-/// Of the steps of one solution, in their order.
+/// Globalization of the steps of one solution: how accurate the next one is, and how far it may go.
 class Globalization
 {
 public:
@@ -120,16 +48,36 @@ public:
   StepRule next(const double of_law, const double error, const double wanted)
   {
     constexpr unsigned int hopeless = 5; // stalls: one node at a time has not helped
-    const bool is_near = nearness_.has_come(error);
-    const unsigned int stalls = stalls_.number(error, is_near);
-    return {forcing_.next(of_law, error, wanted), ridge_.height(error, is_near), is_near, stalls > 0,
-            stalls >= hopeless};
+    constexpr double near = 1e-3;        // of the first error
+    const double last_error = std::exchange(last_error_, error);
+    if (first_error_ == 0)
+      first_error_ = error;
+    has_been_near_ = has_been_near_ || error <= near * first_error_;
+    // Steps that are hard differ from easy ones, which stall once where nodes change their status. Far from
+    // the solution many nodes do, and to solve some of them exactly helps little.
+    if (has_been_near_ && has_stalled(error, last_error))
+      ++n_stalls_;
+    // Where slip is far from associated, the error may have a minimum beside the solution. Only a step across
+    // the ridge between both leads out of it: near the solution the bound is the larger one of the last two
+    // errors (Grippo, Lampariello and Lucidi, SIAM J. Numer. Anal. 23 (1986) 707). Far from it such steps
+    // cost more than they save. Both: docs/performance.md, "Multigrid".
+    const double bound = has_been_near_ ? std::max(last_error, error) : error;
+    return {accuracy(of_law, error, wanted), bound, has_been_near_, n_stalls_ > 0, n_stalls_ >= hopeless};
   }
 
 private:
-  Nearness nearness_;
-  Forcing forcing_;
-  Ridge ridge_;
-  Stalls stalls_;
+  /// As accurate as Newton's method converges on the law, which is all that is not linear, and no better than
+  /// the tolerance asks for (Eisenstat and Walker, SIAM J. Sci. Comput. 17 (1996) 16).
+  double accuracy(const double of_law, const double error, const double wanted)
+  {
+    constexpr double coarse = 0.3, fine = 1e-2, oversolving = 0.05;
+    const double last = std::exchange(last_of_law_, of_law);
+    const double reduction = last > 0 ? of_law / last : 1;
+    return std::max(std::clamp(0.9 * reduction * reduction, fine, coarse), oversolving * wanted / error);
+  }
+
+  double first_error_ = 0, last_error_ = 0, last_of_law_ = 0; ///< N
+  bool has_been_near_ = false; ///< steps across a ridge lead away from the solution again for a while
+  unsigned int n_stalls_ = 0;  ///< near the solution
 };
 } // namespace orthocone

@@ -22,56 +22,20 @@ bool is_finite(const ContactChange &change)
 }
 
 /// The iterate with the least error so far.
-class Best
+struct Best
 {
-public:
-  explicit Best(const Iterate &start)
-      : unknowns_(start.unknowns),
-        error_(start.error)
-  {
-  }
+  VectorXd unknowns;
+  double error; ///< of the map, N
+  unsigned int number = 0;
 
   /// Returns whether an iterate is better than all before.
-  bool offer(const Iterate &iterate, const unsigned int number)
+  bool offer(const Iterate &iterate, const unsigned int its_number)
   {
-    if (!(iterate.error < error_))
-      return false;
-    unknowns_ = iterate.unknowns;
-    error_ = iterate.error;
-    number_ = number;
-    return true;
+    const bool is_better = iterate.error < error;
+    if (is_better)
+      *this = {iterate.unknowns, iterate.error, its_number};
+    return is_better;
   }
-
-  unsigned int number() const { return number_; }
-  VectorXd take() { return std::move(unknowns_); }
-
-private:
-  VectorXd unknowns_;
-  double error_; ///< of the map, N
-  unsigned int number_ = 0;
-};
-
-/// Of a phase on the map of Alart and Curnier: which steps hardly paid.
-class StallsInARow
-{
-public:
-  /// Returns whether a step to `error` from `error_before` hardly paid.
-  bool note(const double error, const double error_before)
-  {
-    const bool is_stall = has_stalled(error, error_before); // as where few nodes hold up the others
-    number_ = is_stall ? number_ + 1 : 0;
-    return is_stall;
-  }
-
-  /// One stall is no sign: easy steps stall where nodes change their status, and get over it inexactly.
-  double inexactness() const
-  {
-    constexpr unsigned int before_exactness = 2;
-    return number_ < before_exactness ? inexactness_of_newton : inexactness_of_stalled_newton;
-  }
-
-private:
-  unsigned int number_ = 0;
 };
 } // namespace
 
@@ -114,19 +78,22 @@ void NewtonPhases::on_alart_curnier_map(NewtonProgress &progress) const
   constexpr double likely = 10; // tolerances
   const ContactStep &step = progress.step;
   Iterate last = alart_curnier_.at(step, progress.unknowns);
-  Best best(last);
-  StallsInARow stalls;
+  Best best{last.unknowns, last.error};
+  unsigned int stalls_in_a_row = 0;
   for (unsigned int i = 0, i_eliminated = 0;
-       i < most_iterations && i <= best.number() + most_without_gain && may_iterate(progress); ++i)
+       i < most_iterations && i <= best.number + most_without_gain && may_iterate(progress); ++i)
   {
-    const ContactChange change = alart_curnier_.change(step, last, stalls.inexactness());
+    // One stall is no sign: easy steps stall where nodes change their status, and get over it inexactly.
+    const double accuracy = stalls_in_a_row < 2 ? inexactness_of_newton : inexactness_of_stalled_newton;
+    const ContactChange change = alart_curnier_.change(step, last, accuracy);
     ++progress.iterations;
     if (!is_finite(change))
       break;
     const double error_before = last.error;
     last = alart_curnier_.search(step, last, change, {error_before, 1. / 16});
     const double small = likely * options_.tolerance * step.force_scale(last.unknowns);
-    if (stalls.note(last.error, error_before) && last.error > small &&
+    stalls_in_a_row = has_stalled(last.error, error_before) ? stalls_in_a_row + 1 : 0;
+    if (stalls_in_a_row > 0 && last.error > small &&
         eliminate(progress, last, i_eliminated == 0 || i >= i_eliminated + pause))
       i_eliminated = i;
     const bool is_better = best.offer(last, i);
@@ -137,7 +104,7 @@ void NewtonPhases::on_alart_curnier_map(NewtonProgress &progress) const
     if (is_better && residual <= options_.tolerance)
       break;
   }
-  progress.offer(step.admissible(best.take()));
+  progress.offer(step.admissible(std::move(best.unknowns)));
 }
 
 void NewtonPhases::on_natural_map(NewtonProgress &progress) const

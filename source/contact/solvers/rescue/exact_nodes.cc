@@ -73,6 +73,12 @@ std::optional<VectorXd> exact_forces(const ContactStep &step, const Nodes &nodes
 }
 } // namespace
 
+/// Where all other nodes obey their linearized conditions, the chosen ones have the displacement
+///   d = d_free + S r,
+/// with their forces r and the Schur complement S of the conditions of the others, which need not be
+/// symmetric. Column 3 k + i of S is the displacement under a unit force in direction i of node k. With S the
+/// chosen nodes are a contact problem of their own. The change that belongs to its forces is the sum of the
+/// columns' changes, so that the others still obey their conditions.
 std::optional<ContactChange> with_exact_nodes(const ContactStep &step, const VectorXd &unknowns,
                                               const NodeVector &displacement,
                                               const ContactConditions &conditions,
@@ -80,20 +86,20 @@ std::optional<ContactChange> with_exact_nodes(const ContactStep &step, const Vec
                                               const Nodes &nodes)
 {
   constexpr double accuracy = 1e-2; // Newton's next steps mend what it leaves
+  const Nodes entries = entries_of(nodes);
+  const auto n = static_cast<Index>(entries.size());
   std::vector<ContactChange> of_force;
-  const auto n = 3 * static_cast<Index>(nodes.size());
   MatrixXd compliance(n, n);
   for (const Index node : nodes)
     for (int i = 0; i < 3; ++i)
     {
       of_force.push_back(with_displacement(
           step, solver.solve(conditions_of_force(conditions, nodes, node, Vector3d::Unit(i)), accuracy)));
-      compliance.col(static_cast<Index>(of_force.size()) - 1) =
-          values_at(nodes, of_force.back().displacement);
+      compliance.col(static_cast<Index>(of_force.size()) - 1) = of_force.back().displacement(entries);
     }
-  const VectorXd moved = values_at(nodes, unknowns.head(change.force.size()) + change.force);
-  const VectorXd free = values_at(nodes, displacement + change.displacement) - compliance * moved;
-  const VectorXd start = nodes.size() == 1 ? moved : values_at(nodes, unknowns);
+  const VectorXd moved = unknowns(entries) + change.force(entries);
+  const VectorXd free = displacement(entries) + change.displacement(entries) - compliance * moved;
+  const VectorXd start = nodes.size() == 1 ? moved : VectorXd(unknowns(entries));
   const auto forces = exact_forces(step, nodes, compliance, free, start);
   if (!forces || !forces->allFinite())
     return std::nullopt;

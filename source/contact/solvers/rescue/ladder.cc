@@ -23,137 +23,192 @@ using Eigen::VectorXd;
 
 namespace
 {
-/// What is tried while a step is not solved: in these rounds, where the condition holds.
+/// What is tried in these rounds while a step is open, where the condition holds.
 template<typename Attempt>
 struct Rung
 {
   unsigned int first_round, last_round;
   const char *name;
-  bool (*condition)(const Attempt &);
-  void (*method)(Attempt &);
+  bool (Attempt::*condition)() const;
+  void (Attempt::*method)();
 };
 
 constexpr unsigned int ever = std::numeric_limits<unsigned int>::max();
-
-template<typename Attempt>
-bool always(const Attempt &)
-{
-  return true;
-}
 
 /// One round of a ladder, up to the rung that solves the step.
 template<typename Attempt, std::size_t n>
 void climb(const Rung<Attempt> (&ladder)[n], Attempt &attempt, const unsigned int round)
 {
   for (const Rung<Attempt> &rung : ladder)
-    if (rung.first_round <= round && round <= rung.last_round && attempt.is_open() && rung.condition(attempt))
-      rung.method(attempt);
+    if (rung.first_round <= round && round <= rung.last_round && attempt.is_open() &&
+        (attempt.*rung.condition)())
+      (attempt.*rung.method)();
 }
 
-/// What Newton's method has beside its steps where W is dense. Small problems that it makes of its own have
-/// neither elimination nor proximal steps.
-struct DenseTools
+/// Semismooth Newton with a dense W, and what it has beside its own steps.
+struct DenseNewton : ContactSolver
 {
-  DenseTools(const ContactSystem &system, const ContactSolverOptions &options_, bool is_of_small_problem);
+  /// Small problems that the method makes of its own have neither elimination nor proximal steps.
+  DenseNewton(const ContactSystem &system, const ContactSolverOptions &options_, const bool is_small = true)
+      : options(options_),
+        sweeps(system, options_),
+        conditions(condition_solver(system, "newton")),
+        elimination(is_small ? nullptr : std::make_unique<NonlinearElimination>(options, make<DenseNewton>)),
+        proximal_steps(is_small ? nullptr
+                                : std::make_unique<ProximalSteps>(system, options, make<DenseNewton>)),
+        phases(options, *conditions, elimination.get())
+  {
+  }
+
+  SolverReport solve(const ContactStep &step, VectorXd &unknowns) const override;
 
   ContactSolverOptions options;
   GaussSeidel sweeps;
   std::unique_ptr<const ConditionSolver> conditions;
-  std::unique_ptr<const NonlinearElimination> elimination{};
-  std::unique_ptr<const ProximalSteps> proximal_steps{}; ///< for singular W
-  NewtonPhases newton;
+  std::unique_ptr<const NonlinearElimination> elimination;
+  std::unique_ptr<const ProximalSteps> proximal_steps; ///< for singular W
+  NewtonPhases phases;
 };
 
 /// A step on the ladder of a dense W.
-struct DenseAttempt
+class DenseAttempt
 {
+public:
+  DenseAttempt(const DenseNewton &newton, const ContactStep &step, VectorXd &unknowns)
+      : newton_(newton),
+        step_(step),
+        start_(unknowns),
+        start_residual_(step.residual(unknowns)),
+        progress_{step, unknowns, start_residual_}
+  {
+  }
+
   /// Whether the step is neither solved nor lost.
   bool is_open() const
   {
-    return progress.residual > tools.options.tolerance && std::isfinite(progress.residual);
+    return progress_.residual > newton_.options.tolerance && std::isfinite(progress_.residual);
   }
 
+  SolverReport solve();
+
+  bool always() const { return true; }
+  bool face_is_unheld() const { return is_unheld_without_forces(step_, progress_.unknowns); }
+  bool few_nodes_show_that_w_is_singular() const
+  {
+    return newton_.proximal_steps && newton_.proximal_steps->are_needed_by_few_nodes();
+  }
+  bool w_is_singular() const
+  {
+    return newton_.proximal_steps && !few_nodes_show_that_w_is_singular() &&
+           newton_.proximal_steps->are_needed();
+  }
+
+  void press_face();
+  void sweep_then_take_proximal_steps();
+  void return_to_start();
+  void sweep();
+  void alart_curnier_map() { newton_.phases.on_alart_curnier_map(progress_); }
+  void natural_map() { newton_.phases.on_natural_map(progress_); }
+  void full_steps() { newton_.phases.in_full(progress_); }
+
+private:
   bool may_iterate(const unsigned int n = 1) const
   {
-    return progress.iterations + n <= tools.options.maximum_iterations;
+    return progress_.iterations + n <= newton_.options.maximum_iterations;
   }
+  void sweep_while_promising();
 
-  const DenseTools &tools;
-  NewtonProgress progress;
-  const VectorXd start;
-  const double start_residual;
-  unsigned int round = 0;
+  const DenseNewton &newton_;
+  const ContactStep &step_;
+  const VectorXd start_;
+  const double start_residual_;
+  NewtonProgress progress_;
+  unsigned int round_ = 0;
 };
 
-bool face_is_unheld(const DenseAttempt &attempt)
-{
-  return is_unheld_without_forces(attempt.progress.step, attempt.progress.unknowns);
-}
+using OnDense = DenseAttempt;
 
-bool few_nodes_show_that_w_is_singular(const DenseAttempt &attempt)
-{
-  return attempt.tools.proximal_steps && attempt.tools.proximal_steps->are_needed_by_few_nodes();
-}
+/// With a dense W. Rounds follow each other until the step is solved, the iterations are used up, or the face
+/// runs away. The map of Alart and Curnier opens, because the natural one stalls sooner
+/// (docs/performance.md). Where both stall, exact sweeps give Newton's method their robustness.
+constexpr Rung<OnDense> dense_ladder[] = {
+    {0, 0, "forces that press an unheld face", &OnDense::face_is_unheld, &OnDense::press_face},
+    {0, 0, "sweeps, then proximal steps", &OnDense::few_nodes_show_that_w_is_singular,
+     &OnDense::sweep_then_take_proximal_steps},
+    {0, 0, "Alart-Curnier map, with nonlinear elimination", &OnDense::always, &OnDense::alart_curnier_map},
+    {0, 0, "natural map", &OnDense::always, &OnDense::natural_map},
+    {1, 1, "back to the start", &OnDense::always, &OnDense::return_to_start},
+    {1, 1, "sweeps, then proximal steps", &OnDense::w_is_singular, &OnDense::sweep_then_take_proximal_steps},
+    {1, ever, "sweeps", &OnDense::always, &OnDense::sweep},
+    {1, ever, "natural map", &OnDense::always, &OnDense::natural_map},
+    {1, ever, "Alart-Curnier map, with nonlinear elimination", &OnDense::always, &OnDense::alart_curnier_map},
+    {1, ever, "natural map in full steps", &OnDense::always, &OnDense::full_steps},
+};
 
-bool w_is_singular(const DenseAttempt &attempt)
+SolverReport DenseAttempt::solve()
 {
-  return attempt.tools.proximal_steps && !few_nodes_show_that_w_is_singular(attempt) &&
-         attempt.tools.proximal_steps->are_needed();
+  progress_.note(start_residual_, start_);
+  BalanceWatch watch;
+  Balance balance = Balance::judged;
+  for (; is_open() && may_iterate() && balance != Balance::lost; ++round_)
+  {
+    climb(dense_ladder, *this, round_);
+    if (is_open() && watch.runs_away(step_, progress_.unknowns))
+      balance = Balance::lost;
+  }
+  return make_report(step_, progress_.unknowns, progress_.iterations, newton_.options.tolerance,
+                     std::move(progress_.trace), balance);
 }
 
 /// Forces that balance the load, and the motion of the face that brings the nodes back where they push them
 /// off.
-void press_face(DenseAttempt &attempt)
+void DenseAttempt::press_face()
 {
-  NewtonProgress &progress = attempt.progress;
-  const ContactStep &step = progress.step;
-  progress.unknowns = balancing_start(step);
-  const NodeVector moved = step.displacement(progress.unknowns);
-  progress.unknowns.tail(step.face().n()) -= step.face().columns().transpose() * moved;
-  progress.residual = step.residual(progress.unknowns);
+  VectorXd &unknowns = progress_.unknowns;
+  unknowns = balancing_start(step_);
+  const NodeVector moved = step_.displacement(unknowns);
+  unknowns.tail(step_.face().n()) -= step_.face().columns().transpose() * moved;
+  progress_.residual = step_.residual(unknowns);
 }
 
-/// Sweeps, which solve steps of few bodies or from good starts: with a hundred nodes all of them cost as much
-/// as four of Newton's steps, and with a sparse W five times as many do. They end where twice as many would
-/// not do at their pace.
-void sweep_while_promising(DenseAttempt &attempt)
+/// Sweeps solve steps of few bodies or from good starts: with a hundred nodes all of them cost as much as
+/// four of Newton's steps, and with a sparse W five times as many do. They end where twice as many would not
+/// do at their pace.
+void DenseAttempt::sweep_while_promising()
 {
   constexpr unsigned int interval = 20;
-  NewtonProgress &progress = attempt.progress;
-  const ContactStep &step = progress.step;
-  const unsigned int most_sweeps = step.system().compliance().is_sparse() ? 2000 : 400;
-  VectorXd swept = progress.unknowns;
+  const unsigned int most_sweeps = step_.system().compliance().is_sparse() ? 2000 : 400;
+  VectorXd swept = progress_.unknowns;
   bool is_promising = true;
-  for (unsigned int n = interval;
-       is_promising && attempt.is_open() && n <= most_sweeps && attempt.may_iterate(interval); n += interval)
+  for (unsigned int n = interval; is_promising && is_open() && n <= most_sweeps && may_iterate(interval);
+       n += interval)
   {
-    const double last = progress.residual;
-    for (unsigned int i = 0; i < interval; ++i, ++progress.iterations)
-      attempt.tools.sweeps.sweep(step, swept, 1);
-    progress.offer(swept);
-    const double pace = progress.residual / last, looks = 2. * (most_sweeps - n) / interval;
-    is_promising = progress.residual * std::pow(pace, looks) <= attempt.tools.options.tolerance;
+    const double last = progress_.residual;
+    for (unsigned int i = 0; i < interval; ++i, ++progress_.iterations)
+      newton_.sweeps.sweep(step_, swept, 1);
+    progress_.offer(swept);
+    const double pace = progress_.residual / last, looks = 2. * (most_sweeps - n) / interval;
+    is_promising = progress_.residual * std::pow(pace, looks) <= newton_.options.tolerance;
   }
 }
 
-void sweep_then_take_proximal_steps(DenseAttempt &attempt)
+void DenseAttempt::sweep_then_take_proximal_steps()
 {
-  NewtonProgress &progress = attempt.progress;
-  VectorXd improved = progress.unknowns;
-  sweep_while_promising(attempt);
-  if (!attempt.is_open())
+  VectorXd improved = progress_.unknowns;
+  sweep_while_promising();
+  if (!is_open())
     return;
-  const unsigned int iterations_left = attempt.tools.options.maximum_iterations - progress.iterations;
-  progress.iterations += attempt.tools.proximal_steps->improve(progress.step, improved, iterations_left);
-  progress.offer(progress.step.admissible(std::move(improved)));
+  const unsigned int iterations_left = newton_.options.maximum_iterations - progress_.iterations;
+  progress_.iterations += newton_.proximal_steps->improve(step_, improved, iterations_left);
+  progress_.offer(step_.admissible(std::move(improved)));
 }
 
 /// Sweeps from where Newton's steps stalled may lead to another solution than sweeps from the start, and the
 /// next load step may have none behind it (docs/stability.md).
-void return_to_start(DenseAttempt &attempt)
+void DenseAttempt::return_to_start()
 {
-  attempt.progress.unknowns = attempt.start;
-  attempt.progress.residual = attempt.start_residual;
+  progress_.unknowns = start_;
+  progress_.residual = start_residual_;
 }
 
 /// Relaxation of the sweeps of a round. Where rounds keep stalling, exact sweeps send the forces to and fro
@@ -167,183 +222,114 @@ double relaxation_of_round(const unsigned int round)
   return round % 4 == 1 ? 0.3 : 0.05;
 }
 
-/// Ten sweeps, and twice as many in each round (docs/theory.md, section 3).
-void sweep(DenseAttempt &attempt)
+void DenseAttempt::sweep()
 {
-  constexpr unsigned int first = 10, most = 160, most_doublings = 4;
-  const unsigned int n_sweeps = std::min(first << std::min(attempt.round - 1, most_doublings), most);
-  NewtonProgress &progress = attempt.progress;
-  for (unsigned int i = 0; i < n_sweeps && attempt.may_iterate(); ++i, ++progress.iterations)
-    attempt.tools.sweeps.sweep(progress.step, progress.unknowns, relaxation_of_round(attempt.round));
+  constexpr unsigned int first = 10, most_doublings = 4; // docs/theory.md, section 3
+  const unsigned int n_sweeps = first << std::min(round_ - 1, most_doublings);
+  for (unsigned int i = 0; i < n_sweeps && may_iterate(); ++i, ++progress_.iterations)
+    newton_.sweeps.sweep(step_, progress_.unknowns, relaxation_of_round(round_));
 }
 
-void solve_on_alart_curnier_map(DenseAttempt &attempt)
+SolverReport DenseNewton::solve(const ContactStep &step, VectorXd &unknowns) const
 {
-  attempt.tools.newton.on_alart_curnier_map(attempt.progress);
+  return DenseAttempt(*this, step, unknowns).solve();
 }
 
-void solve_on_natural_map(DenseAttempt &attempt)
+/// Newton's method on a body without a dense W.
+struct WholeBodyNewton : ContactSolver
 {
-  attempt.tools.newton.on_natural_map(attempt.progress);
-}
-
-void solve_in_full_steps(DenseAttempt &attempt)
-{
-  attempt.tools.newton.in_full(attempt.progress);
-}
-
-/// With a dense W. Rounds follow each other until the step is solved, the iterations are used up, or the face
-/// runs away. The map of Alart and Curnier opens, because the natural one stalls sooner
-/// (docs/performance.md).
-constexpr Rung<DenseAttempt> dense_ladder[] = {
-    {0, 0, "forces that press an unheld face", face_is_unheld, press_face},
-    {0, 0, "sweeps, then proximal steps", few_nodes_show_that_w_is_singular, sweep_then_take_proximal_steps},
-    {0, 0, "Alart-Curnier map, with nonlinear elimination", always, solve_on_alart_curnier_map},
-    {0, 0, "natural map", always, solve_on_natural_map},
-    {1, 1, "back to the start", always, return_to_start},
-    {1, 1, "sweeps, then proximal steps", w_is_singular, sweep_then_take_proximal_steps},
-    {1, ever, "sweeps", always, sweep},
-    {1, ever, "natural map", always, solve_on_natural_map},
-    {1, ever, "Alart-Curnier map, with nonlinear elimination", always, solve_on_alart_curnier_map},
-    {1, ever, "natural map in full steps", always, solve_in_full_steps},
-};
-
-/// Semismooth Newton on two maps, whose pieces meet elsewhere. Where both stall, it falls back on exact
-/// sweeps, so that it inherits their robustness.
-class DenseNewton : public ContactSolver
-{
-public:
-  DenseNewton(const ContactSystem &system, const ContactSolverOptions &options,
-              const bool is_of_small_problem = true)
-      : tools_(system, options, is_of_small_problem)
+  WholeBodyNewton(const ContactSystem &system, const ContactSolverOptions &options,
+                  const Allowances &allowances, const Continue from)
+      : on_alart_curnier_map(make_inexact_newton(system, options, allowances)),
+        on_natural_map(make_inexact_newton(system, options, without_groups(allowances), linearize))
   {
+    if (from == Continue::from_associated && !is_associated(system))
+      continuation.emplace(options);
   }
 
-  SolverReport solve(const ContactStep &step, VectorXd &unknowns) const override
-  {
-    const double residual = step.residual(unknowns);
-    DenseAttempt attempt{tools_, {step, unknowns, residual}, unknowns, residual};
-    attempt.progress.note(residual, unknowns);
-    BalanceWatch watch;
-    Balance balance = Balance::judged;
-    for (; attempt.is_open() && attempt.may_iterate() && balance != Balance::lost; ++attempt.round)
-    {
-      climb(dense_ladder, attempt, attempt.round);
-      if (attempt.is_open() && watch.runs_away(step, unknowns))
-        balance = Balance::lost;
-    }
-    return make_report(step, unknowns, attempt.progress.iterations, tools_.options.tolerance,
-                       std::move(attempt.progress.trace), balance);
-  }
+  SolverReport solve(const ContactStep &step, VectorXd &unknowns) const override;
 
-private:
-  DenseTools tools_;
+  std::unique_ptr<const ContactSolver> on_alart_curnier_map, on_natural_map;
+  std::optional<const Continuation> continuation{}; ///< where there is a slip rule to come from
 };
-
-DenseTools::DenseTools(const ContactSystem &system, const ContactSolverOptions &options_,
-                       const bool is_of_small_problem)
-    : options(options_),
-      sweeps(system, options_),
-      conditions(condition_solver(system, "newton")),
-      elimination(is_of_small_problem ? nullptr
-                                      : std::make_unique<NonlinearElimination>(options_, make<DenseNewton>)),
-      proximal_steps(is_of_small_problem
-                         ? nullptr
-                         : std::make_unique<ProximalSteps>(system, options_, make<DenseNewton>)),
-      newton(options_, *conditions, elimination.get())
-{
-}
 
 /// A step on the ladder of a body without a dense W.
-struct WholeBodyAttempt
+class WholeBodyAttempt
 {
+public:
+  WholeBodyAttempt(const WholeBodyNewton &newton, const ContactStep &step, VectorXd &unknowns)
+      : newton_(newton),
+        step_(step),
+        start_(unknowns),
+        unknowns_(unknowns)
+  {
+  }
+
+  SolverReport solve();
+
   /// Whether another method may find what the last one did not.
   bool is_open() const
   {
-    return report.verdict == Verdict::cycling || report.verdict == Verdict::slow ||
-           report.verdict == Verdict::diverged;
+    return report_.verdict == Verdict::cycling || report_.verdict == Verdict::slow ||
+           report_.verdict == Verdict::diverged;
   }
 
-  /// Each method begins at the start.
+  bool always() const { return true; }
+  bool slip_is_not_associated() const { return newton_.continuation.has_value(); }
+
+  void alart_curnier_map() { solve_by(*newton_.on_alart_curnier_map); }
+  void natural_map() { solve_by(*newton_.on_natural_map); }
+  void follow_from_associated_slip();
+
+private:
   void solve_by(const ContactSolver &solver)
   {
-    const unsigned int iterations = report.iterations;
-    unknowns = start;
-    report = solver.solve(step, unknowns);
-    report.iterations += iterations;
+    const unsigned int iterations = report_.iterations;
+    unknowns_ = start_;
+    report_ = solver.solve(step_, unknowns_);
+    report_.iterations += iterations;
   }
 
-  const ContactSolver &on_alart_curnier_map, &on_natural_map;
-  const Continuation *continuation; ///< null: the slip rule is associated, or is not to be followed
-  const ContactStep &step;
-  VectorXd &unknowns;
-  const VectorXd start;
-  SolverReport report{};
+  const WholeBodyNewton &newton_;
+  const ContactStep &step_;
+  const VectorXd start_;
+  VectorXd &unknowns_;
+  SolverReport report_{}; ///< of the last method, with the iterations of all
 };
 
-bool slip_is_not_associated(const WholeBodyAttempt &attempt)
-{
-  return attempt.continuation != nullptr;
-}
+using OnBody = WholeBodyAttempt;
 
-void solve_inexactly_on_alart_curnier_map(WholeBodyAttempt &attempt)
-{
-  attempt.solve_by(attempt.on_alart_curnier_map);
-}
+/// Without a dense W there are no sweeps. Each method begins at the start. The first map stalls less often.
+constexpr Rung<OnBody> whole_body_ladder[] = {
+    {0, 0, "Alart-Curnier map, with exact nodes", &OnBody::always, &OnBody::alart_curnier_map},
+    {0, 0, "natural map, with exact nodes", &OnBody::always, &OnBody::natural_map},
+    {0, 0, "continuation from associated slip", &OnBody::slip_is_not_associated,
+     &OnBody::follow_from_associated_slip},
+};
 
-void solve_inexactly_on_natural_map(WholeBodyAttempt &attempt)
+SolverReport WholeBodyAttempt::solve()
 {
-  attempt.solve_by(attempt.on_natural_map);
+  climb(whole_body_ladder, *this, 0);
+  return std::move(report_);
 }
 
 /// Where the continuation fails, the failure that is reported is that of the given slip rule.
-void follow_from_associated_slip(WholeBodyAttempt &attempt)
+void WholeBodyAttempt::follow_from_associated_slip()
 {
-  Continuation::Path path{attempt.start};
-  const unsigned int iterations = attempt.report.iterations;
-  if (auto followed = attempt.continuation->follow(attempt.step, path))
+  Continuation::Path path{start_};
+  const unsigned int iterations = report_.iterations;
+  if (auto followed = newton_.continuation->follow(step_, path))
   {
-    attempt.report = *std::move(followed);
-    attempt.unknowns = std::move(path.unknowns);
+    report_ = *std::move(followed);
+    unknowns_ = std::move(path.unknowns);
   }
-  attempt.report.iterations = iterations + path.iterations;
+  report_.iterations = iterations + path.iterations;
 }
 
-/// Without a dense W, and so without sweeps. The first map stalls less often.
-constexpr Rung<WholeBodyAttempt> whole_body_ladder[] = {
-    {0, 0, "Alart-Curnier map, with exact nodes", always, solve_inexactly_on_alart_curnier_map},
-    {0, 0, "natural map, with exact nodes", always, solve_inexactly_on_natural_map},
-    {0, 0, "continuation from associated slip", slip_is_not_associated, follow_from_associated_slip},
-};
-
-class WholeBodyNewton : public ContactSolver
+SolverReport WholeBodyNewton::solve(const ContactStep &step, VectorXd &unknowns) const
 {
-public:
-  WholeBodyNewton(const ContactSystem &system, const ContactSolverOptions &options,
-                  const Allowances &allowances, const Continue from)
-      : on_alart_curnier_map_(make_inexact_newton(system, options, allowances, linearize_alart_curnier)),
-        on_natural_map_(make_inexact_newton(system, options, without_groups(allowances), linearize))
-  {
-    if (from == Continue::from_associated && !is_associated(system))
-      continuation_.emplace(options);
-  }
-
-  SolverReport solve(const ContactStep &step, VectorXd &unknowns) const override
-  {
-    WholeBodyAttempt attempt{*on_alart_curnier_map_,
-                             *on_natural_map_,
-                             continuation_ ? &*continuation_ : nullptr,
-                             step,
-                             unknowns,
-                             unknowns};
-    climb(whole_body_ladder, attempt, 0);
-    return std::move(attempt.report);
-  }
-
-private:
-  std::unique_ptr<ContactSolver> on_alart_curnier_map_, on_natural_map_;
-  std::optional<Continuation> continuation_{};
-};
+  return WholeBodyAttempt(*this, step, unknowns).solve();
+}
 
 std::unique_ptr<ContactSolver> make_newton(const ContactSystem &system, const ContactSolverOptions &options)
 {

@@ -26,14 +26,6 @@ using Nodes = std::vector<Index>;
 constexpr std::size_t most_worst = 24;
 constexpr Index neighbours = 32, size_of_problem = 100;
 
-/// A block of W, from its lower half.
-Matrix3d block(const DenseView &w, const Index i, const Index j)
-{
-  if (i >= j)
-    return w.block<3, 3>(3 * i, 3 * j);
-  return w.block<3, 3>(3 * j, 3 * i).transpose();
-}
-
 /// The node and its nearest ones, nearest first.
 Nodes neighbourhood(const DenseView &w, const Index node)
 {
@@ -64,17 +56,6 @@ Nodes with_neighbours(Nodes nodes, const DenseView &w)
       }
   return nodes;
 }
-
-MatrixXd compliance_of(const Nodes &nodes, const DenseView &w)
-{
-  const auto n = static_cast<Index>(nodes.size());
-  MatrixXd result(3 * n, 3 * n);
-  for (Index j = 0; j < n; ++j)
-    for (Index i = 0; i < n; ++i)
-      result.block<3, 3>(3 * i, 3 * j) = block(w, nodes[i], nodes[j]);
-  return result;
-}
-
 } // namespace
 
 NonlinearElimination::NonlinearElimination(const ContactSolverOptions &options, Make *const make)
@@ -85,6 +66,8 @@ NonlinearElimination::NonlinearElimination(const ContactSolverOptions &options, 
   options_.maximum_iterations = std::min(options.maximum_iterations, most_iterations);
 }
 
+/// With the nodes e that are eliminated, and the forces of all others as they are, d_e = q_e + W_ee r_e with
+/// q_e = d_e - W_ee r_e of the present state: a contact problem on a block of W.
 NonlinearElimination::Result NonlinearElimination::solve(const ContactStep &step, const VectorXd &unknowns,
                                                          const NodeVector &displacement) const
 {
@@ -96,13 +79,14 @@ NonlinearElimination::Result NonlinearElimination::solve(const ContactStep &step
   if (nodes.size() > most_worst)
     return {};
   nodes = with_neighbours(std::move(nodes), *w);
-  const DenseCompliance compliance(compliance_of(nodes, *w));
+  const Nodes entries = entries_of(nodes);
+  const DenseCompliance compliance(MatrixXd((*w)(entries, entries)));
   std::vector<OrthotropicFriction> laws;
   for (const Index node : nodes)
     laws.push_back(step.law(node));
   const ContactSystem system(compliance, std::move(laws));
-  VectorXd forces = values_at(nodes, unknowns);
-  const ContactStep problem(system, values_at(nodes, displacement) - *compliance.dense() * forces);
+  VectorXd forces = unknowns(entries);
+  const ContactStep problem(system, displacement(entries) - *compliance.dense() * forces);
   const SolverReport report = make_(system, options_)->solve(problem, forces);
   Result result;
   const double share = static_cast<double>(nodes.size()) / static_cast<double>(step.n_nodes());
@@ -110,8 +94,7 @@ NonlinearElimination::Result NonlinearElimination::solve(const ContactStep &step
   if (!report.converged)
     return result;
   result.unknowns = unknowns;
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    result.unknowns->segment<3>(3 * nodes[i]) = forces.segment<3>(3 * static_cast<Index>(i));
+  (*result.unknowns)(entries) = forces;
   return result;
 }
 } // namespace orthocone

@@ -69,6 +69,8 @@ bool ProximalSteps::are_needed_by_few_nodes() const
   return w != nullptr && is_singular(w->topLeftCorner(size, size));
 }
 
+/// From forces r, a step solves d = (q - alpha r) + (W + alpha I) r_new: at r_new = r this is d = q + W r.
+/// The softness alpha is a share of the largest eigenvalue of W.
 unsigned int ProximalSteps::improve(const ContactStep &step, VectorXd &unknowns,
                                     const unsigned int most_iterations) const
 {

@@ -61,11 +61,11 @@ Nodes worst_nodes(const ContactStep &step, const VectorXd &unknowns, const NodeV
   return nodes;
 }
 
-VectorXd values_at(const Nodes &nodes, const VectorXd &values)
+Nodes entries_of(const Nodes &nodes)
 {
-  VectorXd result(3 * static_cast<Index>(nodes.size()));
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    result.segment<3>(3 * static_cast<Index>(i)) = values.segment<3>(3 * nodes[i]);
-  return result;
+  Nodes entries;
+  for (const Index node : nodes)
+    entries.insert(entries.end(), {3 * node, 3 * node + 1, 3 * node + 2});
+  return entries;
 }
 } // namespace orthocone

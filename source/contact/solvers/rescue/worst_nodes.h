@@ -22,6 +22,6 @@ std::optional<Eigen::Index> dominant_node(const ContactStep &step, const Eigen::
 std::vector<Eigen::Index> worst_nodes(const ContactStep &step, const Eigen::VectorXd &unknowns,
                                       const NodeVector &displacement, std::size_t most);
 
-/// Three values of each of these nodes.
-Eigen::VectorXd values_at(const std::vector<Eigen::Index> &nodes, const Eigen::VectorXd &values);
+/// The numbers of the three entries of each of these nodes: indices for Eigen's vectors and matrices.
+std::vector<Eigen::Index> entries_of(const std::vector<Eigen::Index> &nodes);
 } // namespace orthocone

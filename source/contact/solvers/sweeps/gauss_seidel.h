@@ -9,7 +9,10 @@
 
 namespace orthocone
 {
-/// Gauss-Seidel sweeps: every node in turn is solved exactly, with the forces of the others fixed.
+/// Nonlinear Gauss-Seidel (Jourdan, Alart and Jean, Comput. Methods Appl. Mech. Engrg. 155 (1998) 31): every
+/// node i in turn is solved exactly, d_i = (q_i + sum over j != i of W_ij r_j) + W_ii r_i with the forces r_j
+/// of the others fixed. It needs no slope, so that it gets on where Newton's method stalls, but slowly:
+/// forces travel over a large surface in many sweeps.
 class GaussSeidel : public ContactSolver
 {
 public:

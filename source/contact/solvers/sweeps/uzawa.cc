@@ -12,24 +12,28 @@ using Eigen::VectorXd;
 
 namespace
 {
-/// The method's iterations on one step. A face's lack of balance is put beside the displacements, and its
-/// motion beside the forces: the problem of both together is monotone, too.
+/// Simultaneous projections with a self-adaptive step: the projection-contraction method of He and Liao (J.
+/// Optim. Theory Appl. 112 (2002) 111-128) on one step. It needs products with W only. A face's lack of
+/// balance is put beside the displacements, and its motion beside the forces: the problem of both together is
+/// monotone, too.
 class Projections
 {
 public:
   explicit Projections(const ContactStep &step);
 
-  /// One prediction and one correction; `factor` scales the steps and is adapted.
-  void iterate(VectorXd &unknowns, double &factor) const;
-
-  const VectorXd &rho() const { return rho_; }
+  /// One prediction and one correction.
+  void iterate(VectorXd &unknowns);
 
 private:
   VectorXd modified(const VectorXd &unknowns) const;
-  VectorXd predicted(const VectorXd &unknowns, const VectorXd &direction, double factor) const;
+  VectorXd predicted(const VectorXd &unknowns, const VectorXd &direction, const double factor) const
+  {
+    return step_.admissible(unknowns - factor * rho_.cwiseProduct(direction));
+  }
 
   const ContactStep &step_;
-  VectorXd rho_; ///< step of each unknown; the metric of the method is diag(1 / rho)
+  VectorXd rho_;  ///< step of each unknown; the metric of the method is diag(1 / rho)
+  double factor_; ///< of the steps
 };
 
 Projections::Projections(const ContactStep &step)
@@ -39,6 +43,7 @@ Projections::Projections(const ContactStep &step)
   for (Index node = 0; node < step.n_nodes(); ++node)
     rho_.segment<3>(3 * node).setConstant(step.system().rho(node));
   rho_.tail(step.face().n()).setConstant(step.system().softness());
+  factor_ = 1 / (step.system().softness() * rho_.head(3 * step.n_nodes()).maxCoeff());
 }
 
 VectorXd Projections::modified(const VectorXd &unknowns) const
@@ -51,13 +56,7 @@ VectorXd Projections::modified(const VectorXd &unknowns) const
   return g;
 }
 
-VectorXd Projections::predicted(const VectorXd &unknowns, const VectorXd &direction,
-                                const double factor) const
-{
-  return step_.admissible(unknowns - factor * rho_.cwiseProduct(direction));
-}
-
-void Projections::iterate(VectorXd &unknowns, double &factor) const
+void Projections::iterate(VectorXd &unknowns)
 {
   // He and Liao recommend these values: a prediction is accepted if `ratio` <= largest_ratio, and the step
   // grows where it was far too careful.
@@ -72,55 +71,46 @@ void Projections::iterate(VectorXd &unknowns, double &factor) const
   double ratio = 0;
   for (unsigned int reduction = 0; reduction < most_reductions; ++reduction)
   {
-    prediction = predicted(unknowns, g, factor);
+    prediction = predicted(unknowns, g, factor_);
     change = unknowns - prediction;
     g_predicted = modified(prediction);
-    g_change = factor * rho_.cwiseProduct(g - g_predicted);
+    g_change = factor_ * rho_.cwiseProduct(g - g_predicted);
     const double size = std::sqrt((change.array().square() / rho_.array()).sum());
     if (size == 0)
       return;
     ratio = std::sqrt((g_change.array().square() / rho_.array()).sum()) / size;
     if (ratio <= largest_ratio)
       break;
-    factor *= 2. / 3 * std::min(1., 1 / ratio);
+    factor_ *= 2. / 3 * std::min(1., 1 / ratio);
   }
   const VectorXd descent = change - g_change;
   const double length = (change.array() * descent.array() / rho_.array()).sum() /
                         (descent.array().square() / rho_.array()).sum();
-  unknowns = predicted(unknowns, g_predicted, over_relaxation * length * factor);
+  unknowns = predicted(unknowns, g_predicted, over_relaxation * length * factor_);
   if (ratio <= careful_ratio)
-    factor *= growth;
+    factor_ *= growth;
 }
 
-/// Simultaneous projections with a self-adaptive step: the projection-contraction method of He and Liao (J.
-/// Optim. Theory Appl. 112 (2002) 111-128). It needs products with W only.
 class Uzawa : public ContactSolver
 {
 public:
-  Uzawa(const ContactSystem &system, const ContactSolverOptions &options);
+  Uzawa(const ContactSystem &, const ContactSolverOptions &options)
+      : options_(options)
+  {
+  }
 
-  SolverReport solve(const ContactStep &step, Eigen::VectorXd &unknowns) const override;
+  SolverReport solve(const ContactStep &step, VectorXd &unknowns) const override
+  {
+    constexpr unsigned int iterations_between_checks = 10;
+    // Nothing is kept from one load step to the next, because a resumed run must take the same steps.
+    Projections projections(step);
+    return iterate_until_converged(step, options_, iterations_between_checks, unknowns,
+                                   [&](VectorXd &x) { projections.iterate(x); });
+  }
 
 private:
-  const ContactSystem &system_;
   ContactSolverOptions options_;
 };
-
-Uzawa::Uzawa(const ContactSystem &system, const ContactSolverOptions &options)
-    : system_(system),
-      options_(options)
-{
-}
-
-SolverReport Uzawa::solve(const ContactStep &step, VectorXd &unknowns) const
-{
-  constexpr unsigned int iterations_between_checks = 10;
-  const Projections projections(step);
-  // Nothing is kept from one load step to the next, because a resumed run must take the same steps.
-  double factor = 1 / (system_.softness() * projections.rho().head(3 * step.n_nodes()).maxCoeff());
-  return iterate_until_converged(step, options_, iterations_between_checks, unknowns,
-                                 [&](VectorXd &x) { projections.iterate(x, factor); });
-}
 } // namespace
 
 ContactMethod uzawa_method()
