@@ -100,7 +100,7 @@ make_multigrid_body(const BodyOptions &options, const ModelSymmetry &symmetry, c
                     const std::function<LocalAxes(const ContactSurface &)> &axes_of,
                     const std::function<void(const Body &)> &on_meshed, PhaseSeconds &seconds)
 {
-  return std::make_unique<MultigridBody>(options, symmetry, axes_of, on_meshed, seconds);
+  return std::make_unique<MultigridBody>(options, symmetry, accuracy, axes_of, on_meshed, seconds);
 }
 
 bool aggregates_coarsest(const double n_dofs, const double n_contact_nodes)

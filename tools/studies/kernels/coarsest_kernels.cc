@@ -3,13 +3,8 @@
 //
 // A quarter of trilinear cells that multigrid knows no coarser ones of, factorized or aggregated, and what
 // aggregates of the nodes of quadratic cells would be worth (docs/performance.md, "Large coarsest meshes").
-<<<<<<< HEAD:tools/studies/kernels/coarsest_kernels.cc
 // tools/study benchmark leaves them out.
-#include "multigrid/algebraic_coarse.h"
-=======
-// tools/benchmark leaves them out.
 #include "multigrid/coarse_solver.h"
->>>>>>> helper-parts:tests/benchmarks/coarsest_kernels.cc
 #include "multigrid/elastic_solver.h"
 
 #include <orthocone/body/shapes/body_mesh.h>
