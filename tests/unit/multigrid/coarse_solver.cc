@@ -4,6 +4,7 @@
 
 #include "multigrid/coarse_solver.h"
 #include "multigrid/held_stiffness.h"
+#include "multigrid/node_stiffness.h"
 
 #include <gtest/gtest.h>
 

@@ -62,7 +62,7 @@ TEST(ElasticSolver, SolvesAsTheFactorization)
 {
   for (const MeshOptions &mesh : {even_mesh(2, 1), uneven_mesh(2)})
   {
-    const RefinedBody refined(default_geometry, mesh, quarter);
+    RefinedBody refined(default_geometry, mesh, quarter);
     const VectorXd forces = random_numbers(refined.body.discretization.n_free(), 5);
     const VectorXd u = refined.free(refined.elastic.solve(refined.all(forces), 1e-12));
     EXPECT_LE((refined.body.stiffness.vmult(u) - forces).norm(), 1e-11 * forces.norm());
@@ -74,7 +74,7 @@ TEST(ElasticSolver, SolvesAsTheFactorization)
 /// Proportional and combined forces cost no V-cycle any more, and the same ones give the same bytes.
 TEST(ElasticSolver, StartsFromWhatItKnows)
 {
-  const RefinedBody refined(default_geometry, even_mesh(2, 0), quarter);
+  RefinedBody refined(default_geometry, even_mesh(2, 0), quarter);
   const unsigned int n = refined.body.discretization.n_free();
   const VectorXd a = random_numbers(n, 1), b = random_numbers(n, 2);
   const VectorXd first = refined.free(refined.elastic.solve(refined.all(a), 1e-12));
@@ -90,9 +90,9 @@ TEST(ElasticSolver, StartsFromWhatItKnows)
 /// A solver that is given what another one has settled answers as that, to the last bit.
 TEST(ElasticSolver, GoesOnFromSettledStates)
 {
-  const RefinedBody refined(default_geometry, even_mesh(2, 0), quarter);
+  RefinedBody refined(default_geometry, even_mesh(2, 0), quarter);
   const unsigned int n = refined.body.discretization.n_free();
-  ElasticSolver other(refined.stiffness, const_cast<VCycle &>(refined.cycle));
+  ElasticSolver other(refined.stiffness, refined.cycle);
   for (const unsigned int seed : {1U, 2U, 3U})
   {
     const VectorXd forces = random_numbers(n, seed);
