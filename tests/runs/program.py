@@ -2,6 +2,7 @@
 # Copyright (C) 2026 the orthocone authors
 """The program under test and a scratch folder to run it in."""
 import csv
+import json
 import os
 import pathlib
 import subprocess
@@ -43,6 +44,14 @@ class RunTest(unittest.TestCase):
     def run_program(self, output, *arguments, settings=(), file=None, **options):
         return subprocess.run(self.command(output, *arguments, settings=settings, file=file), cwd=self.folder,
                               text=True, capture_output=True, timeout=600, check=False, **options)
+
+    def run_all(self, *commands):
+        """Runs of one start of the program, each in a process of its own: loading the libraries takes longer than a small
+        scene. What --batch answers to each: exit, message and more."""
+        lines = "".join(json.dumps([str(word) for word in command[1:]]) + "\n" for command in commands)
+        batch = subprocess.run([PROGRAM, "--batch"], input=lines, cwd=self.folder, text=True, capture_output=True, timeout=1200,
+                               check=True)
+        return [json.loads(line) for line in batch.stdout.splitlines()]
 
     def kill_after(self, name, settings, seconds, file=None):
         """Goes on with a run, and kills it."""

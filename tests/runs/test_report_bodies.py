@@ -20,7 +20,10 @@ from program import PROGRAM, ROOT, main  # noqa: E402
 from report_page import CUT_LABELS, Page  # noqa: E402
 from report_run import SCRATCH, report  # noqa: E402
 
-sys.path[:0] = [str(ROOT / "tools/runs"), str(ROOT / "tools/report")]
+sys.path.insert(0, str(ROOT / "tools/studies"))
+import paths  # noqa: E402, F401 (finds the modules of all studies)
+
+sys.path.insert(0, str(ROOT / "tools/report"))  # before a study of the same name
 import outline  # noqa: E402
 import verification_import  # noqa: E402
 from imported_body import ImportedBody  # noqa: E402

@@ -18,14 +18,14 @@ from resumed_runs import DONE, EVERY_STEP, FILE_ERROR, INTERRUPTED, ResumeTest  
 
 class KillTest(ResumeTest):
     def test_kill_at_any_moment(self):
-        """Case B, killed at 25 random moments, of which many fall into the writing of files."""
+        """Case B, killed at 16 random moments, of which many fall into the writing of files."""
         settings = [EVERY_STEP]
         start = time.monotonic()
         self.whole(settings)
         seconds = time.monotonic() - start
         moments = random.Random(2006)
         solved = []
-        for number in range(25):
+        for number in range(16):
             run = self.start("killed", settings)
             step = moments.randint(-1, 44)  # in time alone, starting takes as long as all steps
             while run.poll() is None and self.n_solved("killed") < step:

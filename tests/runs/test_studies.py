@@ -10,6 +10,7 @@ import pathlib
 import shlex
 import subprocess
 import sys
+import tempfile
 
 import numpy as np
 
@@ -89,7 +90,17 @@ class ContactSurfaceTest(RunTest):
 
 
 class StudyCommandTest(RunTest):
+    """All in one folder: points that one test has made, another one finds there."""
     TOOL = pathlib.Path(PROGRAM).parent / "studies"
+
+    @classmethod
+    def setUpClass(cls):
+        scratch = tempfile.TemporaryDirectory()
+        cls.addClassCleanup(scratch.cleanup)
+        cls.folder = pathlib.Path(scratch.name)
+
+    def setUp(self):
+        pass
 
     def study(self, *words):
         command = [sys.executable, ROOT / "tools/studies/study.py", "--program", PROGRAM, "--studies", self.TOOL, "--output",
