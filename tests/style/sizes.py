@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""Files have at most 300 lines, functions 40, a folder a quarter of the code; folders mirror each other."""
+"""Files have at most 400 lines, functions 40, a folder a quarter of the code; folders mirror each other."""
 import ast
 import collections
 import pathlib
@@ -8,7 +8,7 @@ import re
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-MOST_LINES, MOST_OF_FUNCTION, MOST_OF_FOLDER = 300, 40, 0.25
+MOST_LINES, MOST_OF_FUNCTION, MOST_OF_FOLDER = 400, 40, 0.25
 
 
 def files(*folders):
