@@ -10,8 +10,8 @@
 #include <orthocone/body/backends/stiffness_factor.h>
 #include <orthocone/march/step_solver.h>
 #include <orthocone/multigrid/multigrid_body.h>
-#include <orthocone/scene/parameters.h>
 #include <orthocone/scene/load_program.h>
+#include <orthocone/scene/parameters.h>
 
 #include <algorithm>
 #include <cmath>

@@ -8,11 +8,11 @@
 #include <orthocone/accuracy/cost_model.h>
 #include <orthocone/base/text.h>
 #include <orthocone/body/backends/stiffness_factor.h>
-#include <orthocone/scene/mesh_files.h>
 #include <orthocone/body/shapes/mesh_ladder.h>
 #include <orthocone/output/summary.h>
 #include <orthocone/scene/computed_steps.h>
 #include <orthocone/scene/load_program.h>
+#include <orthocone/scene/mesh_files.h>
 
 #include <iostream>
 

@@ -6,8 +6,8 @@
 #include "ending.h"
 
 #include <orthocone/base/text.h>
-#include <orthocone/scene/parameters.h>
 #include <orthocone/scene/model_choice.h>
+#include <orthocone/scene/parameters.h>
 
 namespace orthocone
 {

@@ -10,9 +10,9 @@
 #include <orthocone/base/text.h>
 #include <orthocone/base/threads.h>
 #include <orthocone/base/version.h>
-#include <orthocone/scene/mesh_files.h>
 #include <orthocone/contact/problem/critical_friction.h>
 #include <orthocone/march/rank_memory.h>
+#include <orthocone/scene/mesh_files.h>
 #include <orthocone/scene/parameters.h>
 
 #include <algorithm>

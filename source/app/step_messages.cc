@@ -5,8 +5,8 @@
 #include <orthocone/base/version.h>
 #include <orthocone/contact/solvers/diagnosis.h>
 #include <orthocone/output/motion_text.h>
-#include <orthocone/scene/parameters.h>
 #include <orthocone/scene/options.h>
+#include <orthocone/scene/parameters.h>
 
 #include <iomanip>
 #include <sstream>

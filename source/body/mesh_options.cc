@@ -40,8 +40,8 @@ std::string round_text(const Round &round)
 {
   std::string text;
   for (const auto &[first, last] : round)
-    text += (text.empty() ? "" : " ") + std::to_string(first) +
-            (last == first ? "" : "-" + std::to_string(last));
+    text +=
+        (text.empty() ? "" : " ") + std::to_string(first) + (last == first ? "" : "-" + std::to_string(last));
   return text;
 }
 
@@ -141,9 +141,9 @@ void declare_cells(MeshOptions &mesh, const GeometryOptions &geometry, Section &
 {
   const auto of_shapes = [&geometry](const std::vector<BodyShape> &shapes)
   {
-    return Condition{
-        [&geometry, shapes] { return std::find(shapes.begin(), shapes.end(), geometry.shape) != shapes.end(); },
-        [&geometry] { return geometry.shape_entry(); }};
+    return Condition{[&geometry, shapes]
+                     { return std::find(shapes.begin(), shapes.end(), geometry.shape) != shapes.end(); },
+                     [&geometry] { return geometry.shape_entry(); }};
   };
   for (const ShapeKind *const kind : shape_kinds())
     kind->declare_cells(mesh, of_shapes({kind->shape()}), section);

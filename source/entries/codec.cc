@@ -112,8 +112,7 @@ Codec<std::array<unsigned int, 3>> three_counts_codec(const unsigned int most)
     return counts;
   };
   return {"three whole numbers from 1 to " + std::to_string(most) + " separated by commas", parse,
-          [](const std::array<unsigned int, 3> &value)
-          {
+          [](const std::array<unsigned int, 3> &value) {
             return three_text<unsigned int>(value,
                                             [](const unsigned int count) { return std::to_string(count); });
           }};
@@ -123,8 +122,8 @@ Codec<std::string> path_codec()
 {
   const auto parse = [](const std::string &text, std::string &)
   {
-    const bool is_path = std::none_of(text.begin(), text.end(), [](const unsigned char c)
-                                      { return c < ' ' || c == '#' || c == '\\'; });
+    const bool is_path = std::none_of(text.begin(), text.end(),
+                                      [](const unsigned char c) { return c < ' ' || c == '#' || c == '\\'; });
     return is_path ? std::optional<std::string>(text) : std::nullopt;
   };
   return {"a path without '#' and '\\', or nothing", parse, [](const std::string &path) { return path; }};

@@ -2,7 +2,6 @@
 // Copyright (C) 2026 the orthocone authors
 #include "statements.h"
 
-
 #include <orthocone/base/errors.h>
 #include <orthocone/base/text.h>
 #include <orthocone/entries/names.h>

@@ -37,9 +37,8 @@ public:
         frame_(mesh_.unknowns(), axes_of(surface_)),
         stiffness_(timed(seconds.assembly,
                          [&] { return MatrixFreeStiffness<double>(mesh_.solid(), options.material); })),
-        cycle_(timed(
-            seconds.factorization, [&]
-            { return VCycle(mesh_.solid(), options.mesh, options.geometry, options.material); })),
+        cycle_(timed(seconds.factorization, [&]
+                     { return VCycle(mesh_.solid(), options.mesh, options.geometry, options.material); })),
         compliance_(frame_, stiffness_, cycle_, node_compliance(surface_, symmetry, options.material),
                     accuracy)
   {

@@ -4,8 +4,8 @@
 
 #include <orthocone/base/errors.h>
 #include <orthocone/base/text.h>
-#include <orthocone/scene/gap_file.h>
 #include <orthocone/body/shapes/gmsh_file.h>
+#include <orthocone/scene/gap_file.h>
 #include <orthocone/scene/parameters.h>
 
 #include <boost/crc.hpp>

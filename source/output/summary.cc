@@ -6,12 +6,12 @@
 
 #include <orthocone/base/numbers.h>
 #include <orthocone/base/text.h>
+#include <orthocone/body/shapes/shape_kind.h>
 #include <orthocone/contact/problem/law_errors.h>
 #include <orthocone/march/implicit_wear.h>
-#include <orthocone/body/shapes/shape_kind.h>
-#include <orthocone/scene/parameters.h>
-#include <orthocone/scene/options.h>
 #include <orthocone/scene/load_program.h>
+#include <orthocone/scene/options.h>
+#include <orthocone/scene/parameters.h>
 
 #include <algorithm>
 #include <cmath>

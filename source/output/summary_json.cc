@@ -4,8 +4,8 @@
 #include <orthocone/base/ranks.h>
 #include <orthocone/base/version.h>
 #include <orthocone/output/summary.h>
-#include <orthocone/scene/parameters.h>
 #include <orthocone/scene/options.h>
+#include <orthocone/scene/parameters.h>
 
 #include <nlohmann/json.hpp>
 

@@ -57,9 +57,9 @@ std::vector<std::string> zone_warnings(const Parameters &parameters, const ZoneR
   std::vector<std::string> warnings;
   const auto warn = [&](const std::string &what, const double width, const std::string &wrong)
   {
-    warnings.push_back(what + " is " + in_spacings(width) +
-                       " wide where it is widest, and four are the least; " + wrong +
-                       " may be wrong by tens of percent: take " + kind_of(parameters.geometry).finer_cells(parameters));
+    warnings.push_back(
+        what + " is " + in_spacings(width) + " wide where it is widest, and four are the least; " + wrong +
+        " may be wrong by tens of percent: take " + kind_of(parameters.geometry).finer_cells(parameters));
   };
   if (is_narrow(record.contact))
     warn("Mesh: in all load steps the contact", record.contact, "pressure, slip and dissipation");

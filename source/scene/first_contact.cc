@@ -32,7 +32,8 @@ RigidMotion motion_before(const PathLeg &leg)
   constexpr unsigned int first_rotation = 3;
   RigidMotion motion;
   for (unsigned int i = 0; i < n_rigid_components; ++i)
-    motion[i] = leg.before[i].by_force ? 0 : leg.before[i].value * (i < first_rotation ? 1 : radians_per_degree);
+    motion[i] =
+        leg.before[i].by_force ? 0 : leg.before[i].value * (i < first_rotation ? 1 : radians_per_degree);
   return motion;
 }
 

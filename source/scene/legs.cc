@@ -120,10 +120,9 @@ std::string leg_text(const Leg &leg)
   std::string text;
   for (unsigned int i = 0; i < n_rigid_components; ++i)
     if (const auto &target = leg.targets[i])
-      text +=
-          (is_translation(leg) ? ""
-                               : std::string((target->by_force ? wrench_names : motion_names)[i]) + " ") +
-          to_text(target->value) + " ";
+      text += (is_translation(leg) ? ""
+                                   : std::string((target->by_force ? wrench_names : motion_names)[i]) + " ") +
+              to_text(target->value) + " ";
   text += ": " + std::to_string(leg.steps);
   return leg.parts > 1 ? text + " * " + std::to_string(leg.parts) : text;
 }

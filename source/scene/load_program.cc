@@ -81,8 +81,7 @@ public:
     for (unsigned int k = 1; k <= leg.steps; ++k)
     {
       const auto number = static_cast<unsigned int>(steps_.size()) + 1;
-      steps_.push_back(
-          step_of(leg, path_leg.before, k, leg.steps, {number, path_leg.cycle, phase_++}));
+      steps_.push_back(step_of(leg, path_leg.before, k, leg.steps, {number, path_leg.cycle, phase_++}));
       for (unsigned int part = 1; leg.parts > 1 && part <= leg.parts; ++part)
         steps_.back().parts.push_back(step_of(leg, path_leg.before, (k - 1) * leg.parts + part,
                                               leg.steps * leg.parts,

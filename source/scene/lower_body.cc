@@ -82,8 +82,8 @@ NodeVector depths(const ContactSurface &own)
 LowerBody::LowerBody(const Parameters &parameters, const ModelSymmetry &symmetry,
                      const ContactSurface &surface, const LocalAxes &axes, PhaseSeconds &seconds)
     : body_(
-          parameters.lower, symmetry, [](const ContactSurface &) { return own_axes(); },
-          [](const Body &) {}, seconds),
+          parameters.lower, symmetry, [](const ContactSurface &) { return own_axes(); }, [](const Body &) {},
+          seconds),
       map_(timed(
           seconds.condensation, [&]
           { return with_axes(checked_map(surface, body_.surface()).map, surface, axes, body_.surface()); })),

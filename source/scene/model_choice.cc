@@ -4,8 +4,8 @@
 
 #include <orthocone/base/errors.h>
 #include <orthocone/base/text.h>
-#include <orthocone/scene/options.h>
 #include <orthocone/scene/asymmetry.h>
+#include <orthocone/scene/options.h>
 #include <orthocone/scene/surface_sample.h>
 
 namespace orthocone

@@ -7,7 +7,8 @@ namespace orthocone
 bool ObstacleOptions::is_plane() const
 {
   const Expression expression(gap);
-  return kind.chosen().keeps_surface() && gap_file.empty() && expression.is_constant() && expression.value(0, 0) == 0;
+  return kind.chosen().keeps_surface() && gap_file.empty() && expression.is_constant() &&
+         expression.value(0, 0) == 0;
 }
 
 void declare_obstacle(ObstacleOptions &obstacle, Section &section)
@@ -26,14 +27,13 @@ void declare_obstacle(ObstacleOptions &obstacle, Section &section)
               "Gap between the base of the body and the obstacle in mm, before the body moves, such as "
               "(x^2+y^2)/(2*1000), a sphere of radius 1000 mm.");
   section
-      .add(
-          "Gap file", obstacle.gap_file, path_codec(),
-          "A gap on a regular grid, which is added to Gap: a text file with the line 'x0 dx nx y0 dy ny', then "
-          "ny lines of nx numbers, mm; relative to the folder of the parameter file.")
+      .add("Gap file", obstacle.gap_file, path_codec(),
+           "A gap on a regular grid, which is added to Gap: a text file with the line 'x0 dx nx y0 dy ny', "
+           "then "
+           "ny lines of nx numbers, mm; relative to the folder of the parameter file.")
       .path(obstacle.gap_file);
-  obstacle.kind.declare("Kind",
-                        "What the body rests on. Gap is that between both, whichever of them is curved.",
-                        section);
+  obstacle.kind.declare(
+      "Kind", "What the body rests on. Gap is that between both, whichever of them is curved.", section);
   const std::string of_half_space = " of a half-space; without one it has no meaning.";
   const Condition has_half_space{[&obstacle] { return obstacle.kind == ObstacleKind::half_space; },
                                  [&obstacle] { return "Obstacle/Kind = " + obstacle.kind.word(); }};

@@ -58,11 +58,11 @@ void declare_checks(CheckOptions &checks, Section &section)
       "Bound of the forces in the body that contact forces do not balance, relative to these, and of the "
       "difference between the displacements of body and contact surface.");
   add("Penetration", checks.penetration,
-             "Largest negative gap relative to the largest displacement." + times);
+      "Largest negative gap relative to the largest displacement." + times);
   add("Complementarity", checks.complementarity,
-             "Gap and normal force, each relative to its largest: the smaller of both must vanish." + times);
+      "Gap and normal force, each relative to its largest: the smaller of both must vanish." + times);
   add("Friction cone", checks.friction_cone,
-             "Largest ||r_t||_m - r_n relative to the largest force." + times);
+      "Largest ||r_t||_m - r_n relative to the largest force." + times);
   add("Slip rule", checks.slip_rule,
       "Change of slip that is not along the normal of the slip ellipse, or not on the cone, weighted with "
       "the normal force." +

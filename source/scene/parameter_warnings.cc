@@ -37,8 +37,8 @@ void warn_of_large_strain(const std::string &motion, const double largest, const
   const double height = geometry.held_height();
   if (largest / height > small)
     warnings.push_back("Load program: " + motion + " up to " + to_text(largest) + " mm on " +
-                       kind_of(geometry).height_entry(geometry) + " = " + to_text(height) + " mm " + strain + " of " +
-                       to_text(std::round(percent * largest / height)) +
+                       kind_of(geometry).height_entry(geometry) + " = " + to_text(height) + " mm " + strain +
+                       " of " + to_text(std::round(percent * largest / height)) +
                        " %; the program computes with small strains, good to about 5 %");
 }
 
@@ -82,8 +82,7 @@ void warn_of_large_rotations(const std::vector<PathLeg> &path, std::vector<std::
   constexpr double most = 1;
   double largest = 0;
   for (const PathLeg &leg : path)
-    largest =
-        std::max({largest, std::abs(leg.motion(3)), std::abs(leg.motion(4)), std::abs(leg.motion(5))});
+    largest = std::max({largest, std::abs(leg.motion(3)), std::abs(leg.motion(4)), std::abs(leg.motion(5))});
   if (largest > most)
     warnings.push_back("Load program: rotations up to " + to_text(largest) +
                        " degrees; the program computes with linearized rotations, good to about 1 degree");

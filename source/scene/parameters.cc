@@ -21,11 +21,11 @@ void declare_parameters(Parameters &parameters, EntryList &list)
   section("Friction", declare_friction, parameters.friction);
   section("Obstacle", declare_obstacle, parameters.obstacle);
   const ObstacleOptions &obstacle = parameters.obstacle;
-  const Condition has_lower
-      {[&obstacle] { return obstacle.kind == ObstacleKind::body; },
-       [&obstacle] { return "Obstacle/Kind = " + obstacle.kind.word(); }};
+  const Condition has_lower{[&obstacle] { return obstacle.kind == ObstacleKind::body; },
+                            [&obstacle] { return "Obstacle/Kind = " + obstacle.kind.word(); }};
   BodyOptions &lower = parameters.lower;
-  Section lower_geometry(list, lower.geometry.section, has_lower), lower_mesh(list, lower.mesh.section, has_lower),
+  Section lower_geometry(list, lower.geometry.section, has_lower),
+      lower_mesh(list, lower.mesh.section, has_lower),
       lower_material(list, lower.material.section, has_lower);
   declare_shape(lower.geometry, lower_geometry);
   declare_cells(lower.mesh, lower.geometry, lower_mesh);
@@ -80,9 +80,9 @@ Parameters with_section(const Parameters &parameters, const std::string &section
 
 Parameters lower_parameters(const Parameters &parameters)
 {
-  Parameters lower{parameters.lower,  parameters.friction,       {},
-                   BodyOptions::lower(), parameters.wear,       parameters.load,
-                   parameters.contact_solver, parameters.checks, parameters.output};
+  Parameters lower{parameters.lower,          parameters.friction, {},
+                   BodyOptions::lower(),      parameters.wear,     parameters.load,
+                   parameters.contact_solver, parameters.checks,   parameters.output};
   lower.mesh.backend = BodyBackend::condensed;
   lower.output.probes.clear();
   return lower;

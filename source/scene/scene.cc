@@ -49,7 +49,8 @@ std::unique_ptr<const ElasticBody> make_body(const Parameters &parameters, const
                                              PhaseSeconds &seconds)
 {
   if (parameters.mesh.backend == BodyBackend::multigrid)
-    return make_multigrid_body(parameters, symmetry, accuracy_of_solutions(parameters), axes_of, on_meshed, seconds);
+    return make_multigrid_body(parameters, symmetry, accuracy_of_solutions(parameters), axes_of, on_meshed,
+                               seconds);
   return std::make_unique<FactorizedBody>(parameters, symmetry, axes_of, on_meshed, seconds);
 }
 

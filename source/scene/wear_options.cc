@@ -8,21 +8,22 @@ namespace orthocone
 void declare_wear(WearOptions &wear, Section &section)
 {
   const Codec<double> size = number_codec(NumberRange{0, 1e6, true, true});
-  const Condition wears =
-      section.where<WearKind>("Law", wear.law, {WearKind::archard, WearKind::energy});
-  section.add_word("Law", wear.law,
-                   "What wears the base of the body where it slips, a depth that is added to the gap. archard: "
-                   "Coefficient x pressure x slip; energy: Coefficient x dissipated energy per area.");
+  const Condition wears = section.where<WearKind>("Law", wear.law, {WearKind::archard, WearKind::energy});
+  section.add_word(
+      "Law", wear.law,
+      "What wears the base of the body where it slips, a depth that is added to the gap. archard: "
+      "Coefficient x pressure x slip; energy: Coefficient x dissipated energy per area.");
   section
       .add("Coefficient", wear.coefficient, size,
            "Volume that is worn per work, mm^3/(N mm) = 1/MPa; above 0 where a Law wears.")
       .only_if(wears);
   section
-      .add_word("Deep steps", wear.deep_steps,
-                "How a step is solved that wears a node more than 0.9 times as deep as pressure flattens it: "
-                "implicit, with the depth as an unknown, so that a stroke may be far longer than the contact "
-                "(explicit with Mesh/Backend = multigrid); explicit, the next step finds the depth, and contact "
-                "flickers from node to node.")
+      .add_word(
+          "Deep steps", wear.deep_steps,
+          "How a step is solved that wears a node more than 0.9 times as deep as pressure flattens it: "
+          "implicit, with the depth as an unknown, so that a stroke may be far longer than the contact "
+          "(explicit with Mesh/Backend = multigrid); explicit, the next step finds the depth, and contact "
+          "flickers from node to node.")
       .only_if(wears);
   section
       .add("Largest depth of a jump", wear.largest_jump, size,

@@ -6,8 +6,8 @@
 #pragma once
 
 #include <orthocone/accuracy/accuracy.h>
-#include <orthocone/scene/options.h>
 #include <orthocone/scene/model_choice.h>
+#include <orthocone/scene/options.h>
 
 #include <functional>
 #include <string>

@@ -103,7 +103,8 @@ public:
     codec.parse = [this](const std::string &text, std::string &)
     {
       const auto &kinds = kinds_of<Options>();
-      const bool is_one = std::any_of(kinds.begin(), kinds.end(), [&](const auto &kind) { return kind.word == text; });
+      const bool is_one =
+          std::any_of(kinds.begin(), kinds.end(), [&](const auto &kind) { return kind.word == text; });
       return is_one ? std::optional<std::string>(text) : std::nullopt;
     };
     section.add(name, word_, codec, all_help + ".");

@@ -26,7 +26,7 @@ public:
   /// How an entry reads and prints its value.
   struct Binding
   {
-    std::string allowed; ///< what follows "allowed is"
+    std::string allowed;                                                       ///< what follows "allowed is"
     std::function<bool(const std::string &text, std::string &instead)> assign; ///< as Codec::parse
     std::function<std::string()> print;
   };

@@ -4,8 +4,8 @@
 
 #include <orthocone/contact/problem/contact_step.h>
 #include <orthocone/march/wear.h>
-#include <orthocone/scene/options.h>
 #include <orthocone/scene/load_program.h>
+#include <orthocone/scene/options.h>
 #include <orthocone/surface/model_symmetry.h>
 #include <orthocone/surface/rigid_motion.h>
 

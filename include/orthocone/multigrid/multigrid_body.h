@@ -14,9 +14,9 @@ namespace orthocone
 /// A body that is too large to be factorized. Products with its stiffness are done cell by cell. Solutions
 /// come from conjugate gradients and multigrid, which is geometric over the refinements of the mesh and
 /// algebraic on a coarsest mesh that is large. Contact laws are solved on the whole body. docs/theory.md,
-/// section 3, "A body without a matrix". The arguments are those of FactorizedBody, and the relative accuracy of solutions, and the model must be a
-/// solid. Throws what Body throws, std::runtime_error if the coarsest mesh cannot be factorized, and
-/// SolveError if its nodes cannot be aggregated.
+/// section 3, "A body without a matrix". The arguments are those of FactorizedBody, and the relative accuracy
+/// of solutions, and the model must be a solid. Throws what Body throws, std::runtime_error if the coarsest
+/// mesh cannot be factorized, and SolveError if its nodes cannot be aggregated.
 std::unique_ptr<const ElasticBody>
 make_multigrid_body(const BodyOptions &options, const ModelSymmetry &symmetry, double accuracy,
                     const std::function<LocalAxes(const ContactSurface &)> &axes_of,

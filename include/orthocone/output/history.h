@@ -6,9 +6,9 @@
 #pragma once
 
 #include <orthocone/output/run_folder.h>
-#include <orthocone/scene/options.h>
 #include <orthocone/results/cycles.h>
 #include <orthocone/results/solved_step.h>
+#include <orthocone/scene/options.h>
 
 namespace orthocone
 {

@@ -2,10 +2,10 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
-#include <orthocone/scene/options.h>
 #include <orthocone/results/solved_step.h>
 #include <orthocone/results/wear_jumps.h>
 #include <orthocone/scene/load_program.h>
+#include <orthocone/scene/options.h>
 
 #include <optional>
 #include <vector>

@@ -8,8 +8,8 @@
 
 namespace orthocone
 {
-/// "ux uy uz : steps ; NAME value ... : steps ; ...", possibly empty, in mm, degrees, N and N mm. Each leg has
-/// at least one step, and names a component once.
+/// "ux uy uz : steps ; NAME value ... : steps ; ...", possibly empty, in mm, degrees, N and N mm. Each leg
+/// has at least one step, and names a component once.
 Codec<std::vector<Leg>> legs_codec();
 
 /// "name: x y ; ...", possibly empty, mm. Names become file names: they consist of letters, digits, '-' and

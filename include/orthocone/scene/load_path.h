@@ -13,7 +13,7 @@ using Drives = std::array<Drive, n_rigid_components>;
 struct PathLeg
 {
   const Leg *leg;
-  std::string entry; ///< "Load program/Preload" or "Load program/Legs"
+  std::string entry;   ///< "Load program/Preload" or "Load program/Legs"
   unsigned int number; ///< in the entry, from 1
   unsigned int cycle;  ///< 0 in the preload
   Drives before, after;

@@ -2,8 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
-#include <orthocone/scene/options.h>
 #include <orthocone/scene/load_steps.h>
+#include <orthocone/scene/options.h>
 
 #include <string>
 #include <vector>

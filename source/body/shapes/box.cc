@@ -106,9 +106,9 @@ std::string Box::asymmetry(const ModelSymmetry &symmetry) const
     return no_body_of_revolution(geometry_);
   const unsigned int direction = symmetry.planes().normal_to_x ? 0 : 1;
   const unsigned int n = mesh_.cells[direction];
-  return n % 2 == 0 ? ""
-                    : mesh_.section + "/Cells has an odd number along " + "xy"[direction] + ", " +
-                          std::to_string(n);
+  return n % 2 == 0
+             ? ""
+             : mesh_.section + "/Cells has an odd number along " + "xy"[direction] + ", " + std::to_string(n);
 }
 
 ModelSize Box::size(const ModelSymmetry &symmetry) const

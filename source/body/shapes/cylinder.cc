@@ -182,13 +182,11 @@ public:
   void declare_cells(MeshOptions &mesh, const Condition &is_chosen, Section &section) const override
   {
     constexpr unsigned int most = 200;
-    section
-        .add("Core cells", mesh.core_cells, count_codec(1, most), "Cells along a side of the core block.")
+    section.add("Core cells", mesh.core_cells, count_codec(1, most), "Cells along a side of the core block.")
         .only_if(is_chosen)
         .also_called({"elements"});
     section
-        .add("Rings", mesh.rings, count_codec(0, most),
-             "Cells from core to rim; 0 = as many as core cells.")
+        .add("Rings", mesh.rings, count_codec(0, most), "Cells from core to rim; 0 = as many as core cells.")
         .only_if(is_chosen);
     section.add("Layers", mesh.layers, count_codec(1, most), "Cells over the height.").only_if(is_chosen);
     section
@@ -235,8 +233,7 @@ public:
   {
     const MeshOptions &mesh = body.mesh;
     return std::max((1 - mesh.core_ratio) * last_share(mesh.n_rings(), mesh.rim_grading),
-                    body.geometry.height / body.geometry.radius *
-                        end_share(mesh.layers, mesh.layer_grading));
+                    body.geometry.height / body.geometry.radius * end_share(mesh.layers, mesh.layer_grading));
   }
   std::string rim_unit() const override { return "the radius"; }
   std::string finer_rim() const override { return "rings, or Rim grading"; }

@@ -346,9 +346,9 @@ std::vector<std::string> ImportedMesh::warnings(const MeshOptions &mesh) const
         " mm long; lengths are read as mm, and a mesh in metres is to be scaled by 1000 (gmsh: "
         "Mesh.ScalingFactor = 1000)");
   if ((mesh.refinements > 0 || mesh.adaptive > 0 || !mesh.refined_cells.empty()) && is_curved())
-    warnings.emplace_back(
-        mesh.section + "/Refinements: the file has cells with plane faces, and smaller cells keep them "
-        "as facets of curved surfaces; a finer mesh by gmsh follows the curves");
+    warnings.emplace_back(mesh.section +
+                          "/Refinements: the file has cells with plane faces, and smaller cells keep them "
+                          "as facets of curved surfaces; a finer mesh by gmsh follows the curves");
   constexpr double poor = 0.1;
   if (worst_quality_ < poor)
     warnings.push_back(geometry_.section + "/Mesh file: the worst cell has a scaled Jacobian of " +

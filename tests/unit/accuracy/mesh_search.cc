@@ -2,8 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/accuracy/mesh_search.h>
 #include <orthocone/body/shapes/mesh_ladder.h>
-#include <orthocone/scene/parameters.h>
 #include <orthocone/results/totals.h>
+#include <orthocone/scene/parameters.h>
 
 #include <gtest/gtest.h>
 

@@ -99,11 +99,15 @@ TEST(Entries, SetTheirValuesOrSayWhatIsAllowed)
   EXPECT_EQ(baskets.other.weight, 2.5);
   EXPECT_EQ(baskets.basket.weight, 1);
   EXPECT_EQ(fault_of(baskets.list, "Basket/Weight=-1"), "--set: Basket/Weight = -1: allowed is a number > 0");
-  EXPECT_EQ(fault_of(baskets.list, "Basket/Weight="), "--set: Basket/Weight is empty: allowed is a number > 0");
-  EXPECT_EQ(fault_of(baskets.list, "Basket/Fruit=plum"), "--set: Basket/Fruit = plum: allowed is apple | pear");
-  EXPECT_EQ(fault_of(baskets.list, "Basket/Kind of fruit=pear").find("is Basket/Fruit meant?") != std::string::npos,
+  EXPECT_EQ(fault_of(baskets.list, "Basket/Weight="),
+            "--set: Basket/Weight is empty: allowed is a number > 0");
+  EXPECT_EQ(fault_of(baskets.list, "Basket/Fruit=plum"),
+            "--set: Basket/Fruit = plum: allowed is apple | pear");
+  EXPECT_EQ(fault_of(baskets.list, "Basket/Kind of fruit=pear").find("is Basket/Fruit meant?") !=
+                std::string::npos,
             true);
-  EXPECT_EQ(fault_of(baskets.list, "Basket/Wieght=1").find("is Basket/Weight meant?") != std::string::npos, true);
+  EXPECT_EQ(fault_of(baskets.list, "Basket/Wieght=1").find("is Basket/Weight meant?") != std::string::npos,
+            true);
   EXPECT_EQ(baskets.basket.weight, 1) << "what is not allowed changes nothing";
 }
 
@@ -117,16 +121,17 @@ TEST(Entries, AreIgnoredWhereAnotherOneSaysSo)
             (std::vector<std::string>{"Basket/Stones = 3 is ignored with Basket/Fruit = apple",
                                       "Second basket/Stones = 3 is ignored with Basket/Fruit = apple"}));
   baskets.basket.fruit = Fruit::pear;
-  EXPECT_EQ(ignored_entries(baskets.list, usual.list),
-            (std::vector<std::string>{"Second basket/Stones = 3 is ignored with Second basket/Fruit = apple"}));
+  EXPECT_EQ(
+      ignored_entries(baskets.list, usual.list),
+      (std::vector<std::string>{"Second basket/Stones = 3 is ignored with Second basket/Fruit = apple"}));
 }
 
 TEST(Entries, NamePathsFromTheFolderOfTheirFile)
 {
   const Folder folder;
   Baskets baskets;
-  const std::string text =
-      read_entries(folder.write("part/basket.prm", "subsection Basket\n  set Label = ../a.png\nend\n"), baskets.list);
+  const std::string text = read_entries(
+      folder.write("part/basket.prm", "subsection Basket\n  set Label = ../a.png\nend\n"), baskets.list);
   EXPECT_EQ(baskets.basket.label, folder.path("a.png"));
   EXPECT_EQ(text, "subsection Basket\n  set Label = " + folder.path("a.png") + "\nend\n");
   Baskets again;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include "scene/parameter_files.h"
 #include "rejection.h"
+#include "scene/parameter_files.h"
 
 #include <gtest/gtest.h>
 

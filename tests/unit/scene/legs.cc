@@ -21,7 +21,8 @@ std::string allowed_instead_of(const std::string &text)
 
 TEST(Legs, NameComponentsOfMotionAndForce)
 {
-  const auto legs = parsed(legs_codec(), "uz -0.1 : 5 ; Fz -2e5 ux 0.03 : 6; rz 0.5 : 10 ; Mz\t1e4  Fx 10 : 5");
+  const auto legs =
+      parsed(legs_codec(), "uz -0.1 : 5 ; Fz -2e5 ux 0.03 : 6; rz 0.5 : 10 ; Mz\t1e4  Fx 10 : 5");
   ASSERT_TRUE(legs.has_value());
   ASSERT_EQ(legs->size(), 4u);
   EXPECT_EQ((*legs)[0].targets[2], (Drive{false, -0.1}));
@@ -40,7 +41,8 @@ TEST(Legs, ReadBackAsTheyArePrinted)
   const std::string text = "0 0 -0.1 : 5; uz -0.2 : 1; ux 1 Fz -2e+05 rx 0.1 : 2; Mx 1 My 2 Mz 3 : 4; "
                            "ux 0 uy 0 uz 0 rz 1 : 1";
   EXPECT_EQ(legs_codec().print(*parsed(legs_codec(), text)), text);
-  EXPECT_EQ(legs_codec().print(*parsed(legs_codec(), "uz 3 ux 1 uy 2 : 1")), "1 2 3 : 1") << "three motions are three numbers";
+  EXPECT_EQ(legs_codec().print(*parsed(legs_codec(), "uz 3 ux 1 uy 2 : 1")), "1 2 3 : 1")
+      << "three motions are three numbers";
 }
 
 TEST(Legs, MayBeSolvedInParts)

@@ -3,9 +3,9 @@
 #include "entries/parsed.h"
 
 #include <orthocone/base/text.h>
-#include <orthocone/scene/parameters.h>
 #include <orthocone/contact/solvers/contact_method.h>
 #include <orthocone/scene/legs.h>
+#include <orthocone/scene/parameters.h>
 
 #include <gtest/gtest.h>
 

@@ -5,8 +5,8 @@
 #include "experiments.h"
 
 #include <orthocone/march/march.h>
-#include <orthocone/scene/parameters.h>
 #include <orthocone/scene/load_program.h>
+#include <orthocone/scene/parameters.h>
 #include <orthocone/scene/scene.h>
 
 #include <map>

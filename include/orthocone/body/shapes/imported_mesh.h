@@ -2,8 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
-#include <orthocone/body/shapes/gmsh_file.h>
 #include <orthocone/body/options.h>
+#include <orthocone/body/shapes/gmsh_file.h>
 #include <orthocone/body/shapes/surface_places.h>
 #include <orthocone/surface/model_symmetry.h>
 

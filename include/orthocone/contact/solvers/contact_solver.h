@@ -2,9 +2,9 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
-#include <orthocone/contact/solvers/contact_solver_options.h>
 #include <orthocone/contact/problem/convergence.h>
 #include <orthocone/contact/problem/law_errors.h>
+#include <orthocone/contact/solvers/contact_solver_options.h>
 
 #include <memory>
 
