@@ -5,7 +5,9 @@ import math
 import random
 
 PEAK = -0.1  # mm
-SMALL_MESH = {"Mesh/Core cells": 4, "Mesh/Rings": 3, "Mesh/Layers": 4, "Mesh/Degree": 2}
+# Of degree 2 and more, the program's own default; prm/paper/scene.prm has full quadrature.
+ELEMENT = {"Mesh/Volumetric quadrature": "projected"}
+SMALL_MESH = {**ELEMENT, "Mesh/Core cells": 4, "Mesh/Rings": 3, "Mesh/Layers": 4, "Mesh/Degree": 2}
 PROGRAM = {"Load program/Legs": f"0 0 {PEAK} : 3 ; 0 0 0 : 6", "Load program/Cycles": 1,
            "Output/Contact fields": 0, "Output/Volume fields": 0}
 CASES = {"A": ((0.2, 0.2), (0.2, 0.2)), "B": ((0.3, 0.15), (0.3, 0.15)), "C": ((0.3, 0.15), (0.05, 0.2))}
@@ -98,7 +100,7 @@ def random_scene(seed):
         legs += (f"{number(turn)} 0 {number(peak)} : {chance.randint(1, 4)} ; "
                  f"{number(turn)} {number(turn)} {number(peak)} : {chance.randint(1, 4)} ; ")
     legs += f"0 0 {chance.choice(('0', number(peak / 10)))} : {chance.randint(1, 8)}"
-    return {**friction(mu, p), **PROGRAM, "Friction/Orthotropy angle": chance.choice((0, 0, 30, 45)),
+    return {**friction(mu, p), **PROGRAM, **ELEMENT, "Friction/Orthotropy angle": chance.choice((0, 0, 30, 45)),
             "Material/Poisson ratio": number(chance.choice((-0.3, 0, 0.2, 0.3, 0.4, 0.49, 0.499))),
             "Geometry/Height": number(height), "Mesh/Core cells": chance.choice((2, 4)), "Mesh/Rings": chance.randint(1, 3),
             "Mesh/Layers": chance.randint(2, 4), "Mesh/Degree": chance.randint(1, 3),
