@@ -54,6 +54,17 @@ class PagesTest(unittest.TestCase):
                 with self.subTest(page=page.name, test=f"{suite}.{name}"):
                     self.assertTrue(suite in suites if name == "*" else f"{suite}.{name}" in tests)
 
+    def test_words_of_the_glossary_are_those_of_the_code(self):
+        code = " ".join(path.read_text(encoding="utf-8") for root in ("include", "source")
+                        for path in sorted((ROOT / root).rglob("*.[ch]*")))
+        rows = re.findall(r"^\| ([^|]+) \|[^|]+\|([^|]*)\|$", (ROOT / "docs/glossary.md").read_text(encoding="utf-8"), re.MULTILINE)
+        words = [word for row, _ in rows for word in row.split(", ")]
+        self.assertEqual(len(words), len(set(words) - {"word"}) + words.count("word"), "each word stands there once")
+        for _, identifiers in rows:
+            for identifier in re.findall(r"`(\w+)`", identifiers):
+                with self.subTest(identifier):
+                    self.assertRegex(code, rf"\b{identifier}\b")
+
     def test_theory_draws_the_ladder(self):
         """What `newton` tries, in the order of source/contact/solvers/rescue/ladder.cc."""
         source = (ROOT / "source/contact/solvers/rescue/ladder.cc").read_text(encoding="utf-8")

@@ -10,7 +10,8 @@ import re
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 GENERATED = {"parameters.md", "results.md", "python.md"}
-PAGES = [ROOT / "README.md", *sorted(path for path in (ROOT / "docs").glob("*.md") if path.name not in GENERATED)]
+TABLES = {"glossary.md"}  # of words, with few sentences
+PAGES = [ROOT / "README.md", *sorted(path for path in (ROOT / "docs").glob("*.md") if path.name not in GENERATED | TABLES)]
 MOST_WORDS = 20
 ITEM = re.compile(r"^\s*(?:[-*+]|\d+\.) +")
 # Up to eight bold words, or italic ones with a stop.
