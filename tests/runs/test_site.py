@@ -102,7 +102,7 @@ class SiteTest(unittest.TestCase):
                                        r".{0,20}Nearest point of the cone K = { r : \|\|r_t\|\|_m <= r_n },")
         self.assertTrue(any("orthocone7project" in place for place in page.places))
         for name, library in (("OrthotropicFriction", "contact"), ("make_contact_solver", "contact"), ("moved_by", "surface"),
-                              ("FactorizedBody", "body"), ("read_parameter_file", "parameters"), ("InputError", "base")):
+                              ("FactorizedBody", "body"), ("read_entries", "entries"), ("InputError", "base")):
             with self.subTest(name):
                 self.assertTrue(any(re.search(rf"orthocone\d+{name}", place)
                                     for place in SITE.pages[f"api/{library}.html"].places))

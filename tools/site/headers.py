@@ -9,7 +9,7 @@ LIBRARIES = {
     "contact": ("Contact", "Laws and solvers of contact. They know a body by its compliance only."),
     "surface": ("Surface", "Contact nodes, their axes and compliance, and rigid motions."),
     "body": ("Body", "The elastic body on deal.II: meshes, materials, and what condenses it to its contact nodes."),
-    "parameters": ("Parameters", "Options of a scene, and the parameter files that they are read from."),
+    "entries": ("Entries", "Sections and entries of parameter files, the codecs of their values, kinds, and the readers."),
     "base": ("Base", "What all others use: errors, seconds of phases, processes of a run."),
 }
 COMMENT = re.compile(r"(?:^ *///.*\n)+|///<.*\n", re.M)
