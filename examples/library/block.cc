@@ -10,15 +10,15 @@
 
 int main()
 {
-  orthocone::Parameters parameters;
-  parameters.geometry.shape = orthocone::BodyShape::box;
-  parameters.geometry.sizes = {{10, 10, 5}};
-  parameters.mesh.cells = {{4, 4, 2}};
-  parameters.material.young_modulus = 210000;
-  parameters.material.poisson_ratio = 0; // so the force is E A u / h = 4200 N
+  orthocone::BodyOptions options;
+  options.geometry.shape = orthocone::BodyShape::box;
+  options.geometry.sizes = {{10, 10, 5}};
+  options.mesh.cells = {{4, 4, 2}};
+  options.material.young_modulus = 210000;
+  options.material.poisson_ratio = 0; // so the force is E A u / h = 4200 N
   orthocone::PhaseSeconds seconds;
   const orthocone::FactorizedBody body(
-      parameters, {}, [](const auto &) { return orthocone::LocalAxes(0.); }, [](const auto &) {}, seconds);
+      options, {}, [](const auto &) { return orthocone::LocalAxes(0.); }, [](const auto &) {}, seconds);
 
   const auto n = static_cast<std::size_t>(body.compliance().n_nodes());
   const orthocone::ContactSystem system(body.compliance(), {n, {0.3, 0.3, 0.3, 0.3}});
