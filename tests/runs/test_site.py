@@ -18,7 +18,7 @@ from program import ROOT, main  # noqa: E402
 from report_page import Page  # noqa: E402
 from site_pages import Site, build  # noqa: E402
 
-LIBRARIES = ("base", "body", "contact", "parameters", "surface")
+LIBRARIES = ("base", "body", "contact", "entries", "surface")
 NO_MODULE = "No module named '(sphinx|myst_parser|furo|breathe)"
 BACKGROUND = "return getComputedStyle(document.querySelector(arguments[0])).backgroundColor"
 WIDE_TABLES = ("return [...document.querySelectorAll('article table')].filter(table => !table.closest('.table-wrapper')"

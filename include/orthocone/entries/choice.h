@@ -100,7 +100,7 @@ public:
       codec.allowed += (codec.allowed.empty() ? "" : " | ") + kind.word;
       all_help += (&kind == kinds_of<Options>().data() ? " " : "; ") + kind.word + ": " + kind.help;
     }
-    codec.parse = [this](const std::string &text, std::string &)
+    codec.parse = [](const std::string &text, std::string &)
     {
       const auto &kinds = kinds_of<Options>();
       const bool is_one =
