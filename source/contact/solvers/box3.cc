@@ -40,7 +40,7 @@ SolverReport Box3::solve(const ContactStep &step, Eigen::VectorXd &unknowns) con
     const NodeVector d = step.displacement(x);
     for (Index node = 0; node < step.n_nodes(); ++node)
     {
-      const OrthotropicFriction &law = system_.given_law(node);
+      const OrthotropicFriction &law = ellipse_of(step, node, "box3");
       const Vector3d g = modified_displacement(law, d.segment<3>(3 * node));
       const double rho = rho_of_box3(system_, node, options_.rho_factor);
       x.segment<3>(3 * node) = project(law, x.segment<3>(3 * node) - rho * g);

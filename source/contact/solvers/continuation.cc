@@ -3,7 +3,6 @@
 #include "solvers.h"
 
 #include <algorithm>
-#include <cmath>
 #include <optional>
 #include <utility>
 
@@ -13,36 +12,21 @@ using Eigen::VectorXd;
 
 namespace
 {
-/// A law on the way from the associated one (t = 0), whose natural map depends on the cone alone, to the
-/// given one (t = 1): the logarithms of the semi-axes of the slip ellipse are linear in t.
-OrthotropicFriction on_the_way(OrthotropicFriction law, const double t)
+/// Whether slip is associated at all nodes, so that there is no other law to start from.
+bool is_associated(const ContactStep &step)
 {
-  if (is_frictionless(law))
-    return law;
-  const double ratio = std::pow(law.p_x / law.p_y, t) * std::pow(law.mu_x / law.mu_y, 1 - t);
-  law.p_x = law.mu_x;
-  law.p_y = law.p_x / ratio;
-  return law;
+  return std::all_of(step.laws().begin(), step.laws().end(),
+                     [](const FrictionLaw &law) { return is_associated(law); });
 }
 
-bool is_associated(const ContactSystem &system)
+/// The step with a share of the way from the associated slip rule, whose natural map depends on the cone
+/// alone, to the given one.
+ContactStep on_the_way(const ContactStep &step, const double t)
 {
-  constexpr double rounding = 1e-12;
-  for (Eigen::Index node = 0; node < system.n_nodes(); ++node)
-  {
-    const OrthotropicFriction &law = system.given_law(node);
-    if (!is_frictionless(law) && std::abs(law.p_x * law.mu_y / (law.p_y * law.mu_x) - 1) > rounding)
-      return false;
-  }
-  return true;
-}
-
-ContactSystem system_on_the_way(const ContactSystem &system, const double t)
-{
-  std::vector<OrthotropicFriction> laws;
-  for (Eigen::Index node = 0; node < system.n_nodes(); ++node)
-    laws.push_back(on_the_way(system.given_law(node), t));
-  return {system.compliance(), std::move(laws)};
+  FrictionLaws laws;
+  for (const FrictionLaw &law : step.laws())
+    laws.push_back(towards_associated(law, t));
+  return step.with_laws(std::move(laws));
 }
 
 /// Whether another way may find what Newton's method did not.
@@ -58,34 +42,6 @@ Allowances without_groups(Allowances allowances)
   return allowances;
 }
 
-/// Newton's method on the map that stalls less often, and on the other one where it stalls.
-class OnEitherMap : public ContactSolver
-{
-public:
-  OnEitherMap(const ContactSystem &system, const ContactSolverOptions &options,
-              const Allowances &allowances = {})
-      : pressure_first_(make_inexact_newton(system, options, allowances)),
-        natural_(make_natural_newton(system, options, without_groups(allowances)))
-  {
-  }
-
-  SolverReport solve(const ContactStep &step, VectorXd &unknowns) const override
-  {
-    const VectorXd start = unknowns;
-    SolverReport report = pressure_first_->solve(step, unknowns);
-    if (report.converged || !may_be_solvable(report.verdict))
-      return report;
-    const unsigned int iterations = report.iterations;
-    unknowns = start;
-    report = natural_->solve(step, unknowns);
-    report.iterations += iterations;
-    return report;
-  }
-
-private:
-  std::unique_ptr<ContactSolver> pressure_first_, natural_;
-};
-
 /// Newton's method. Where it does not converge for a slip rule far from the associated one, it solves with
 /// slip rules between both, each from the solution of the one before: without a dense W no sweeps can help.
 class Continuation : public ContactSolver
@@ -93,8 +49,7 @@ class Continuation : public ContactSolver
 public:
   Continuation(const ContactSystem &system, const ContactSolverOptions &options)
       : options_(options),
-        newton_(system, options),
-        is_associated_(is_associated(system))
+        newton_(make_inexact_newton(system, options))
   {
   }
 
@@ -112,8 +67,7 @@ private:
   SolverReport solve_at(const ContactStep &step, double t, Walk &walk) const;
 
   ContactSolverOptions options_;
-  OnEitherMap newton_;
-  bool is_associated_;
+  std::unique_ptr<ContactSolver> newton_;
 };
 
 SolverReport Continuation::solve_at(const ContactStep &step, const double t, Walk &walk) const
@@ -127,16 +81,10 @@ SolverReport Continuation::solve_at(const ContactStep &step, const double t, Wal
   ContactSolverOptions options = options_;
   options.maximum_iterations = std::min(options.maximum_iterations, most_iterations);
   VectorXd unknowns = walk.unknowns;
-  SolverReport report;
   if (t < 1)
-  {
     options.tolerance = accurate;
-    const ContactSystem system = system_on_the_way(step.system(), t);
-    report =
-        OnEitherMap(system, options, allowances).solve(ContactStep(system, step.q(), step.face()), unknowns);
-  }
-  else
-    report = OnEitherMap(step.system(), options, allowances).solve(step, unknowns);
+  const auto newton = make_inexact_newton(step.system(), options, allowances);
+  const SolverReport report = newton->solve(t < 1 ? on_the_way(step, t) : step, unknowns);
   walk.iterations += report.iterations;
   if (report.converged)
     walk.unknowns = std::move(unknowns);
@@ -164,8 +112,8 @@ std::optional<SolverReport> Continuation::follow(const ContactStep &step, Walk &
 SolverReport Continuation::solve(const ContactStep &step, VectorXd &unknowns) const
 {
   Walk walk{unknowns};
-  SolverReport report = newton_.solve(step, unknowns);
-  if (report.converged || is_associated_ || !may_be_solvable(report.verdict))
+  SolverReport report = newton_->solve(step, unknowns);
+  if (report.converged || is_associated(step) || !may_be_solvable(report.verdict))
     return report;
   const unsigned int iterations = report.iterations;
   if (auto followed = follow(step, walk))

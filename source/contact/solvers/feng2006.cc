@@ -44,7 +44,7 @@ void Feng2006::sweep(const ContactStep &step, Eigen::VectorXd &unknowns) const
   auto force = unknowns.head(3 * step.n_nodes());
   for (Index node = 0; node < step.n_nodes(); ++node)
   {
-    const OrthotropicFriction &law = system_.given_law(node);
+    const OrthotropicFriction &law = ellipse_of(step, node, "feng2006");
     Vector3d d = step.q().segment<3>(3 * node) + w.middleCols<3>(3 * node).transpose() * force;
     if (step.face().n() > 0)
       d += face.displacement(node);

@@ -97,7 +97,7 @@ HardestNodes::Result HardestNodes::solve(const ContactStep &step, const VectorXd
     return {};
   nodes = with_neighbours(std::move(nodes), *w);
   const DenseCompliance compliance(compliance_of(nodes, *w));
-  std::vector<OrthotropicFriction> laws;
+  FrictionLaws laws;
   for (const Index node : nodes)
     laws.push_back(step.law(node));
   const ContactSystem system(compliance, std::move(laws));

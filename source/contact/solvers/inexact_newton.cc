@@ -266,13 +266,7 @@ std::unique_ptr<ContactSolver> make_inexact_newton(const ContactSystem &system,
                                                    const ContactSolverOptions &options,
                                                    const Allowances &allowances)
 {
-  return std::make_unique<InexactNewton>(system, options, allowances, linearize_pressure_first);
-}
-
-std::unique_ptr<ContactSolver> make_natural_newton(const ContactSystem &system,
-                                                   const ContactSolverOptions &options,
-                                                   const Allowances &allowances)
-{
   return std::make_unique<InexactNewton>(system, options, allowances, linearize);
 }
+
 } // namespace orthocone

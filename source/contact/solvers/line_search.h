@@ -8,7 +8,7 @@
 
 namespace orthocone
 {
-/// linearize() or linearize_pressure_first().
+/// linearize().
 using Map = Linearization(const ContactStep &, const Eigen::VectorXd &, const NodeVector &, double);
 
 /// Unknowns, their displacement, and a map there.

@@ -63,7 +63,7 @@ bool PressureFirstSteps::pass_hardest_nodes(NewtonProgress &progress, Iterate &l
   if (!solved.unknowns)
     return false;
   NodeVector displacement = progress.step.displacement(*solved.unknowns);
-  Iterate next(linearize_pressure_first, progress.step, *std::move(solved.unknowns), std::move(displacement),
+  Iterate next(linearize, progress.step, *std::move(solved.unknowns), std::move(displacement),
                options_.rho_factor);
   if (!(next.linearization.error < (may_be_worse ? bearable_growth : 1) * last.linearization.error))
     return false;
@@ -73,8 +73,8 @@ bool PressureFirstSteps::pass_hardest_nodes(NewtonProgress &progress, Iterate &l
 
 Iterate PressureFirstSteps::start(const NewtonProgress &progress) const
 {
-  return {linearize_pressure_first, progress.step, progress.unknowns,
-          progress.step.displacement(progress.unknowns), options_.rho_factor};
+  return {linearize, progress.step, progress.unknowns, progress.step.displacement(progress.unknowns),
+          options_.rho_factor};
 }
 
 /// The line search takes the shortest step where none reduces the map: that passes corners where pieces of it
@@ -102,7 +102,7 @@ void PressureFirstSteps::iterate(NewtonProgress &progress) const
     if (!change.allFinite())
       break;
     const double error_before = last.linearization.error;
-    last = line_search(linearize_pressure_first, step, last, change, smallest_step, options_.rho_factor);
+    last = line_search(linearize, step, last, change, smallest_step, options_.rho_factor);
     const double near = likely * options_.tolerance * step.force_scale(last.unknowns);
     const bool has_stalled = last.linearization.error > stalls * error_before;
     stalls_in_a_row = has_stalled ? stalls_in_a_row + 1 : 0;

@@ -46,8 +46,8 @@ struct NewtonProgress
   }
 };
 
-/// Newton's steps on the map that asks for the pressure first, up to the iterate where it is least. Where a
-/// few nodes keep them short, these are solved by themselves.
+/// Newton's steps on the natural map, which asks for the pressure first, up to the iterate where it is least.
+/// Where a few nodes keep them short, these are solved by themselves.
 class PressureFirstSteps
 {
 public:

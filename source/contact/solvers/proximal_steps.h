@@ -36,7 +36,6 @@ private:
   const ContactSystem &system_;
   ContactSolverOptions options_;
   Make *make_;
-  std::vector<OrthotropicFriction> laws_;
   mutable std::optional<bool> is_singular_; // found when it is asked for first
 };
 } // namespace orthocone

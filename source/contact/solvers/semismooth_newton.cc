@@ -36,9 +36,9 @@ VectorXd pressed_start(const ContactStep &step)
   return unknowns;
 }
 
-/// Semismooth Newton with a backtracking line search, on the natural map and on that of Alart and Curnier,
-/// whose pieces meet elsewhere. Where a few nodes keep its steps short, they are solved by themselves. Where
-/// both maps stall, it falls back on exact sweeps, so that it inherits their robustness. Where W is singular,
+/// Semismooth Newton on the natural map, with a line search that passes corners, and behind sweeps with one
+/// that stops where steps no longer pay. Where a few nodes keep its steps short, they are solved by
+/// themselves. Where it stalls, it falls back on exact sweeps, so that it inherits their robustness. Where W is singular,
 /// some sweeps and then proximal steps come before.
 class SemismoothNewton : public ContactSolver
 {
@@ -162,7 +162,7 @@ void SemismoothNewton::solve_singular(NewtonProgress &progress) const
   progress.offer(step.admissible(std::move(improved)));
 }
 
-/// Runs sweeps, then Newton's steps on both maps. Returns whether the face runs away.
+/// Runs sweeps, then Newton's steps with each line search. Returns whether the face runs away.
 bool SemismoothNewton::run_round(const unsigned int round, const unsigned int n_sweeps,
                                  NewtonProgress &progress) const
 {
@@ -171,7 +171,7 @@ bool SemismoothNewton::run_round(const unsigned int round, const unsigned int n_
     sweeps_.sweep(progress.step, progress.unknowns, relaxation_of_round(round));
   if (round == 0)
   {
-    pressure_first_.iterate(progress); // the natural map stalls sooner (docs/performance.md)
+    pressure_first_.iterate(progress); // sweeps only after stalls (docs/performance.md)
     if (progress.residual <= options_.tolerance)
       return false;
   }

@@ -92,6 +92,10 @@ const DenseView &dense_compliance(const ContactSystem &system, const char *metho
 /// is none.
 std::unique_ptr<ConditionSolver> condition_solver(const ContactSystem &system, const char *method);
 
+/// The two ellipses of a node, for methods that iterate on the elliptic cone. Throws std::invalid_argument,
+/// which names the method, where the law is another one.
+const OrthotropicFriction &ellipse_of(const ContactStep &step, Eigen::Index node, const char *method);
+
 /// ContactMethod::make of a solver that is constructed from a system and options.
 template<typename Solver>
 std::unique_ptr<ContactSolver> make(const ContactSystem &system, const ContactSolverOptions &options)
@@ -107,13 +111,9 @@ struct Allowances
   std::size_t nodes_in_groups = 24; ///< the same, several at a time
 };
 
-/// The first two are Newton's method where the backend has no dense compliance, on the map that asks for the
-/// pressure first and on the natural map. The third one is the method `newton` there: it tries both, and
-/// follows the solution from the associated slip rule where they fail.
+/// The first one is Newton's method where the backend has no dense compliance. The other one is the method
+/// `newton` there: where the first one fails, it follows the solution from the associated slip rule.
 std::unique_ptr<ContactSolver> make_inexact_newton(const ContactSystem &system,
-                                                   const ContactSolverOptions &options,
-                                                   const Allowances &allowances = {});
-std::unique_ptr<ContactSolver> make_natural_newton(const ContactSystem &system,
                                                    const ContactSolverOptions &options,
                                                    const Allowances &allowances = {});
 std::unique_ptr<ContactSolver> make_continuation(const ContactSystem &system,

@@ -13,7 +13,8 @@ using Eigen::VectorXd;
 namespace
 {
 /// The method's iterations on one step. A face's lack of balance is put beside the displacements, and its
-/// motion beside the forces: the problem of both together is monotone, too.
+/// motion beside the forces: the problem of both together is monotone, too. Its contraction needs the nearest
+/// point of the elliptic cone, and the modified displacement that belongs to it.
 class Projections
 {
 public:
@@ -29,7 +30,8 @@ private:
   VectorXd predicted(const VectorXd &unknowns, const VectorXd &direction, double factor) const;
 
   const ContactStep &step_;
-  VectorXd rho_; ///< step of each unknown; the metric of the method is diag(1 / rho)
+  std::vector<OrthotropicFriction> laws_; ///< normalized
+  VectorXd rho_;                          ///< step of each unknown; the metric of the method is diag(1 / rho)
 };
 
 Projections::Projections(const ContactStep &step)
@@ -37,7 +39,10 @@ Projections::Projections(const ContactStep &step)
       rho_(step.n_unknowns())
 {
   for (Index node = 0; node < step.n_nodes(); ++node)
+  {
     rho_.segment<3>(3 * node).setConstant(step.system().rho(node));
+    laws_.push_back(normalized(ellipse_of(step, node, "uzawa")));
+  }
   rho_.tail(step.face().n()).setConstant(step.system().softness());
 }
 
@@ -46,7 +51,7 @@ VectorXd Projections::modified(const VectorXd &unknowns) const
   VectorXd g(unknowns.size());
   const NodeVector d = step_.displacement(unknowns);
   for (Index node = 0; node < step_.n_nodes(); ++node)
-    g.segment<3>(3 * node) = modified_displacement(step_.law(node), d.segment<3>(3 * node));
+    g.segment<3>(3 * node) = modified_displacement(laws_[node], d.segment<3>(3 * node));
   g.tail(step_.face().n()) = -step_.imbalance(unknowns);
   return g;
 }
@@ -54,7 +59,10 @@ VectorXd Projections::modified(const VectorXd &unknowns) const
 VectorXd Projections::predicted(const VectorXd &unknowns, const VectorXd &direction,
                                 const double factor) const
 {
-  return step_.admissible(unknowns - factor * rho_.cwiseProduct(direction));
+  VectorXd predicted = unknowns - factor * rho_.cwiseProduct(direction);
+  for (Index node = 0; node < step_.n_nodes(); ++node)
+    predicted.segment<3>(3 * node) = project(laws_[node], predicted.segment<3>(3 * node));
+  return predicted;
 }
 
 void Projections::iterate(VectorXd &unknowns, double &factor) const

@@ -83,15 +83,15 @@ struct Worn
   explicit Worn(const OrthotropicFriction &law)
       : hidden(grid_compliance(n_side)),
         dense(grid_compliance(n_side)),
-        system(hidden, std::vector<OrthotropicFriction>(n_grid, law)),
-        system_with_matrix(dense, std::vector<OrthotropicFriction>(n_grid, law))
+        system(hidden, FrictionLaws(n_grid, law)),
+        system_with_matrix(dense, FrictionLaws(n_grid, law))
   {
   }
 
   VectorXd way(const ContactStep &step, const VectorXd &unknowns) const
   {
     const NodeVector d = step.displacement(unknowns);
-    return way_of_loose_face(step, unknowns, d, linearize_pressure_first(step, unknowns, d).conditions, 1);
+    return way_of_loose_face(step, unknowns, d, linearize(step, unknowns, d).conditions, 1);
   }
 
   /// Forces of the nodes (N) if each of them were a spring.
