@@ -38,8 +38,8 @@ VectorXd pressed_start(const ContactStep &step)
 
 /// Semismooth Newton on the natural map, with a line search that passes corners, and behind sweeps with one
 /// that stops where steps no longer pay. Where a few nodes keep its steps short, they are solved by
-/// themselves. Where it stalls, it falls back on exact sweeps, so that it inherits their robustness. Where W is singular,
-/// some sweeps and then proximal steps come before.
+/// themselves. Where it stalls, it falls back on exact sweeps, so that it inherits their robustness. Where W
+/// is singular, some sweeps and then proximal steps come before.
 class SemismoothNewton : public ContactSolver
 {
 public:
