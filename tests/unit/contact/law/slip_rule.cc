@@ -84,4 +84,21 @@ TEST(NaturalMap, DoesNotDependOnTheLengthOfTheSlipEllipseWhenNormalized)
   EXPECT_NEAR(slip_weights(law).maxCoeff(), 1, 1e-15);
   EXPECT_NEAR(law.p_x / law.p_y, case_c.p_x / case_c.p_y, 1e-15);
 }
+
+TEST(ModifiedDisplacement, HasTheDerivativeOfDifferences)
+{
+  constexpr double step = 1e-6;
+  for (const OrthotropicFriction &law : {case_a, case_b, case_c})
+    for (const Vector3d &d : directions())
+    {
+      if (d.tail<2>().norm() < 1e-3)
+        continue; // the norm has a kink
+      Eigen::Matrix3d differences;
+      for (int i = 0; i < 3; ++i)
+        differences.col(i) = (modified_displacement(law, d + step * Vector3d::Unit(i)) -
+                              modified_displacement(law, d - step * Vector3d::Unit(i))) /
+                             (2 * step);
+      EXPECT_LE((modified_displacement_derivative(law, d) - differences).norm(), 1e-8);
+    }
+}
 } // namespace orthocone::test
