@@ -21,7 +21,8 @@ int main()
       options, {}, [](const auto &) { return orthocone::LocalAxes(0.); }, [](const auto &) {}, seconds);
 
   const auto n = static_cast<std::size_t>(body.compliance().n_nodes());
-  const orthocone::ContactSystem system(body.compliance(), {n, {0.3, 0.3, 0.3, 0.3}});
+  const orthocone::ContactSystem system(body.compliance(),
+                                        {n, orthocone::OrthotropicFriction{0.3, 0.3, 0.3, 0.3}});
   const orthocone::ContactStep step(system, body.moved_with(orthocone::moved_by(0, 0, -0.001)));
   Eigen::VectorXd force = Eigen::VectorXd::Zero(step.n_unknowns());
   const auto report = orthocone::make_contact_solver(system, {})->solve(step, force);

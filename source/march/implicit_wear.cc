@@ -34,7 +34,7 @@ ContactStep with_depths(const ContactStep &step, const VectorXd &depths)
   NodeVector q = step.q();
   for (Index node = 0; node < step.n_nodes(); ++node)
     q[3 * node] += depths[node];
-  return {step.system(), std::move(q), step.face()};
+  return ContactStep(step.system(), std::move(q), step.face()).with_laws(step.laws());
 }
 
 ImplicitWear::ImplicitWear(WearLaw law, ContactSolverOptions options, VectorXd opening)
@@ -61,8 +61,8 @@ VectorXd ImplicitWear::depths_of_a_unit(const ContactStep &problem, const Contac
     const Vector2d way = (after.displacement - before.displacement).segment<2>(3 * node + 1);
     if (after.status[node] == NodeStatus::stick || way.isZero(0))
       continue;
-    const OrthotropicFriction &friction = problem.system().given_law(node);
-    const double traction = is_frictionless(friction) ? 0 : sliding_traction(friction, way[0], way[1]).norm();
+    const FrictionLaw &friction = problem.law(node);
+    const double traction = friction.is_frictionless() ? 0 : friction.force_against(way).norm();
     depths[node] = law_.depth(node, {1, way.norm(), traction * way.norm()});
   }
   return depths;
@@ -78,15 +78,13 @@ VectorXd ImplicitWear::depths(const ContactStep &problem, const ContactState &be
   const double theta = weight_of_end((of_a_unit.array() / opening_.array()).maxCoeff());
   Eigen::MatrixXd worn = *dense;
   VectorXd first(of_a_unit.size());
-  std::vector<OrthotropicFriction> laws;
   for (Index node = 0; node < of_a_unit.size(); ++node)
   {
     worn(3 * node, 3 * node) += theta * of_a_unit[node];
     first[node] = (1 - theta) * of_a_unit[node] * std::max(before.force[3 * node], 0.);
-    laws.push_back(problem.system().given_law(node));
   }
   const DenseCompliance compliance(std::move(worn));
-  const ContactSystem system(compliance, std::move(laws));
+  const ContactSystem system(compliance, problem.laws());
   const ContactStep with_first = with_depths(problem, first);
   const ContactStep step(system, with_first.q(), problem.face());
   if (!make_contact_solver(system, options_)->solve(step, unknowns).converged)

@@ -39,12 +39,12 @@ double unresolved_slip(const NodeVector &force, const Eigen::VectorXd &complianc
 }
 
 // The friction coefficient is taken along the force, but must stay defined where the force has no direction.
-double friction_reserve(const OrthotropicFriction &law, const Eigen::Vector3d &force)
+double friction_reserve(const FrictionLaw &law, const Eigen::Vector3d &force)
 {
-  if (force[0] <= 0 || is_frictionless(law))
+  if (force[0] <= 0 || law.is_frictionless())
     return 0;
-  const double load = friction_norm(law, force[1], force[2]) / force[0];
-  const double friction = force.tail<2>().norm() / force[0] + (1 - load) * std::sqrt(law.mu_x * law.mu_y);
+  const double load = law.load(force.tail<2>()) / force[0];
+  const double friction = force.tail<2>().norm() / force[0] + (1 - load) * law.mean_friction();
   return friction * std::max(0., (1 - load) * force[0]);
 }
 

@@ -64,8 +64,12 @@ ContactProblem data_of(const ContactStep &problem, const std::string &title)
     throw std::logic_error("a compliance that is no matrix cannot be written");
   ContactProblem data{w->selfadjointView<Eigen::Lower>(), problem.q(), {}, problem.face().columns(),
                       problem.face().balance(),           title};
-  for (Eigen::Index node = 0; node < problem.n_nodes(); ++node)
-    data.laws.push_back(problem.system().given_law(node));
+  for (const FrictionLaw &law : problem.laws())
+  {
+    if (law.ellipse() == nullptr)
+      throw std::logic_error("a friction law that is no ellipse cannot be written");
+    data.laws.push_back(*law.ellipse());
+  }
   return data;
 }
 } // namespace

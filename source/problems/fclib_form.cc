@@ -12,13 +12,13 @@ FclibScale::FclibScale(const std::vector<OrthotropicFriction> &laws)
   Eigen::Index node = 0;
   for (const OrthotropicFriction &law : laws)
   {
-    const Eigen::Vector2d weights = slip_weights(normalized(law));
-    const bool stays = is_frictionless(law) || (law.mu_x == law.mu_y && weights[0] == weights[1]);
-    mu[node] = stays ? law.mu_x : 1;
+    const Eigen::Vector2d weights = slip_weights(normalized(law)), axes = law.mu();
+    const bool stays = is_frictionless(law) || (axes[0] == axes[1] && weights[0] == weights[1]);
+    mu[node] = stays ? axes[0] : 1;
     if (!stays)
     {
-      force.segment<2>(3 * node + 1) << law.mu_x, law.mu_y;
-      displacement.segment<2>(3 * node + 1) << law.mu_x * weights[0], law.mu_y * weights[1];
+      force.segment<2>(3 * node + 1) = axes;
+      displacement.segment<2>(3 * node + 1) = axes.cwiseProduct(weights);
     }
     ++node;
   }

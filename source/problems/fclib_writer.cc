@@ -120,8 +120,8 @@ void write_extension(const std::vector<OrthotropicFriction> &laws,
   Index i = 0;
   for (const OrthotropicFriction &law : laws)
   {
-    mu.segment<2>(i) << law.mu_x, law.mu_y;
-    p.segment<2>(i) << law.p_x, law.p_y;
+    mu.segment<2>(i) = law.mu();
+    p.segment<2>(i) = law.p();
     i += 2;
   }
   Hdf5File file(name, Hdf5File::Access::extend);

@@ -30,11 +30,11 @@ std::vector<OrthotropicFriction> read_laws(const Hdf5File &file, const Index n)
     OrthotropicFriction law{mu[i], mu[i], mu[i], mu[i]};
     if (is_ours)
       law = {mu[2 * i], mu[2 * i + 1], p[2 * i], p[2 * i + 1]};
-    const bool is_allowed = law.mu_x > 0 && law.mu_y > 0 && law.p_x > 0 && law.p_y > 0;
-    if (!is_allowed && !(law.mu_x == 0 && law.mu_y == 0))
-      file.fail("friction of node " + std::to_string(i) + " is (" + std::to_string(law.mu_x) + ", " +
-                std::to_string(law.mu_y) + "); allowed are numbers > 0, or 0 in both directions");
-    if (law.mu_x == 0)
+    const bool is_allowed = (law.mu().array() > 0).all() && (law.p().array() > 0).all();
+    if (!is_allowed && !law.mu().isZero(0))
+      file.fail("friction of node " + std::to_string(i) + " is (" + std::to_string(law.mu()[0]) + ", " +
+                std::to_string(law.mu()[1]) + "); allowed are numbers > 0, or 0 in both directions");
+    if (is_frictionless(law))
       law = {0, 0, 1, 1};
     laws.push_back(law);
   }

@@ -20,7 +20,6 @@
 #include <optional>
 #include <sstream>
 #include <stdexcept>
-#include <tuple>
 #include <utility>
 
 namespace orthocone
@@ -33,12 +32,11 @@ void set_laws(const SolveOptions &options, std::vector<OrthotropicFriction> &law
   {
     if (options.friction)
     {
-      std::tie(law.mu_x, law.mu_y) = *options.friction;
-      law.p_x = law.mu_x;
-      law.p_y = law.mu_y;
+      const auto &[x, y] = *options.friction;
+      law = {x, y, x, y};
     }
     if (options.slip)
-      std::tie(law.p_x, law.p_y) = *options.slip;
+      law = {law.mu()[0], law.mu()[1], options.slip->first, options.slip->second};
   }
 }
 
@@ -172,7 +170,7 @@ Eigen::VectorXd stored_unknowns(const std::string &file, const ContactStep &step
 Answer answer(const SolveOptions &options, const ContactProblem &problem, const Compliance &compliance)
 {
   const Stopwatch watch;
-  const ContactSystem system(compliance, problem.laws);
+  const ContactSystem system(compliance, {problem.laws.begin(), problem.laws.end()});
   const ContactStep step(system, problem.q, face_of(problem));
   Answer found;
   Eigen::VectorXd unknowns =

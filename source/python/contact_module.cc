@@ -147,7 +147,8 @@ py::tuple solve(const py::array_t<double> &w, const Array &q, const Array &laws,
     const py::gil_scoped_release release;
     const GivenCompliance given = given_compliance(view, vector_view(q));
     notes = given.notes();
-    const ContactSystem system(*given.compliance, to_laws(laws));
+    const Laws ellipses = to_laws(laws);
+    const ContactSystem system(*given.compliance, {ellipses.begin(), ellipses.end()});
     const ContactStep step(system, vector_view(q));
     report = make_contact_solver(system, options)->solve(step, force);
     displacement = step.displacement(force);

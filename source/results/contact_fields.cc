@@ -115,11 +115,10 @@ static StickSample between(const HangingNode &hanging, const std::vector<StickSa
 
 /// Of a node that slips under a friction force: the normal of the cone (StickSample::normal_by_slip), and the
 /// direction of slip, both turned to the side of the force. The normal is how associated slip would go.
-static std::pair<Vector2d, Vector2d> normal_and_slip(const OrthotropicFriction &law, const Vector2d &force)
+static std::pair<Vector2d, Vector2d> normal_and_slip(const FrictionLaw &law, const Vector2d &force)
 {
-  const OrthotropicFriction associated{law.mu_x, law.mu_y, law.mu_x, law.mu_y};
-  const Vector2d normal = slip_direction(associated, force[0], force[1]);
-  const Vector2d slip = -slip_direction(law, force[0], force[1]);
+  const Vector2d normal = law.cone_normal(force);
+  const Vector2d slip = -law.slip_under(force);
   return {force.norm() / normal.dot(force) * normal, slip.normalized()};
 }
 
@@ -156,8 +155,8 @@ ContactFields ContactFieldEvaluator::fields(const ContactState &state, const uns
   fields.gap = d[0];
   fields.pressure = r[0] / place.area;
   fields.friction_traction << friction / place.area, 0;
-  if (const OrthotropicFriction &law = system_.given_law(first / 3); state.status[node] != NodeStatus::open)
-    fields.friction_criterion = is_frictionless(law) ? 0 : friction_norm(law, r[1], r[2]) / r[0] - 1;
+  if (const FrictionLaw &law = system_.law(first / 3); state.status[node] != NodeStatus::open)
+    fields.friction_criterion = law.is_frictionless() ? 0 : law.load(r.tail<2>()) / r[0] - 1;
   fields.status = state.status[node];
   fields.nodal_force << friction / share, r[0] / share;
   fields.dissipated_energy = state.dissipated_energy[node] / place.area;
@@ -215,14 +214,14 @@ StickSample ContactFieldEvaluator::stick_sample(const ContactState &state, const
 {
   const Eigen::Index first = 3 * static_cast<Eigen::Index>(node);
   const Vector3d r = state.force.segment<3>(first);
-  const OrthotropicFriction &law = system_.given_law(first / 3);
+  const FrictionLaw &law = system_.law(first / 3);
   const double compliance = compliances_[first / 3];
   const bool is_open = state.status[node] == NodeStatus::open;
   const double way = slip_since_stick(state, node) + (is_open ? std::max(0., state.displacement[first]) : 0);
   const double level = (is_open ? 0 : compliance * friction_reserve(law, r)) + unresolved - way;
   StickSample sample;
   if (!is_open)
-    sample.status = level >= 0 && !is_frictionless(law) ? NodeStatus::stick : NodeStatus::slip;
+    sample.status = level >= 0 && !law.is_frictionless() ? NodeStatus::stick : NodeStatus::slip;
   sample.slip = std::max(0., -level);
   if (sample.status == NodeStatus::stick)
   {
@@ -230,7 +229,7 @@ StickSample ContactFieldEvaluator::stick_sample(const ContactState &state, const
     return sample;
   }
   sample.normal_by_slip = stick_area_.of_unknown_direction();
-  if (is_frictionless(law) || r.tail<2>().isZero(0))
+  if (law.is_frictionless() || r.tail<2>().isZero(0))
     return sample;
   const auto [normal, slip] = normal_and_slip(law, r.tail<2>());
   const double known = std::clamp(relative(compliance * r.tail<2>().norm(), unresolved) - 1, 0., 1.);

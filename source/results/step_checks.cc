@@ -33,16 +33,12 @@ bool is_finite(const ContactState &state, const Totals &totals)
          std::isfinite(totals.total_dissipation);
 }
 
-/// The natural map weights slip by (p/mu)^2, the slip rule does not.
+/// The reduced force of the reduced slip weights slip, by (p/mu)^2 for ellipses; the slip rule does not.
 double slip_amplification(const ContactSystem &system)
 {
   double largest = 1;
   for (Eigen::Index node = 0; node < system.n_nodes(); ++node)
-    if (const OrthotropicFriction &law = system.given_law(node); !is_frictionless(law))
-    {
-      const double x = law.p_x / law.mu_x, y = law.p_y / law.mu_y;
-      largest = std::max(largest, std::max(x / y, y / x) * std::max(x / y, y / x));
-    }
+    largest = std::max(largest, system.law(node).slip_amplification());
   return largest;
 }
 

@@ -95,12 +95,12 @@ void FrictionField::check(const std::vector<Vector2d> &places) const
   }
 }
 
-std::vector<OrthotropicFriction> FrictionField::laws(const ContactSurface &surface,
-                                                     const ModelSymmetry &symmetry) const
+std::vector<FrictionLaw> FrictionField::laws(const ContactSurface &surface,
+                                             const ModelSymmetry &symmetry) const
 {
   if (!varies())
-    return std::vector<OrthotropicFriction>(surface.nodes.size(), law_of(options_));
-  std::vector<OrthotropicFriction> laws;
+    return std::vector<FrictionLaw>(surface.nodes.size(), law_of(options_));
+  std::vector<FrictionLaw> laws;
   for (const ContactNode &node : surface.nodes)
   {
     const FrictionOptions there = options_.at(node.position[0], node.position[1]);

@@ -5,7 +5,7 @@
 // make_report() how far it came; what counts as solved is not its business.
 #include "results/scenes.h"
 
-#include <orthocone/contact/law/friction_law.h>
+#include <orthocone/contact/law/natural_map.h>
 #include <orthocone/contact/solvers/contact_solver.h>
 
 namespace orthocone::test
@@ -33,8 +33,7 @@ public:
       {
         auto force = unknowns.segment<3>(3 * node);
         const double rho = share * step.system().rho(node);
-        force = project(step.law(node),
-                        force - rho * modified_displacement(step.law(node), d.segment<3>(3 * node)));
+        force = TrialForce(step.law(node), rho, force, d.segment<3>(3 * node)).admitted(step.law(node));
       }
     }
     return make_report(step, unknowns, iteration, options_.tolerance);

@@ -28,9 +28,8 @@ unsigned int compare_methods(const std::string &name, const std::string &method,
     parameters.mesh.model = ModelKind::quarter; // auto would revolve case A
   EXPECT_LE(parameters.contact_solver.tolerance, 1e-8);
   TestScene scene(parameters);
-  const ContactSystem system(
-      scene.condensed.compliance(),
-      std::vector<OrthotropicFriction>(scene.state.n_nodes(), scene.scene.system().given_law(0)));
+  const ContactSystem system(scene.condensed.compliance(),
+                             FrictionLaws(scene.state.n_nodes(), scene.scene.system().law(0)));
   ContactSolverOptions options;
   options.method = method;
   options.tolerance = 1e-10;

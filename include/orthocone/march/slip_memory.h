@@ -17,7 +17,7 @@ double unresolved_slip(const NodeVector &force, const Eigen::VectorXd &complianc
 
 /// Friction force (N) that would still fit before a node slips, in the direction of its friction force; 0
 /// without friction or pressure.
-double friction_reserve(const OrthotropicFriction &law, const Eigen::Vector3d &force);
+double friction_reserve(const FrictionLaw &law, const Eigen::Vector3d &force);
 
 /// What a step does to a node.
 struct NodeStep

@@ -26,7 +26,7 @@ public:
   void check(const std::vector<Eigen::Vector2d> &places) const;
 
   /// The laws of the n contact nodes, along their local axes.
-  std::vector<OrthotropicFriction> laws(const ContactSurface &surface, const ModelSymmetry &symmetry) const;
+  std::vector<FrictionLaw> laws(const ContactSurface &surface, const ModelSymmetry &symmetry) const;
 
   /// Local axes of the contact nodes; in a section they are radius and hoop.
   LocalAxes axes(const ContactSurface &surface, const ModelSymmetry &symmetry) const;

@@ -3,6 +3,7 @@
 #include <orthocone/contact/law/one_node.h>
 
 #include <orthocone/base/numbers.h>
+#include <orthocone/contact/law/natural_map.h>
 
 #include <boost/math/tools/roots.hpp>
 
@@ -20,59 +21,61 @@ using Eigen::Vector3d;
 
 constexpr unsigned int n_directions = 64; // of the grid; pairs of zeros between its points are found, too
 
-/// k_0 + k_1 cos a + k_2 sin a.
-struct Harmonic
-{
-  Vector3d k;
-  double at(const Vector2d &e) const { return k[0] + k[1] * e[0] + k[2] * e[1]; }
-  double slope(const Vector2d &e) const { return k[2] * e[0] - k[1] * e[1]; }
-};
-
-/// Force r = r_n (1, mu_x cos a, mu_y sin a) of a slipping node. d_n = 0 gives r_n = -q_n / D(a) with
-/// D(a) = w_nn + w_nx mu_x cos a + w_ny mu_y sin a, and then D d_x = X(a) and D d_y = Y(a) are harmonics as
-/// well. By the slip rule d_t is antiparallel to (alpha cos a, beta sin a), alpha = mu_x/p_x^2, beta =
-/// mu_y/p_y^2.
+/// Force r = r_n (1, f(e)) of a slipping node with f = r_t(e), whose reduced force has the direction e. d_n =
+/// 0 gives r_n = -q_n / D(e) with D = w_nn + w_nt.f, and then D d_t = X(e) = D q_t - q_n (w_tn + W_tt f). By
+/// the slip rule d_t has a g that is opposite to e. For ellipses all of these are harmonics of the angle.
+/// docs/theory.md, section 3.
 class SlipEquation
 {
 public:
-  SlipEquation(const OneNodeProblem &problem, const Vector3d &q)
-      : law_(problem.law),
-        q_n_(q[0])
+  SlipEquation(const FrictionLaw &law, const Eigen::Matrix3d &compliance, const Vector3d &q)
+      : law_(law),
+        w_(compliance),
+        q_(q)
   {
-    const Vector3d ellipse(1, law_.mu_x, law_.mu_y);
-    const Eigen::Matrix3d scaled = problem.compliance * ellipse.asDiagonal();
-    normal_.k = scaled.row(0);
-    x_.k = q[1] * normal_.k - q_n_ * scaled.row(1).transpose();
-    y_.k = q[2] * normal_.k - q_n_ * scaled.row(2).transpose();
-    alpha_ = law_.mu_x / (law_.p_x * law_.p_x);
-    beta_ = law_.mu_y / (law_.p_y * law_.p_y);
   }
 
   /// Component of D d_t across the slip direction; zero at a solution.
-  double value(const Vector2d &e) const { return beta_ * e[1] * x_.at(e) - alpha_ * e[0] * y_.at(e); }
+  double value(const Vector2d &e) const { return cross(way(law_.force(e)), against(e)); }
 
+  /// d value / d angle, with e' across e.
   double slope(const Vector2d &e) const
   {
-    return beta_ * (e[0] * x_.at(e) + e[1] * x_.slope(e)) + alpha_ * (e[1] * y_.at(e) - e[0] * y_.slope(e));
+    const Vector2d across(-e[1], e[0]);
+    const Vector2d force = law_.force(e);
+    const Vector2d turned = law_.force_derivative(force) * across;
+    const Vector2d way_slope = coupling().dot(turned) * q_.tail<2>() - q_[0] * (tangential() * turned);
+    const Vector2d slip_slope = law_.reduced_slip_derivative(-against(e)).inverse() * across;
+    return cross(way_slope, against(e)) + cross(way(force), slip_slope);
   }
 
   /// Slip opposes the force, and the force presses.
   bool is_admissible(const Vector2d &e) const
   {
-    return normal_.at(e) > 0 && alpha_ * e[0] * x_.at(e) + beta_ * e[1] * y_.at(e) <= 0;
+    return normal(law_.force(e)) > 0 && way(law_.force(e)).dot(against(e)) <= 0;
   }
 
   Vector3d force(const Vector2d &e) const
   {
-    const double r_n = -q_n_ / normal_.at(e);
-    return r_n * Vector3d(1, law_.mu_x * e[0], law_.mu_y * e[1]);
+    const Vector2d f = law_.force(e);
+    return -q_[0] / normal(f) * Vector3d(1, f[0], f[1]);
   }
 
 private:
-  const OrthotropicFriction &law_;
-  double q_n_;
-  Harmonic normal_, x_, y_;
-  double alpha_, beta_;
+  static double cross(const Vector2d &a, const Vector2d &b) { return a[0] * b[1] - a[1] * b[0]; }
+  /// Against the slip whose g is -e. Laws without a centre of symmetry have another one for g = e.
+  Vector2d against(const Vector2d &e) const { return -law_.slip(-e); }
+  Vector2d coupling() const { return w_.row(0).tail<2>(); }
+  Eigen::Matrix2d tangential() const { return w_.bottomRightCorner<2, 2>(); }
+  double normal(const Vector2d &f) const { return w_(0, 0) + coupling().dot(f); }
+  Vector2d way(const Vector2d &f) const
+  {
+    return normal(f) * q_.tail<2>() - q_[0] * (w_.col(0).tail<2>() + tangential() * f);
+  }
+
+  const FrictionLaw &law_;
+  const Eigen::Matrix3d &w_;
+  const Vector3d &q_;
 };
 
 Vector2d at_angle(const double angle)
@@ -178,38 +181,40 @@ private:
   }
 
   const SlipEquation &equation_;
-  std::array<double, 8> roots_{}; // a trigonometric polynomial of degree 2 has at most 4
+  std::array<double, 16> roots_{}; // ellipses have at most 4: a trigonometric polynomial of degree 2
   unsigned int n_roots_ = 0;
 };
 
-/// Damped prediction-correction on the natural map, for the degenerate case without any admissible slip
-/// angle: w_nn is too small against the coupling times mu, and the node wedges.
-Vector3d iterate_natural_map(const OneNodeProblem &problem, const Vector3d &q, Vector3d r)
+/// Damped iteration of the natural map, for the degenerate case without any admissible slip angle: w_nn is
+/// too small against the coupling times mu, and the node wedges.
+Vector3d iterate_natural_map(const FrictionLaw &law, const OneNodeProblem &problem, const Vector3d &q,
+                             Vector3d r)
 {
   constexpr unsigned int n_steps = 100;
   const double rho = 0.5 / problem.compliance.diagonal().maxCoeff();
   for (unsigned int step = 0; step < n_steps; ++step)
-    r = project(problem.law, r - rho * modified_displacement(problem.law, q + problem.compliance * r));
+    r = TrialForce(law, rho, r, q + problem.compliance * r).admitted(law);
   return r;
 }
 } // namespace
 
-Vector3d solve_one_node(const OneNodeProblem &problem, const Vector3d &q, const Vector3d &guess)
+Vector3d solve_one_node(const FrictionLaw &law, const OneNodeProblem &problem, const Vector3d &q,
+                        const Vector3d &guess)
 {
   if (q[0] >= 0)
     return Vector3d::Zero();
-  if (is_frictionless(problem.law))
+  if (law.is_frictionless())
     return {-q[0] / problem.compliance(0, 0), 0, 0};
-  Vector3d stuck = -problem.stiffness * q;
-  if (cone_zone(problem.law, stuck) == ConeZone::inside)
+  const Vector3d stuck = -problem.stiffness * q;
+  if (stuck[0] > 0 && law.load(stuck.tail<2>()) <= stuck[0])
     return stuck;
-  const SlipEquation equation(problem, q);
-  const Vector3d &near = guess[0] > 0 ? guess : stuck;
-  const double angle = std::atan2(near[2] / problem.law.mu_y, near[1] / problem.law.mu_x);
+  const SlipEquation equation(law, problem.compliance, q);
+  const Vector2d near = law.reduced_force((guess[0] > 0 ? guess : stuck).tail<2>());
+  const double angle = std::atan2(near[1], near[0]);
   if (const auto root = root_near(equation, angle))
     return equation.force(*root);
   if (const auto root = SlipRoots(equation).nearest_to(angle))
     return equation.force(*root);
-  return iterate_natural_map(problem, q, guess);
+  return iterate_natural_map(law, problem, q, guess);
 }
 } // namespace orthocone

@@ -4,6 +4,7 @@
 
 #include <orthocone/base/numbers.h>
 #include <orthocone/base/stop_point.h>
+#include <orthocone/contact/law/natural_map.h>
 
 #include <algorithm>
 #include <cmath>
@@ -60,6 +61,14 @@ ContactStep::ContactStep(const ContactSystem &system, NodeVector q, FreeFace fac
   rounding_force_ = 2 * std::numeric_limits<double>::epsilon() * holding_force(system, q_);
 }
 
+ContactStep ContactStep::with_laws(FrictionLaws laws) const
+{
+  eigen_assert(static_cast<Index>(laws.size()) == n_nodes());
+  ContactStep step = *this;
+  step.own_laws_ = std::make_shared<const FrictionLaws>(std::move(laws));
+  return step;
+}
+
 NodeVector ContactStep::change_of_displacement(const VectorXd &change) const
 {
   NodeVector d;
@@ -94,7 +103,7 @@ ContactChange ContactStep::approximate(const VectorXd &unknowns) const
 VectorXd ContactStep::admissible(VectorXd unknowns) const
 {
   for (Index node = 0; node < n_nodes(); ++node)
-    unknowns.segment<3>(3 * node) = project(law(node), unknowns.segment<3>(3 * node));
+    unknowns.segment<3>(3 * node) = admissible_force(law(node), unknowns.segment<3>(3 * node));
   return unknowns;
 }
 
@@ -111,10 +120,7 @@ VectorXd ContactStep::natural_map(const VectorXd &unknowns, const NodeVector &di
   {
     const Vector3d r = unknowns.segment<3>(3 * node);
     const Vector3d d = displacement.segment<3>(3 * node);
-    map.segment<3>(3 * node) =
-        is_free(r, d)
-            ? Vector3d::Zero()
-            : Vector3d(r - project(law(node), r - system_->rho(node) * modified_displacement(law(node), d)));
+    map.segment<3>(3 * node) = r - TrialForce(law(node), system_->rho(node), r, d).admitted(law(node));
   }
   map.tail(face_.n()) = imbalance(unknowns);
   return map;
@@ -172,28 +178,17 @@ double ContactStep::negligible_force(const VectorXd &unknowns) const
   return rounding * largest;
 }
 
-NodeStatus ContactStep::status(const Index node, const Vector3d &force, const Vector3d &displacement) const
-{
-  const Vector3d g = modified_displacement(law(node), displacement);
-  switch (cone_zone(law(node), force - system_->rho(node) * g))
-  {
-  case ConeZone::polar:
-    return NodeStatus::open;
-  case ConeZone::inside:
-    return NodeStatus::stick;
-  case ConeZone::outside:
-    break;
-  }
-  return NodeStatus::slip;
-}
-
 std::vector<NodeStatus> ContactStep::statuses(const VectorXd &unknowns, const NodeVector &displacement) const
 {
   const double negligible = negligible_force(unknowns);
   std::vector<NodeStatus> all(n_nodes(), NodeStatus::open);
   for (Index node = 0; node < n_nodes(); ++node)
     if (unknowns[3 * node] > negligible)
-      all[node] = status(node, unknowns.segment<3>(3 * node), displacement.segment<3>(3 * node));
+    {
+      const TrialForce trial(law(node), system_->rho(node), unknowns.segment<3>(3 * node),
+                             displacement.segment<3>(3 * node));
+      all[node] = trial.is_open() ? NodeStatus::open : trial.sticks() ? NodeStatus::stick : NodeStatus::slip;
+    }
   return all;
 }
 } // namespace orthocone

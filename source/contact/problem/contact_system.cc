@@ -8,15 +8,14 @@
 
 namespace orthocone
 {
-ContactSystem::ContactSystem(const Compliance &compliance, std::vector<OrthotropicFriction> laws)
+ContactSystem::ContactSystem(const Compliance &compliance, FrictionLaws laws)
     : compliance_(compliance),
-      given_laws_(std::move(laws)),
+      laws_(std::move(laws)),
       softness_(compliance.softness())
 {
-  eigen_assert(static_cast<Eigen::Index>(given_laws_.size()) == n_nodes());
+  eigen_assert(static_cast<Eigen::Index>(laws_.size()) == n_nodes());
   for (Eigen::Index node = 0; node < n_nodes(); ++node)
   {
-    laws_.push_back(normalized(given_laws_[node]));
     const double largest = compliance_.diagonal_block(node).diagonal().maxCoeff();
     rho_.push_back(1 / (largest > 0 ? largest : softness_)); // a node that cannot move may have any rho
   }

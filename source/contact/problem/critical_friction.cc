@@ -66,13 +66,15 @@ double least_over_directions(const SlipResistance &resistance)
 }
 } // namespace
 
-double critical_friction_factor(const OrthotropicFriction &law, const Matrix3d &block)
+double critical_friction_factor(const FrictionLaw &law, const Matrix3d &block)
 {
   constexpr double quarter_turn = pi / 2;
-  const SlipResistance resistance(law, block);
+  if (law.ellipse() == nullptr)
+    return std::numeric_limits<double>::quiet_NaN();
+  const SlipResistance resistance(*law.ellipse(), block);
   const bool is_x_held = block(0, 1) == 0 && block(1, 2) == 0;
   const bool is_y_held = block(0, 2) == 0 && block(1, 2) == 0;
-  if ((is_x_held && is_y_held) || is_frictionless(law))
+  if ((is_x_held && is_y_held) || law.is_frictionless())
     return infinity;
   if (is_x_held)
     return resistance.along(quarter_turn);
@@ -88,7 +90,7 @@ CriticalFriction critical_friction(const ContactSystem &system)
   {
     const double factor =
         critical_friction_factor(system.law(node), system.compliance().diagonal_block(node));
-    if (factor < critical.factor)
+    if (factor < critical.factor || std::isnan(factor))
       critical = {factor, node};
   }
   return critical;

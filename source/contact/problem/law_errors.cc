@@ -31,16 +31,15 @@ double largest_norm(const NodeVector &vector)
 
 /// Part of the change of slip `d` that the slip rule does not allow under the force (r_n, r_t): across its
 /// direction, against it, or while the force lies inside the cone.
-double forbidden_slip(const OrthotropicFriction &law, const double r_n, const Vector2d &r_t,
-                      const Vector2d &d)
+double forbidden_slip(const FrictionLaw &law, const double r_n, const Vector2d &r_t, const Vector2d &d)
 {
-  const Vector2d direction = slip_direction(law, r_t[0], r_t[1]);
+  const Vector2d direction = law.slip_under(r_t);
   if (direction.squaredNorm() == 0)
     return d.norm();
   const Vector2d unit = direction.normalized();
   const double along = unit.dot(d);
   const double across = std::abs(unit[0] * d[1] - unit[1] * d[0]);
-  const double margin = std::clamp(1 - friction_norm(law, r_t[0], r_t[1]) / r_n, 0., 1.);
+  const double margin = std::clamp(1 - law.load(r_t) / r_n, 0., 1.);
   return across + std::max(0., -along) + margin * std::abs(along);
 }
 } // namespace
@@ -80,16 +79,16 @@ Scales scales_of(const ContactStep &step, const NodeVector &force, const NodeVec
   return scales;
 }
 
-LawErrors errors_of_node(const OrthotropicFriction &law, const Eigen::Vector3d &r, const Eigen::Vector3d &d,
+LawErrors errors_of_node(const FrictionLaw &law, const Eigen::Vector3d &r, const Eigen::Vector3d &d,
                          const Scales &scales)
 {
   const Vector2d r_t = r.tail<2>();
   LawErrors errors;
   errors.penetration = relative(std::max(0., -d[0]), scales.length);
   errors.complementarity = std::abs(std::min(relative(d[0], scales.length), relative(r[0], scales.strength)));
-  errors.friction_cone = relative(std::max(0., friction_norm(law, r_t[0], r_t[1]) - r[0]), scales.strength);
+  errors.friction_cone = relative(std::max(0., law.load(r_t) - r[0]), scales.strength);
   // The weight is what friction can carry, because the direction of a tiny force is not known.
-  if (const double friction = std::min(law.mu_x, law.mu_y) * r[0]; friction > 0)
+  if (const double friction = law.least_friction() * r[0]; friction > 0)
     errors.slip_rule =
         friction / scales.strength * relative(forbidden_slip(law, r[0], r_t, d.tail<2>()), scales.slip);
   return errors;

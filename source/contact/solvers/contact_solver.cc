@@ -77,6 +77,17 @@ const DenseView &dense_compliance(const ContactSystem &system, const char *const
   return *matrix;
 }
 
+const OrthotropicFriction &ellipse_of(const ContactStep &step, const Eigen::Index node,
+                                      const char *const method)
+{
+  const OrthotropicFriction *const ellipse = step.law(node).ellipse();
+  if (ellipse == nullptr)
+    throw std::invalid_argument(std::string("Contact solver/Method = ") + method +
+                                " needs friction ellipses, and the law of node " + std::to_string(node) +
+                                " is none");
+  return *ellipse;
+}
+
 std::unique_ptr<ConditionSolver> condition_solver(const ContactSystem &system, const char *const method)
 {
   auto solver = system.compliance().condition_solver(system.softness());

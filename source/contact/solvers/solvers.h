@@ -58,6 +58,10 @@ const DenseView &dense_compliance(const ContactSystem &system, const char *metho
 /// is none.
 std::unique_ptr<ConditionSolver> condition_solver(const ContactSystem &system, const char *method);
 
+/// The two ellipses of a node, for methods that iterate on the elliptic cone. Throws std::invalid_argument,
+/// which names the method, where the law is another one.
+const OrthotropicFriction &ellipse_of(const ContactStep &step, Eigen::Index node, const char *method);
+
 /// ContactMethod::make of a solver that is constructed from a system and options.
 template<typename Solver>
 std::unique_ptr<ContactSolver> make(const ContactSystem &system, const ContactSolverOptions &options)

@@ -34,9 +34,14 @@ inline Eigen::MatrixXd grid_compliance(const Eigen::Index n, const double normal
 /// directions and open.
 struct GridProblem
 {
-  explicit GridProblem(const OrthotropicFriction &law, const Eigen::Index n = 5, const double push = 1)
+  explicit GridProblem(const OrthotropicFriction &ellipse, const Eigen::Index n = 5, const double push = 1)
+      : GridProblem(FrictionLaw(ellipse), n, push)
+  {
+  }
+
+  explicit GridProblem(const FrictionLaw &law, const Eigen::Index n = 5, const double push = 1)
       : compliance(grid_compliance(n)),
-        system(compliance, std::vector<OrthotropicFriction>(n * n, law)),
+        system(compliance, FrictionLaws(n * n, law)),
         problem(system, free_displacement(n, push))
   {
   }

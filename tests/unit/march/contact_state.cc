@@ -19,7 +19,7 @@ using Eigen::Vector3d;
 ContactState closed_from(const double gap_before, const Vector3d &force)
 {
   const DenseCompliance compliance(Eigen::Matrix3d::Identity());
-  const ContactSystem system(compliance, {{0.3, 0.3, 0.3, 0.3}});
+  const ContactSystem system(compliance, {OrthotropicFriction{0.3, 0.3, 0.3, 0.3}});
   ContactState state(Vector3d(gap_before, 0, 0));
   const ContactStep problem(system, Vector3d(0, 0.1, 0) - force); // so that the displacement is (0, 0.1, 0)
   advance(state, problem, Eigen::VectorXd::Ones(1), force, {});

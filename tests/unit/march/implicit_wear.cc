@@ -33,7 +33,7 @@ WearLaw law_of(const WearKind kind, const double z)
 double force_behind(const WearLaw &wear)
 {
   const DenseCompliance body(own_compliance * Eigen::Matrix3d::Identity());
-  const ContactSystem system(body, {{0.1, 0.1, 0.1, 0.1}});
+  const ContactSystem system(body, {OrthotropicFriction{0.1, 0.1, 0.1, 0.1}});
   const ContactStep step(system, Vector3d(-own_compliance * pressed, way, 0));
   ContactState before(Vector3d::Zero()), after(Vector3d(0, way, 0));
   before.force = after.force = Vector3d(pressed, -0.1 * pressed, 0);

@@ -92,7 +92,8 @@ TEST(SlipMemory, ReserveIsThatOfTheCone)
   EXPECT_NEAR(friction_reserve(isotropic, {100, 6, 8}), 20, 1e-12);
   EXPECT_EQ(friction_reserve(isotropic, {100, 0, 31}), 0);
   EXPECT_EQ(friction_reserve(isotropic, {0, 0, 0}), 0);
-  EXPECT_EQ(friction_reserve({0, 0, 1, 1}, {100, 0, 0}), 0);
-  EXPECT_NEAR(friction_reserve({0.4, 0.1, 1, 1}, {100, 0, 5}), 0.5 * (5 + 0.5 * 20), 1e-12);
+  EXPECT_EQ(friction_reserve(OrthotropicFriction{0, 0, 1, 1}, {100, 0, 0}), 0);
+  EXPECT_NEAR(friction_reserve(OrthotropicFriction{0.4, 0.1, 1, 1}, {100, 0, 5}), 0.5 * (5 + 0.5 * 20),
+              1e-12);
 }
 } // namespace orthocone::test

@@ -212,7 +212,7 @@ namespace
 double dissipated(const Vector3d &force_before, const Vector3d &force_after, const double gap)
 {
   const DenseCompliance compliance(Eigen::Matrix3d::Identity());
-  const ContactSystem system(compliance, {{0.3, 0.3, 0.3, 0.3}});
+  const ContactSystem system(compliance, {OrthotropicFriction{0.3, 0.3, 0.3, 0.3}});
   ContactState state(1);
   state.force = force_before;
   state.status = {NodeStatus::slip};

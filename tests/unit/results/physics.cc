@@ -163,8 +163,7 @@ TEST(Physics, GrossSlidingHasTheResultantOfTheSlipRule)
     TestScene scene(parameters);
     scene.march();
     const Eigen::Vector3d force = scene.totals().force;
-    const Vector2d expected =
-        sliding_traction(scene.scene.system().given_law(0), std::sqrt(0.5), std::sqrt(0.5));
+    const Vector2d expected = scene.scene.system().law(0).force_against({std::sqrt(0.5), std::sqrt(0.5)});
     EXPECT_EQ(scene.totals().n_stick, 0u);
     EXPECT_LE((force.head<2>() / force[2] - expected).norm(), 1e-9);
   }

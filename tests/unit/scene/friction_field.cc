@@ -46,8 +46,8 @@ TEST(FrictionField, HasALawAtEveryPlace)
   friction.varying_mu = pair("0.1*x", "0.05*x");
   EXPECT_EQ(friction_rejection(friction), "");
   const auto laws = FrictionField(friction).laws(surface_of({{1, 0}, {3, 0}}), {});
-  EXPECT_DOUBLE_EQ(laws[1].mu_x, 0.3);
-  EXPECT_DOUBLE_EQ(laws[1].p_y, 0.15) << "associated: p = mu";
+  EXPECT_DOUBLE_EQ(laws[1].ellipse()->mu_x, 0.3);
+  EXPECT_DOUBLE_EQ(laws[1].ellipse()->p_y, 0.15) << "associated: p = mu";
   friction.varying_mu = pair("1-x/2", "0.1");
   EXPECT_EQ(friction_rejection(friction),
             "Friction/Coefficients = 1-x/2, 0.1 is -0.5, 0.1 at (3, 4) mm of the contact surface: "
@@ -85,11 +85,11 @@ TEST(FrictionField, LiesAlongTheRadiusOfASection)
 {
   const ContactSurface rings = surface_of({{0, 0}, {5, 0}});
   const ModelSymmetry section = ModelSymmetry::of_revolution();
-  EXPECT_EQ(FrictionField(polar()).laws(rings, section)[1].mu_x, 0.4);
+  EXPECT_EQ(FrictionField(polar()).laws(rings, section)[1].ellipse()->mu_x, 0.4);
   FrictionOptions hoop = polar();
   hoop.varying_angle = Expression("90+atan2(y,x)*180/pi");
   hoop.slip_potential = std::array<double, 2>{{0.3, 0.1}};
-  const auto law = FrictionField(hoop).laws(rings, section)[1];
+  const OrthotropicFriction law = *FrictionField(hoop).laws(rings, section)[1].ellipse();
   EXPECT_EQ(law.mu_x, 0.2);
   EXPECT_EQ(law.mu_y, 0.4);
   EXPECT_EQ(law.p_x, 0.1);

@@ -77,7 +77,7 @@ void one_node(const Words &words)
   Matrix3d w = Matrix3d::Identity();
   w(0, 1) = w(1, 0) = coupling;
   const DenseCompliance compliance(w);
-  const ContactSystem system(compliance, {{mu, mu, mu, mu}});
+  const ContactSystem system(compliance, {OrthotropicFriction{mu, mu, mu, mu}});
   std::cout << "angle,states,n_solutions,largest_residual,newton,gauss_seidel\n";
   for (double load = 0.5; load < values["--loads"]; ++load) // none on an axis
   {

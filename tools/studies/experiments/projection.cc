@@ -69,7 +69,7 @@ public:
     for (unsigned int trial = 0; points.size() < n && trial < 1000000; ++trial)
     {
       const Vector3d tau = uniform_power(1e-3, 1e3) * one(name, law).normalized();
-      if (cone_zone(law, tau) == ConeZone::outside)
+      if (friction_norm(law, tau[1], tau[2]) > tau[0] && dual_norm(law, tau[1], tau[2]) + tau[0] > 0)
         points.push_back(tau);
     }
     if (points.size() < n)

@@ -173,15 +173,10 @@ double ferrari(const OrthotropicFriction &law, const Vector3d &tau)
 template<double (*multiplier)(const OrthotropicFriction &, const Vector3d &)>
 Vector3d with(const OrthotropicFriction &law, const Vector3d &tau)
 {
-  switch (cone_zone(law, tau))
-  {
-  case ConeZone::polar:
-    return Vector3d::Zero();
-  case ConeZone::inside:
+  if (dual_norm(law, tau[1], tau[2]) + tau[0] <= 0)
+    return Vector3d::Zero(); // in the polar cone
+  if (friction_norm(law, tau[1], tau[2]) <= tau[0])
     return tau;
-  case ConeZone::outside:
-    break;
-  }
   return point_at(law, tau, multiplier(law, tau));
 }
 

@@ -82,7 +82,7 @@ void small_problems(const Words &words)
   {
     const DenseCompliance compliance(problems.compliance());
     const OrthotropicFriction law = problems.law();
-    const ContactSystem system(compliance, std::vector<OrthotropicFriction>(n_nodes, law));
+    const ContactSystem system(compliance, FrictionLaws(n_nodes, law));
     const ContactStep problem(system,
                               step_displacement(problems.free_displacement(), NodeVector::Zero(3 * n_nodes)));
     NodeVector force = NodeVector::Zero(3 * n_nodes);

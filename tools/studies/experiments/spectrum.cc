@@ -37,14 +37,16 @@ void spectrum(const Words &words)
   const VectorXd of_w = symmetric_eigenvalues(w);
   // Box 3 while all stick: r <- r - rho C (q + W r) with the weights C of the literal p. C W is similar to a
   // symmetric matrix.
-  VectorXd root = weights(problem.given_law(0), n);
+  VectorXd root = weights(*problem.law(0).ellipse(), n);
   for (Eigen::Index node = 0; node < n; ++node)
     root.segment<3>(3 * node) /= problem.compliance().diagonal_block(node).diagonal().minCoeff();
   root = root.cwiseSqrt();
   const VectorXd of_box3 = symmetric_eigenvalues(root.asDiagonal() * w * root.asDiagonal());
   // The scaled operator D C W D, of which the problem is the isotropic one with a coefficient of 1.
-  const VectorXd d = Vector3d(1, problem.law(0).mu_x, problem.law(0).mu_y).replicate(n, 1);
-  const MatrixXd scaled = d.cwiseProduct(weights(problem.law(0), n)).asDiagonal() * w * d.asDiagonal();
+  const VectorXd d =
+      Vector3d(1, problem.law(0).ellipse()->mu_x, problem.law(0).ellipse()->mu_y).replicate(n, 1);
+  const MatrixXd scaled =
+      d.cwiseProduct(weights(*problem.law(0).ellipse(), n)).asDiagonal() * w * d.asDiagonal();
   const VectorXd of_scaled = symmetric_eigenvalues(0.5 * (scaled + scaled.transpose()));
   std::cout << "contact_nodes,condition,box3_lambda,symmetric_least,symmetric_largest\n"
             << n << "," << of_w.maxCoeff() / of_w.minCoeff() << "," << of_box3.maxCoeff() << ","

@@ -36,7 +36,7 @@ NodeVector random_forces(const ContactStep &problem, const double size, std::mt1
   {
     if (uniform(generator) < open)
       continue;
-    const OrthotropicFriction &law = problem.law(node);
+    const OrthotropicFriction &law = *problem.law(node).ellipse();
     const double pressing = 2 * size * uniform(generator);
     const double friction = pressing * std::min(1., 2 * uniform(generator));
     const double angle = 2 * pi * uniform(generator);
@@ -53,7 +53,7 @@ std::vector<Start> all_starts(const ContactStep &problem, const NodeVector &last
 {
   NodeVector stuck = problem.system().compliance().dense()->llt().solve(-problem.q());
   for (Index node = 0; node < problem.n_nodes(); ++node)
-    stuck.segment<3>(3 * node) = project(problem.law(node), stuck.segment<3>(3 * node));
+    stuck.segment<3>(3 * node) = project(*problem.law(node).ellipse(), stuck.segment<3>(3 * node));
   const double size = stuck.norm() / std::sqrt(static_cast<double>(problem.n_nodes()));
   std::vector<Start> starts{{"none", NodeVector::Zero(stuck.size())}, {"last", last}, {"stuck", stuck}};
   for (unsigned int i = 0; i < n_random; ++i)
@@ -154,8 +154,7 @@ void starts(const Words &words)
   const Scene model(scene.parameters, choose_model(scene.parameters));
   const March march(model, static_cast<unsigned int>(scene.number("step", 1)));
   const auto n_nodes = static_cast<std::size_t>(model.system().n_nodes());
-  const ContactSystem system(model.system().compliance(),
-                             std::vector<OrthotropicFriction>(n_nodes, model.system().given_law(0)));
+  const ContactSystem system(model.system().compliance(), FrictionLaws(n_nodes, model.system().law(0)));
   const NodeVector last = march.state.displacement;
   const auto n_loads = static_cast<unsigned int>(scene.number("loads", 0));
   const auto n_random = static_cast<unsigned int>(scene.number("starts", 10));

@@ -50,11 +50,11 @@ private:
   LocalAxes axes_;
 };
 
-std::vector<OrthotropicFriction> laws_of(const ContactSystem &system)
+FrictionLaws laws_of(const ContactSystem &system)
 {
-  std::vector<OrthotropicFriction> laws;
+  FrictionLaws laws;
   for (Eigen::Index node = 0; node < system.n_nodes(); ++node)
-    laws.push_back(system.given_law(node));
+    laws.push_back(system.law(node));
   return laws;
 }
 

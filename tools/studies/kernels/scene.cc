@@ -41,8 +41,8 @@ Scene::Scene(const unsigned int core_cells)
       stiffness(discretization, parameters.material),
       factor(stiffness.matrix(), discretization.n_interior()),
       condensed(discretization, factor, LocalAxes(parameters.friction.angle)),
-      system(condensed.compliance(), std::vector<OrthotropicFriction>(condensed.compliance().n_nodes(),
-                                                                      friction(parameters.friction))),
+      system(condensed.compliance(),
+             FrictionLaws(condensed.compliance().n_nodes(), friction(parameters.friction))),
       problem(system, condensed.frame().moved_with(moved_by(0, 0, peak))),
       force(NodeVector::Zero(3 * problem.n_nodes()))
 {

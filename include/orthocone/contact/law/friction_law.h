@@ -1,93 +1,119 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// The contact law of one node as pure functions, which throw nothing. Vectors are in local axes (normal, x,
-// y), where x and y are the axes of both ellipses. Forces r (N) act from the plane on the body; displacements
-// d (mm) are the body's, relative to the plane. Source: Feng, Hjiaj, de Saxce, Mroz, Int. J. Non-Linear Mech.
-// 41 (2006) 936-948, sections 2 and 3; docs/theory.md, section 1.
+// The friction law of one node in one step, as two maps of the tangent plane that make it isotropic Coulomb
+// friction with the coefficient 1 (docs/theory.md, section 1, "The circle"). With the reduced force
+// r' = r'(r_t) and the reduced slip g = g(d_t) every law reads: |r'| <= r_n, and in slip r' = -r_n g/|g|.
+// What solves, checks and reports a step knows this circle alone. Vectors are in local axes (normal, x, y);
+// forces r (N) act from the plane on the body, displacements d (mm) are the body's, relative to the plane.
 #pragma once
 
-#include <Eigen/Dense>
+#include <orthocone/contact/law/elliptic_cone.h>
+
+#include <memory>
 
 namespace orthocone
 {
-/// Semi-axes of the friction ellipse (mu) and of the slip ellipse (p), without units. With mu_x = mu_y = 0
-/// there is no friction: the cone is the half-line r_t = 0, r_n >= 0, every node in contact slips, and p
-/// means nothing.
-struct OrthotropicFriction
+/// The two maps of a law whose maps are not linear. Each is continuous, one-to-one and homogeneous of degree
+/// one, and maps the plane to itself; derivatives are 2 x 2, and at 0, where there is none, any invertible
+/// matrix. Implementations are constant once made, since the nodes of a surface share one, and throw nothing.
+///
+/// What a tribometer measures, the force f(a) per unit normal force against slip along -e(a), becomes
+/// r' = r_t / R(b) and g = -|d_t| b'(a)^(-1/2) e(b(a)), where b(a) is the angle of f(a) and R(b) its length.
+class TangentMaps
 {
-  double mu_x;
-  double mu_y;
-  double p_x;
-  double p_y;
+public:
+  virtual ~TangentMaps() = default;
+
+  /// r' of a tangential force, N, and d r' / d r_t.
+  virtual Eigen::Vector2d reduced_force(const Eigen::Vector2d &force) const = 0;
+  virtual Eigen::Matrix2d reduced_force_derivative(const Eigen::Vector2d &force) const = 0;
+  /// The force that has this r'.
+  virtual Eigen::Vector2d force(const Eigen::Vector2d &reduced) const = 0;
+
+  /// g of a slip, mm, and d g / d d_t. The size of g is free: of the order of the slip times the coefficient
+  /// of friction, as for the ellipse, iterations are as fast as there.
+  virtual Eigen::Vector2d reduced_slip(const Eigen::Vector2d &slip) const = 0;
+  virtual Eigen::Matrix2d reduced_slip_derivative(const Eigen::Vector2d &slip) const = 0;
+  /// The slip that has this g.
+  virtual Eigen::Vector2d slip(const Eigen::Vector2d &reduced) const = 0;
 };
 
-/// Whether there is no friction.
-bool is_frictionless(const OrthotropicFriction &law);
-
-/// Weights (p_x/mu_x)^2, (p_y/mu_y)^2 by which the slip direction departs from the normal of the cone: both
-/// equal for associated slip (1 after normalized()), both 0 without friction. They are Q^2 of docs/theory.md,
-/// section 1.
-Eigen::Vector2d slip_weights(const OrthotropicFriction &law);
-
-/// The same law with p scaled so that the larger slip weight is 1. The law does not depend on the length of
-/// p, but the natural map does.
-OrthotropicFriction normalized(const OrthotropicFriction &law);
-
-/// ||r_t||_m = sqrt((r_x/mu_x)^2 + (r_y/mu_y)^2), N: the normal force at which r_t slips. Without friction it
-/// is infinite unless r_t = 0.
-double friction_norm(const OrthotropicFriction &law, double r_x, double r_y);
-
-/// ||v_t||*_m = sqrt((mu_x v_x)^2 + (mu_y v_y)^2), dual to friction_norm(), in the unit of v.
-double dual_norm(const OrthotropicFriction &law, double v_x, double v_y);
-
-/// Where a point lies with respect to the friction cone K and its polar.
-enum class ConeZone
+/// A law as a value. Two ellipses are the linear case, r' = r_t / mu and g = p^2 d_t / (mu max(p^2)), entry
+/// by entry; they are kept in place, because a virtual call a node would cost the sweeps more than the map
+/// does.
+class FrictionLaw
 {
-  polar,   ///< projects on the apex: the node is open
-  inside,  ///< projects on itself: the node sticks (never without friction)
-  outside, ///< projects on the surface: the node slips
+public:
+  FrictionLaw(const OrthotropicFriction &ellipse); // NOLINT(google-explicit-constructor): it is that law
+  explicit FrictionLaw(std::shared_ptr<const TangentMaps> maps);
+
+  /// The two ellipses if the law consists of them, else nullptr: for formats and formulas of ellipses.
+  const OrthotropicFriction *ellipse() const { return maps_ ? nullptr : &ellipse_; }
+
+  /// Whether there is no friction. The maps do not exist then: reduced vectors are 0, and load() is infinite
+  /// for every force but 0.
+  bool is_frictionless() const { return !maps_ && ellipse_.mu_x == 0; }
+
+  /// The maps: TangentMaps.
+  Eigen::Vector2d reduced_force(const Eigen::Vector2d &force) const
+  {
+    if (maps_)
+      return maps_->reduced_force(force);
+    return is_frictionless() ? Eigen::Vector2d(0, 0) : Eigen::Vector2d(force.cwiseQuotient(mu_));
+  }
+  Eigen::Vector2d force(const Eigen::Vector2d &reduced) const
+  {
+    return maps_ ? maps_->force(reduced) : Eigen::Vector2d(mu_.cwiseProduct(reduced));
+  }
+  Eigen::Vector2d reduced_slip(const Eigen::Vector2d &slip) const
+  {
+    return maps_ ? maps_->reduced_slip(slip) : Eigen::Vector2d(slip_.cwiseProduct(slip));
+  }
+  Eigen::Vector2d slip(const Eigen::Vector2d &reduced) const
+  {
+    return maps_ ? maps_->slip(reduced) : Eigen::Vector2d(reduced.cwiseQuotient(slip_));
+  }
+
+  /// d r_t / d r' where the force is `force`, and d g / d d_t.
+  Eigen::Matrix2d force_derivative(const Eigen::Vector2d &force) const;
+  Eigen::Matrix2d reduced_slip_derivative(const Eigen::Vector2d &slip) const;
+
+  /// |r'|, N: the normal force at which a tangential force slips.
+  double load(const Eigen::Vector2d &force) const;
+
+  /// Tangential force on the body per unit normal force, in steady slip along a direction that is not 0 (a
+  /// vector of any length).
+  Eigen::Vector2d force_against(const Eigen::Vector2d &direction) const;
+
+  /// Direction in which a node slips under a tangential force, not normalized: its g opposes r'.
+  Eigen::Vector2d slip_under(const Eigen::Vector2d &force) const;
+
+  /// Outward normal of the cone's section at a tangential force, not normalized: associated slip goes against
+  /// it.
+  Eigen::Vector2d cone_normal(const Eigen::Vector2d &force) const;
+
+  /// Geometric mean over the force's directions (of the semi-axes of an ellipse) and the least of the forces
+  /// that slip per unit normal force, without units.
+  double mean_friction() const { return mean_friction_; }
+  double least_friction() const { return least_friction_; }
+
+  /// How much more the law weights slip in one direction than in another: largest over least value of
+  /// |r'(g(e))| over all directions e, which is that of (p/mu)^2 for ellipses. 1 without friction.
+  double slip_amplification() const { return slip_amplification_; }
+
+private:
+  std::shared_ptr<const TangentMaps> maps_;
+  OrthotropicFriction ellipse_{0, 0, 1, 1};
+  Eigen::Vector2d mu_ = Eigen::Vector2d::Zero(), slip_ = Eigen::Vector2d::Zero(); ///< diagonals of the maps
+  double mean_friction_ = 0, least_friction_ = 0, slip_amplification_ = 1;
 };
 
-/// The zone of the point tau (N).
-ConeZone cone_zone(const OrthotropicFriction &law, const Eigen::Vector3d &tau);
+/// Whether the slip rule is known to be the associated one, up to rounding, or nothing is known of it because
+/// the law is no ellipse.
+bool is_associated(const FrictionLaw &law);
 
-/// Nearest point of the cone K = { r : ||r_t||_m <= r_n }, N: docs/theory.md, section 1, "Projection".
-Eigen::Vector3d project(const OrthotropicFriction &law, const Eigen::Vector3d &tau);
-
-/// The nearest point of the cone (N) and the derivative of the projection there, 3 x 3. On the surface the
-/// derivative is
-/// ray ray^T + stiffness side side^T with orthonormal vectors ray (along the generator) and side (along the
-/// cone, across the generator); `normal` completes them and spans the kernel.
-struct Projection
-{
-  ConeZone zone = ConeZone::polar;
-  Eigen::Vector3d point = Eigen::Vector3d::Zero();
-  Eigen::Vector3d ray = Eigen::Vector3d::Zero();
-  Eigen::Vector3d side = Eigen::Vector3d::Zero();
-  Eigen::Vector3d normal = Eigen::Vector3d::Zero();
-  double stiffness = 0; ///< in (0, 1]; 0 without friction
-
-  /// d point / d tau, without units.
-  Eigen::Matrix3d derivative() const;
-};
-
-/// The same point as project(), tau in N, with the derivative.
-Projection project_with_derivative(const OrthotropicFriction &law, const Eigen::Vector3d &tau);
-
-/// Modified displacement G(d) = (d_n + ||Q^2 d_t||*_m, Q^2 d_t), mm, of the present gap d_n and the slip d_t
-/// since the last step. The law is r = project(r - rho G(d)) for any rho > 0 (N/mm): section 3 of the paper.
-Eigen::Vector3d modified_displacement(const OrthotropicFriction &law, const Eigen::Vector3d &d);
-
-/// Derivative of modified_displacement(), 3 x 3. At d_t = 0, where there is none, the slope of the norm is
-/// taken as 0.
-Eigen::Matrix3d modified_displacement_derivative(const OrthotropicFriction &law, const Eigen::Vector3d &d);
-
-/// Direction in which a node slips under the tangential force (r_x, r_y), not normalized: -(r_x/p_x^2,
-/// r_y/p_y^2).
-Eigen::Vector2d slip_direction(const OrthotropicFriction &law, double r_x, double r_y);
-
-/// Tangential force on the body per unit normal force, in steady slip along the direction (d_x, d_y) != 0 (a
-/// vector of any length).
-Eigen::Vector2d sliding_traction(const OrthotropicFriction &law, double d_x, double d_y);
+/// A law between that of the same cone with associated slip (t = 0) and the given one (t = 1): the logarithms
+/// of the semi-axes of the slip ellipse are linear in t. A law that is no ellipse is returned as it is.
+FrictionLaw towards_associated(const FrictionLaw &law, double t);
 } // namespace orthocone

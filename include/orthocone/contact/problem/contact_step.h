@@ -5,6 +5,8 @@
 #include <orthocone/contact/problem/contact_system.h>
 #include <orthocone/contact/problem/free_face.h>
 
+#include <memory>
+
 namespace orthocone
 {
 /// Status of a contact node; the numbers are those of the output field `status`.
@@ -32,13 +34,17 @@ NodeVector step_displacement(const NodeVector &free, const NodeVector &previous)
 class ContactStep
 {
 public:
-  /// `system` must outlive the step; `q` has size 3 n, mm.
+  /// `system` must outlive the step; `q` has size 3 n, mm. The laws are those of the system.
   ContactStep(const ContactSystem &system, NodeVector q, FreeFace face = {});
+
+  /// The same step with other laws, one a node: friction may change from step to step, with wear or heat.
+  ContactStep with_laws(FrictionLaws laws) const;
 
   const ContactSystem &system() const { return *system_; }
   Eigen::Index n_nodes() const { return system_->n_nodes(); }
   Eigen::Index n_unknowns() const { return 3 * n_nodes() + face_.n(); }
-  const OrthotropicFriction &law(const Eigen::Index node) const { return system_->law(node); }
+  const FrictionLaws &laws() const { return own_laws_ ? *own_laws_ : system_->laws(); }
+  const FrictionLaw &law(const Eigen::Index node) const { return laws()[node]; }
   const NodeVector &q() const { return q_; }
   const FreeFace &face() const { return face_; }
 
@@ -52,11 +58,11 @@ public:
   /// W and C times a change of the unknowns: the change of d, mm.
   NodeVector change_of_displacement(const Eigen::VectorXd &change) const;
 
-  /// The unknowns with every force moved to the nearest one in its cone, where the law wants it.
+  /// The unknowns with every force moved into its cone: admissible_force().
   Eigen::VectorXd admissible(Eigen::VectorXd unknowns) const;
 
-  /// Natural map r - project(r - rho G(d)) of all nodes, and behind it what the face lacks of its balance:
-  /// size n_unknowns(), N. Both vanish at the solution and only there.
+  /// Natural map r - TrialForce(r, d).admitted() of all nodes, and behind it what the face lacks of its
+  /// balance: size n_unknowns(), N. Both vanish at the solution and only there.
   Eigen::VectorXd natural_map(const Eigen::VectorXd &unknowns, const NodeVector &displacement) const;
 
   /// C^T r less the balance wanted: size m, N.
@@ -84,19 +90,11 @@ public:
   /// rounding only.
   std::vector<NodeStatus> statuses(const Eigen::VectorXd &unknowns, const NodeVector &displacement) const;
 
-  /// Whether a node carries no force and does not penetrate. Then it obeys the law, whatever rounding makes
-  /// of its slip.
-  static bool is_free(const Eigen::Vector3d &force, const Eigen::Vector3d &displacement)
-  {
-    return force.isZero(0) && displacement[0] >= 0;
-  }
-
 private:
-  NodeStatus status(Eigen::Index node, const Eigen::Vector3d &force,
-                    const Eigen::Vector3d &displacement) const;
   double negligible_force(const Eigen::VectorXd &unknowns) const;
 
   const ContactSystem *system_;
+  std::shared_ptr<const FrictionLaws> own_laws_; ///< or none
   NodeVector q_;
   FreeFace face_;
   double least_force_;

@@ -9,20 +9,23 @@
 
 namespace orthocone
 {
+/// The laws of nodes, in their order.
+using FrictionLaws = std::vector<FrictionLaw>;
+
 /// The data that all load steps share: the compliance W of the n contact nodes (3 n x 3 n, mm/N), and the
 /// friction law of each node.
 class ContactSystem
 {
 public:
   /// `compliance` must outlive the system; `laws` has one entry a node, which is asserted.
-  ContactSystem(const Compliance &compliance, std::vector<OrthotropicFriction> laws);
+  ContactSystem(const Compliance &compliance, FrictionLaws laws);
 
   Eigen::Index n_nodes() const { return compliance_.n_nodes(); }
   const Compliance &compliance() const { return compliance_; } ///< W, mm/N
 
-  /// The law as given, and the same law with p scaled for the natural map.
-  const OrthotropicFriction &given_law(Eigen::Index node) const { return given_laws_[node]; }
-  const OrthotropicFriction &law(Eigen::Index node) const { return laws_[node]; }
+  /// The laws of the nodes, which a step may replace by its own.
+  const FrictionLaws &laws() const { return laws_; }
+  const FrictionLaw &law(Eigen::Index node) const { return laws_[node]; }
 
   /// Step of the natural map of a node, 1 / max(diagonal of its block of W), N/mm.
   double rho(Eigen::Index node) const { return rho_[node]; }
@@ -36,8 +39,7 @@ public:
 
 private:
   const Compliance &compliance_;
-  std::vector<OrthotropicFriction> given_laws_;
-  std::vector<OrthotropicFriction> laws_; ///< normalized
+  FrictionLaws laws_;
   std::vector<double> rho_;
   double softness_;
 };

@@ -13,7 +13,7 @@ struct CriticalFriction
 {
   /// A node can wedge once all coefficients are multiplied by this. It is infinite where no normal force
   /// couples with tangential displacements, 0 where the slip rule alone is enough, whatever the coefficients,
-  /// and not a number where the compliance of single nodes is not known.
+  /// and not a number where the compliance of single nodes is not known, or a law is no ellipse.
   double factor = std::numeric_limits<double>::infinity();
   Eigen::Index node = 0; ///< the node with the least factor
 };
@@ -26,8 +26,9 @@ struct CriticalFriction
 ///   factor = min over v_t of  v_t . Q^2 K_tt v_t / (||Q^2 v_t||*_m |K_nt . v_t|),
 ///
 /// In a plane problem with isotropic friction this is K_tt / (mu |K_nt|) = w_nn / (mu |w_nt|). A direction
-/// that is coupled with no other one within the block is taken to be held. Throws nothing.
-double critical_friction_factor(const OrthotropicFriction &law, const Eigen::Matrix3d &block);
+/// that is coupled with no other one within the block is taken to be held. A law that is no ellipse has no
+/// such formula, and no number. Throws nothing.
+double critical_friction_factor(const FrictionLaw &law, const Eigen::Matrix3d &block);
 
 /// The least factor of all nodes. For the whole problem it is an estimate and bounds nothing, since other
 /// nodes answer to a slip. It costs a few operations a node.

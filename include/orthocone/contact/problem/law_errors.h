@@ -15,8 +15,8 @@ struct LawErrors
 {
   double penetration = 0;     ///< -gap
   double complementarity = 0; ///< smaller of gap and normal force, in magnitude: one must vanish
-  double friction_cone = 0;   ///< ||r_t||_m - r_n
-  double slip_rule = 0;       ///< slip against the slip rule or inside the cone, weighted with min(mu) r_n
+  double friction_cone = 0;   ///< |r'| - r_n
+  double slip_rule = 0;       ///< slip against the slip rule or inside the cone, weighted with friction
 
   /// Takes the larger value of each error; NaN wins.
   void merge(const LawErrors &other);

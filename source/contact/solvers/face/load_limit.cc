@@ -20,7 +20,7 @@ VectorXd clearances(const ContactStep &step, const VectorXd &increment)
   VectorXd clearances(step.n_nodes());
   for (Index node = 0; node < step.n_nodes(); ++node)
     clearances[node] =
-        moved[3 * node] - dual_norm(step.system().given_law(node), moved[3 * node + 1], moved[3 * node + 2]);
+        moved[3 * node] - dual_norm(*step.law(node).ellipse(), moved[3 * node + 1], moved[3 * node + 2]);
   return clearances;
 }
 
@@ -38,7 +38,7 @@ bool is_proof(const ContactStep &step, const VectorXd &increment, const VectorXd
 void project_on_cones(const ContactStep &step, VectorXd &forces)
 {
   for (Index node = 0; node < step.n_nodes(); ++node)
-    forces.segment<3>(3 * node) = project(step.system().given_law(node), forces.segment<3>(3 * node));
+    forces.segment<3>(3 * node) = project(*step.law(node).ellipse(), forces.segment<3>(3 * node));
 }
 } // namespace
 
@@ -50,7 +50,9 @@ bool is_beyond_every_force(const ContactStep &step)
   constexpr unsigned int most_iterations = 4000, interval = 50;
   const Eigen::MatrixXd &columns = step.face().columns();
   const VectorXd &load = step.face().balance();
-  if (step.face().n() == 0 || load.isZero(0))
+  const auto is_ellipse = [](const FrictionLaw &law) { return law.ellipse() != nullptr; };
+  if (step.face().n() == 0 || load.isZero(0) ||
+      !std::all_of(step.laws().begin(), step.laws().end(), is_ellipse)) // others may not be convex
     return false;
   VectorXd normals = VectorXd::Zero(columns.rows());
   normals(Eigen::seq(0, Eigen::last, 3)).setOnes();

@@ -15,6 +15,5 @@ constexpr unsigned int most_inexact_iterations = 60;
 /// which maps are tried.
 std::unique_ptr<ContactSolver> make_inexact_newton(const ContactSystem &system,
                                                    const ContactSolverOptions &options,
-                                                   const Allowances &allowances = {},
-                                                   Map *map = linearize_alart_curnier);
+                                                   const Allowances &allowances = {}, Map *map = linearize);
 } // namespace orthocone

@@ -14,16 +14,16 @@ struct Linearization
   double error; ///< norm of the map, N
 };
 
-/// The natural map. `displacement` belongs to `unknowns`; the map has `rho_factor` times the rho of the
-/// system.
+/// The natural map (ContactStep::natural_map(), TrialForce). `displacement` belongs to `unknowns`; the map
+/// has `rho_factor` times the rho of the system.
 Linearization linearize(const ContactStep &step, const Eigen::VectorXd &unknowns,
                         const NodeVector &displacement, double rho_factor = 1);
 
-/// The map of Alart and Curnier (1991), which asks for the pressure first, and for friction under this
-/// pressure then: docs/theory.md, section 3. Its slopes are not those of the natural map, so that Newton's
-/// method stalls elsewhere.
-Linearization linearize_alart_curnier(const ContactStep &step, const Eigen::VectorXd &unknowns,
-                                      const NodeVector &displacement, double rho_factor = 1);
+/// For laws that are ellipses, another map of the same zeros: r less the nearest point of the elliptic cone
+/// to r - rho G(d), with the modified displacement G of elliptic_cone.h. It asks for the whole force of a
+/// node at once. Its slopes are not those of the natural map, so that Newton's method stalls elsewhere.
+Linearization linearize_on_elliptic_cone(const ContactStep &step, const Eigen::VectorXd &unknowns,
+                                         const NodeVector &displacement, double rho_factor = 1);
 
 /// Forces and motion of the face of a change, in the order of the unknowns of a step.
 Eigen::VectorXd unknowns_of(const ContactChange &change);

@@ -44,8 +44,7 @@ NewtonPhases::NewtonPhases(const ContactSolverOptions &options, const ConditionS
     : options_(options),
       conditions_(conditions),
       elimination_(elimination),
-      alart_curnier_(linearize_alart_curnier, conditions, options.rho_factor),
-      natural_(linearize, conditions, options.rho_factor)
+      steps_(linearize, conditions, options.rho_factor)
 {
 }
 
@@ -62,14 +61,14 @@ bool NewtonPhases::eliminate(NewtonProgress &progress, Iterate &last, const bool
   progress.iterations += solved.iterations;
   if (!solved.unknowns)
     return false;
-  Iterate next = alart_curnier_.at(progress.step, *solved.unknowns);
+  Iterate next = steps_.at(progress.step, *solved.unknowns);
   if (!(next.error < (may_be_worse ? bearable_growth : 1) * last.error))
     return false;
   last = std::move(next);
   return true;
 }
 
-void NewtonPhases::on_alart_curnier_map(NewtonProgress &progress) const
+void NewtonPhases::past_corners(NewtonProgress &progress) const
 {
   constexpr unsigned int most_iterations = 30, most_without_gain = 5;
   constexpr unsigned int pause = 3; // iterations that may mend what an elimination has made worse
@@ -77,7 +76,7 @@ void NewtonPhases::on_alart_curnier_map(NewtonProgress &progress) const
   constexpr unsigned int interval = 4;
   constexpr double likely = 10; // tolerances
   const ContactStep &step = progress.step;
-  Iterate last = alart_curnier_.at(step, progress.unknowns);
+  Iterate last = steps_.at(step, progress.unknowns);
   Best best{last.unknowns, last.error};
   unsigned int stalls_in_a_row = 0;
   for (unsigned int i = 0, i_eliminated = 0;
@@ -85,12 +84,12 @@ void NewtonPhases::on_alart_curnier_map(NewtonProgress &progress) const
   {
     // One stall is no sign: easy steps stall where nodes change their status, and get over it inexactly.
     const double accuracy = stalls_in_a_row < 2 ? inexactness_of_newton : inexactness_of_stalled_newton;
-    const ContactChange change = alart_curnier_.change(step, last, accuracy);
+    const ContactChange change = steps_.change(step, last, accuracy);
     ++progress.iterations;
     if (!is_finite(change))
       break;
     const double error_before = last.error;
-    last = alart_curnier_.search(step, last, change, {error_before, 1. / 16});
+    last = steps_.search(step, last, change, {error_before, 1. / 16});
     const double small = likely * options_.tolerance * step.force_scale(last.unknowns);
     stalls_in_a_row = has_stalled(last.error, error_before) ? stalls_in_a_row + 1 : 0;
     if (stalls_in_a_row > 0 && last.error > small &&
@@ -107,12 +106,12 @@ void NewtonPhases::on_alart_curnier_map(NewtonProgress &progress) const
   progress.offer(step.admissible(std::move(best.unknowns)));
 }
 
-void NewtonPhases::on_natural_map(NewtonProgress &progress) const
+void NewtonPhases::while_steps_pay(NewtonProgress &progress) const
 {
   constexpr unsigned int most_iterations = 12;
   constexpr double paying_reduction = 0.9; // sweeps pay more for the same gain (docs/performance.md)
   const ContactStep &step = progress.step;
-  Iterate best = natural_.at(step, progress.unknowns);
+  Iterate best = steps_.at(step, progress.unknowns);
   // The error of the linearization would not do: its rho may be another one.
   const auto residual = [&] { return step.residual(best.unknowns, best.displacement); };
   progress.residual = residual();
@@ -122,11 +121,11 @@ void NewtonPhases::on_natural_map(NewtonProgress &progress) const
     if (progress.trace.points().back().residual <= options_.tolerance)
       break;
     const double last_error = best.error;
-    const ContactChange change = natural_.change(step, best, inexactness_of_newton);
+    const ContactChange change = steps_.change(step, best, inexactness_of_newton);
     ++progress.iterations;
     if (!is_finite(change))
       break;
-    Iterate next = natural_.search(step, best, change, {last_error});
+    Iterate next = steps_.search(step, best, change, {last_error});
     if (!(next.error < last_error))
       break;
     best = std::move(next);

@@ -37,7 +37,7 @@ struct NewtonProgress
 };
 
 /// Newton's method with a dense compliance in three variants, which take turns (rescue/ladder.h). They differ
-/// in the map, in how short a step may be, and in when they give up. Each starts from the unknowns of a
+/// in how short a step may be, and in when they give up. Each starts from the unknowns of a
 /// progress, and leaves better ones there if it finds any.
 class NewtonPhases
 {
@@ -46,15 +46,15 @@ public:
   NewtonPhases(const ContactSolverOptions &options, const ConditionSolver &conditions,
                const NonlinearElimination *elimination);
 
-  /// On the map of Alart and Curnier, up to the iterate where its error is least. The line search takes the
-  /// shortest step where none reduces the error: that passes corners where pieces of the map meet. Where a
-  /// few nodes keep the steps short, these are eliminated.
-  void on_alart_curnier_map(NewtonProgress &progress) const;
+  /// Up to the iterate where the error is least. The line search takes the shortest step where none reduces
+  /// the error: that passes corners where pieces of the map meet. Where a few nodes keep the steps short,
+  /// these are eliminated.
+  void past_corners(NewtonProgress &progress) const;
 
-  /// On the natural map, as long as each step pays.
-  void on_natural_map(NewtonProgress &progress) const;
+  /// As long as each step pays.
+  void while_steps_pay(NewtonProgress &progress) const;
 
-  /// On the natural map with every step in full, whatever the residual does on the way: where pieces of the
+  /// Every step in full, whatever the residual does on the way: where pieces of the
   /// map meet, line searches may stop at a corner that full steps pass.
   void in_full(NewtonProgress &progress) const;
 
@@ -68,6 +68,6 @@ private:
   ContactSolverOptions options_;
   const ConditionSolver &conditions_;
   const NonlinearElimination *elimination_;
-  NewtonSteps alart_curnier_, natural_;
+  NewtonSteps steps_;
 };
 } // namespace orthocone

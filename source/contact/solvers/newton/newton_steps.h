@@ -8,7 +8,7 @@
 
 namespace orthocone
 {
-/// linearize() or linearize_alart_curnier().
+/// linearize() or linearize_on_elliptic_cone().
 using Map = Linearization(const ContactStep &, const Eigen::VectorXd &, const NodeVector &, double);
 
 /// Unknowns, the displacement and the body that belong to them, and a map that is linearized there.

@@ -5,7 +5,6 @@
 #include "ladder.h"
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace orthocone
@@ -14,37 +13,20 @@ using Eigen::VectorXd;
 
 namespace
 {
-/// A law between the associated one (t = 0) and the given one (t = 1): the logarithms of the semi-axes of the
-/// slip ellipse are linear in t.
-OrthotropicFriction between_slip_rules(OrthotropicFriction law, const double t)
+/// The step with laws a share t of the path from the associated slip rule to the given one.
+ContactStep between_slip_rules(const ContactStep &step, const double t)
 {
-  if (is_frictionless(law))
-    return law;
-  const double ratio = std::pow(law.p_x / law.p_y, t) * std::pow(law.mu_x / law.mu_y, 1 - t);
-  law.p_x = law.mu_x;
-  law.p_y = law.p_x / ratio;
-  return law;
-}
-
-ContactSystem between_slip_rules(const ContactSystem &system, const double t)
-{
-  std::vector<OrthotropicFriction> laws;
-  for (Eigen::Index node = 0; node < system.n_nodes(); ++node)
-    laws.push_back(between_slip_rules(system.given_law(node), t));
-  return {system.compliance(), std::move(laws)};
+  FrictionLaws laws;
+  for (const FrictionLaw &law : step.laws())
+    laws.push_back(towards_associated(law, t));
+  return step.with_laws(std::move(laws));
 }
 } // namespace
 
-bool is_associated(const ContactSystem &system)
+bool is_associated(const ContactStep &step)
 {
-  constexpr double rounding = 1e-12;
-  for (Eigen::Index node = 0; node < system.n_nodes(); ++node)
-  {
-    const OrthotropicFriction &law = system.given_law(node);
-    if (!is_frictionless(law) && std::abs(law.p_x * law.mu_y / (law.p_y * law.mu_x) - 1) > rounding)
-      return false;
-  }
-  return true;
+  return std::all_of(step.laws().begin(), step.laws().end(),
+                     [](const FrictionLaw &law) { return is_associated(law); });
 }
 
 SolverReport Continuation::solve_at(const ContactStep &step, const double t, Path &path) const
@@ -58,20 +40,10 @@ SolverReport Continuation::solve_at(const ContactStep &step, const double t, Pat
   ContactSolverOptions options = options_;
   options.maximum_iterations = std::min(options.maximum_iterations, most_iterations);
   VectorXd unknowns = path.unknowns;
-  const auto solve = [&](const ContactStep &problem)
-  {
-    return make_whole_body_newton(problem.system(), options, allowances, Continue::never)
-        ->solve(problem, unknowns);
-  };
-  SolverReport report;
   if (t < 1)
-  {
     options.tolerance = accurate;
-    const ContactSystem system = between_slip_rules(step.system(), t);
-    report = solve(ContactStep(system, step.q(), step.face()));
-  }
-  else
-    report = solve(step);
+  SolverReport report = make_whole_body_newton(step.system(), options, allowances, Continue::never)
+                            ->solve(t < 1 ? between_slip_rules(step, t) : step, unknowns);
   path.iterations += report.iterations;
   if (report.converged)
     path.unknowns = std::move(unknowns);

@@ -9,7 +9,7 @@
 namespace orthocone
 {
 /// Whether slip is associated at every node: then there is no slip rule to come from.
-bool is_associated(const ContactSystem &system);
+bool is_associated(const ContactStep &step);
 
 /// Continuation in the slip rule, from the associated one (t = 0), whose natural map depends on the cone
 /// alone, to the given one (t = 1): each solution is the start of the next (natural parameter continuation:

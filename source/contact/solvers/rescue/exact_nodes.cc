@@ -59,9 +59,9 @@ std::optional<VectorXd> exact_forces(const ContactStep &step, const Nodes &nodes
     const Matrix3d stiffness = compliance.inverse();
     if (!stiffness.allFinite())
       return std::nullopt;
-    return solve_one_node({step.law(nodes[0]), compliance, stiffness}, free, start);
+    return solve_one_node(step.law(nodes[0]), {compliance, stiffness}, free, start);
   }
-  std::vector<OrthotropicFriction> laws;
+  FrictionLaws laws;
   for (const Index node : nodes)
     laws.push_back(step.law(node));
   const UnsymmetricCompliance few(compliance);

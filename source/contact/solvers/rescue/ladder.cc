@@ -107,8 +107,8 @@ public:
   void sweep_then_take_proximal_steps();
   void return_to_start();
   void sweep();
-  void alart_curnier_map() { newton_.phases.on_alart_curnier_map(progress_); }
-  void natural_map() { newton_.phases.on_natural_map(progress_); }
+  void steps_past_corners() { newton_.phases.past_corners(progress_); }
+  void steps_that_pay() { newton_.phases.while_steps_pay(progress_); }
   void full_steps() { newton_.phases.in_full(progress_); }
 
 private:
@@ -129,20 +129,21 @@ private:
 using OnDense = DenseAttempt;
 
 /// With a dense W. Rounds follow each other until the step is solved, the iterations are used up, or the face
-/// runs away. The map of Alart and Curnier opens, because the natural one stalls sooner
-/// (docs/performance.md). Where both stall, exact sweeps give Newton's method their robustness.
+/// runs away. Newton's steps on the natural map open, because most steps of a program need no sweeps then
+/// (docs/performance.md). Where both line searches stall, exact sweeps give the method their robustness.
 constexpr Rung<OnDense> dense_ladder[] = {
     {0, 0, "forces that press an unheld face", &OnDense::face_is_unheld, &OnDense::press_face},
     {0, 0, "sweeps, then proximal steps", &OnDense::few_nodes_show_that_w_is_singular,
      &OnDense::sweep_then_take_proximal_steps},
-    {0, 0, "Alart-Curnier map, with nonlinear elimination", &OnDense::always, &OnDense::alart_curnier_map},
-    {0, 0, "natural map", &OnDense::always, &OnDense::natural_map},
+    {0, 0, "steps past corners, with nonlinear elimination", &OnDense::always, &OnDense::steps_past_corners},
+    {0, 0, "steps while they pay", &OnDense::always, &OnDense::steps_that_pay},
     {1, 1, "back to the start", &OnDense::always, &OnDense::return_to_start},
     {1, 1, "sweeps, then proximal steps", &OnDense::w_is_singular, &OnDense::sweep_then_take_proximal_steps},
     {1, ever, "sweeps", &OnDense::always, &OnDense::sweep},
-    {1, ever, "natural map", &OnDense::always, &OnDense::natural_map},
-    {1, ever, "Alart-Curnier map, with nonlinear elimination", &OnDense::always, &OnDense::alart_curnier_map},
-    {1, ever, "natural map in full steps", &OnDense::always, &OnDense::full_steps},
+    {1, ever, "steps while they pay", &OnDense::always, &OnDense::steps_that_pay},
+    {1, ever, "steps past corners, with nonlinear elimination", &OnDense::always,
+     &OnDense::steps_past_corners},
+    {1, ever, "full steps", &OnDense::always, &OnDense::full_steps},
 };
 
 SolverReport DenseAttempt::solve()
@@ -240,17 +241,18 @@ struct WholeBodyNewton : ContactSolver
 {
   WholeBodyNewton(const ContactSystem &system, const ContactSolverOptions &options,
                   const Allowances &allowances, const Continue from)
-      : on_alart_curnier_map(make_inexact_newton(system, options, allowances)),
-        on_natural_map(make_inexact_newton(system, options, without_groups(allowances), linearize))
+      : on_natural_map(make_inexact_newton(system, options, allowances)),
+        on_elliptic_cone(
+            make_inexact_newton(system, options, without_groups(allowances), linearize_on_elliptic_cone))
   {
-    if (from == Continue::from_associated && !is_associated(system))
+    if (from == Continue::from_associated)
       continuation.emplace(options);
   }
 
   SolverReport solve(const ContactStep &step, VectorXd &unknowns) const override;
 
-  std::unique_ptr<const ContactSolver> on_alart_curnier_map, on_natural_map;
-  std::optional<const Continuation> continuation{}; ///< where there is a slip rule to come from
+  std::unique_ptr<const ContactSolver> on_natural_map, on_elliptic_cone;
+  std::optional<const Continuation> continuation{};
 };
 
 /// A step on the ladder of a body without a dense W.
@@ -275,10 +277,15 @@ public:
   }
 
   bool always() const { return true; }
-  bool slip_is_not_associated() const { return newton_.continuation.has_value(); }
+  bool laws_are_ellipses() const
+  {
+    return std::all_of(step_.laws().begin(), step_.laws().end(),
+                       [](const FrictionLaw &law) { return law.ellipse() != nullptr; });
+  }
+  bool slip_is_not_associated() const { return newton_.continuation && !is_associated(step_); }
 
-  void alart_curnier_map() { solve_by(*newton_.on_alart_curnier_map); }
   void natural_map() { solve_by(*newton_.on_natural_map); }
+  void map_on_elliptic_cone() { solve_by(*newton_.on_elliptic_cone); }
   void follow_from_associated_slip();
 
 private:
@@ -299,10 +306,12 @@ private:
 
 using OnBody = WholeBodyAttempt;
 
-/// Without a dense W there are no sweeps. Each method begins at the start. The first map stalls less often.
+/// Without a dense W there are no sweeps. Each method begins at the start. The natural map stalls less often
+/// than that on the elliptic cone, whose slopes differ, so that each gets away from where the other one
+/// stalls.
 constexpr Rung<OnBody> whole_body_ladder[] = {
-    {0, 0, "Alart-Curnier map, with exact nodes", &OnBody::always, &OnBody::alart_curnier_map},
     {0, 0, "natural map, with exact nodes", &OnBody::always, &OnBody::natural_map},
+    {0, 0, "map on the elliptic cone", &OnBody::laws_are_ellipses, &OnBody::map_on_elliptic_cone},
     {0, 0, "continuation from associated slip", &OnBody::slip_is_not_associated,
      &OnBody::follow_from_associated_slip},
 };

@@ -81,7 +81,7 @@ NonlinearElimination::Result NonlinearElimination::solve(const ContactStep &step
   nodes = with_neighbours(std::move(nodes), *w);
   const Nodes entries = entries_of(nodes);
   const DenseCompliance compliance(MatrixXd((*w)(entries, entries)));
-  std::vector<OrthotropicFriction> laws;
+  FrictionLaws laws;
   for (const Index node : nodes)
     laws.push_back(step.law(node));
   const ContactSystem system(compliance, std::move(laws));

@@ -28,8 +28,7 @@ bool is_singular(const MatrixXd &w)
 /// A contact system whose nodes hang on springs, too.
 struct SystemWithSpring
 {
-  SystemWithSpring(const ContactSystem &system, const std::vector<OrthotropicFriction> &laws,
-                   const double alpha)
+  SystemWithSpring(const ContactSystem &system, const FrictionLaws &laws, const double alpha)
       : compliance(system.compliance().on_springs(alpha)),
         with_spring(*compliance, laws)
   {
@@ -48,8 +47,6 @@ ProximalSteps::ProximalSteps(const ContactSystem &system, const ContactSolverOpt
       make_(make)
 {
   constexpr unsigned int most_iterations = 100; // a harder problem needs a softer spring
-  for (Index node = 0; node < system.n_nodes(); ++node)
-    laws_.push_back(system.law(node));
   options_.tolerance = tighter * options.tolerance;
   options_.maximum_iterations = std::min(options.maximum_iterations, most_iterations);
 }
@@ -81,7 +78,7 @@ unsigned int ProximalSteps::improve(const ContactStep &step, VectorXd &unknowns,
   for (unsigned int k = 0; k < most_steps && share < most && n_iterations < most_iterations; ++k)
   {
     const double alpha = share * system_.softness();
-    const SystemWithSpring held(system_, laws_, alpha);
+    const SystemWithSpring held(system_, step.laws(), alpha);
     const ContactStep problem(held.with_spring, step.q() - alpha * unknowns.head(step.q().size()),
                               step.face());
     VectorXd next = unknowns;

@@ -35,6 +35,5 @@ private:
   const ContactSystem &system_;
   ContactSolverOptions options_;
   Make *make_;
-  std::vector<OrthotropicFriction> laws_;
 };
 } // namespace orthocone

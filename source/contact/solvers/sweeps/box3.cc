@@ -15,18 +15,20 @@ namespace
 class Box3 : public ContactSolver
 {
 public:
-  Box3(const ContactSystem &system, const ContactSolverOptions &options)
+  Box3(const ContactSystem &system, const ContactSolverOptions &options, const char *const name)
       : system_(system),
-        options_(options)
+        options_(options),
+        name_(name)
   {
     for (Index node = 0; node < system.n_nodes(); ++node)
       rho_.push_back(options.rho_factor / system.compliance().diagonal_block(node).diagonal().minCoeff());
   }
 
 protected:
-  Vector3d corrected(const Index node, const Vector3d &force, const Vector3d &displacement) const
+  Vector3d corrected(const ContactStep &step, const Index node, const Vector3d &force,
+                     const Vector3d &displacement) const
   {
-    const OrthotropicFriction &law = system_.given_law(node);
+    const OrthotropicFriction &law = ellipse_of(step, node, name_);
     return project(law, force - rho_[node] * modified_displacement(law, displacement));
   }
 
@@ -34,6 +36,7 @@ protected:
   ContactSolverOptions options_;
 
 private:
+  const char *name_;        ///< of the method
   std::vector<double> rho_; ///< N/mm
 };
 
@@ -42,7 +45,7 @@ class Feng2006 : public Box3
 {
 public:
   Feng2006(const ContactSystem &system, const ContactSolverOptions &options)
-      : Box3(system, options)
+      : Box3(system, options, "feng2006")
   {
     dense_compliance(system, "feng2006");
   }
@@ -69,7 +72,7 @@ void Feng2006::sweep(const ContactStep &step, Eigen::VectorXd &unknowns) const
     if (step.face().n() > 0)
       d += face.displacement(node);
     const Vector3d r = force.segment<3>(3 * node);
-    force.segment<3>(3 * node) = corrected(node, r, d);
+    force.segment<3>(3 * node) = corrected(step, node, r, d);
     if (step.face().n() > 0)
       face.add(node, force.segment<3>(3 * node) - r);
   }
@@ -82,7 +85,10 @@ void Feng2006::sweep(const ContactStep &step, Eigen::VectorXd &unknowns) const
 class Box3AtOnce : public Box3
 {
 public:
-  using Box3::Box3;
+  Box3AtOnce(const ContactSystem &system, const ContactSolverOptions &options)
+      : Box3(system, options, "box3")
+  {
+  }
 
   SolverReport solve(const ContactStep &step, Eigen::VectorXd &unknowns) const override
   {
@@ -92,7 +98,7 @@ public:
       x.tail(step.face().n()) = BalancingFace(step, x).motion();
       const NodeVector d = step.displacement(x);
       for (Index node = 0; node < step.n_nodes(); ++node)
-        x.segment<3>(3 * node) = corrected(node, x.segment<3>(3 * node), d.segment<3>(3 * node));
+        x.segment<3>(3 * node) = corrected(step, node, x.segment<3>(3 * node), d.segment<3>(3 * node));
     };
     return iterate_until_converged(step, options_, iterations_between_checks, unknowns, iterate,
                                    Balance::unknown);

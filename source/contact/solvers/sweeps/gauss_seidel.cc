@@ -5,6 +5,7 @@
 #include "../solvers.h"
 
 #include <orthocone/base/stop_point.h>
+#include <orthocone/contact/law/natural_map.h>
 
 namespace orthocone
 {
@@ -13,11 +14,11 @@ using Eigen::Vector3d;
 
 namespace
 {
-Vector3d relaxed(const OneNodeProblem &one, const Vector3d &others, const Vector3d &old,
-                 const double relaxation)
+Vector3d relaxed(const FrictionLaw &law, const OneNodeProblem &one, const Vector3d &others,
+                 const Vector3d &old, const double relaxation)
 {
-  const Vector3d exact = solve_one_node(one, others, old);
-  return relaxation == 1 ? exact : project(one.law, old + relaxation * (exact - old));
+  const Vector3d exact = solve_one_node(law, one, others, old);
+  return relaxation == 1 ? exact : admissible_force(law, old + relaxation * (exact - old));
 }
 } // namespace
 
@@ -29,7 +30,7 @@ GaussSeidel::GaussSeidel(const ContactSystem &system, const ContactSolverOptions
   for (Index node = 0; node < system.n_nodes(); ++node)
   {
     const Eigen::Matrix3d block = system.compliance().diagonal_block(node);
-    nodes_.push_back({system.law(node), block, block.inverse()});
+    nodes_.push_back({block, block.inverse()});
   }
 }
 
@@ -48,7 +49,7 @@ void GaussSeidel::sweep(const ContactStep &step, Eigen::VectorXd &unknowns, cons
     const Vector3d old = unknowns.segment<3>(3 * node);
     const Vector3d others =
         step.q().segment<3>(3 * node) + compliance.displacement_at(node, unknowns) - one.compliance * old;
-    unknowns.segment<3>(3 * node) = relaxed(one, others, old, relaxation);
+    unknowns.segment<3>(3 * node) = relaxed(step.law(node), one, others, old, relaxation);
   }
 }
 
@@ -67,7 +68,7 @@ void GaussSeidel::sweep_with_face(const ContactStep &step, Eigen::VectorXd &unkn
     const Vector3d old = force.segment<3>(3 * node);
     const Vector3d others = step.q().segment<3>(3 * node) + face.displacement(node) +
                             w.middleCols<3>(3 * node).transpose() * force - one.compliance * old;
-    force.segment<3>(3 * node) = relaxed(one, others, old, relaxation);
+    force.segment<3>(3 * node) = relaxed(step.law(node), one, others, old, relaxation);
     face.add(node, force.segment<3>(3 * node) - old);
   }
   unknowns.tail(step.face().n()) = face.motion();

@@ -13,7 +13,8 @@ using Eigen::VectorXd;
 namespace
 {
 /// Simultaneous projections with a self-adaptive step: the projection-contraction method of He and Liao (J.
-/// Optim. Theory Appl. 112 (2002) 111-128) on one step. It needs products with W only. A face's lack of
+/// Optim. Theory Appl. 112 (2002) 111-128) on one step. It needs products with W only. Its contraction needs
+/// the nearest point of the elliptic cone, and the modified displacement that belongs to it. A face's lack of
 /// balance is put beside the displacements, and its motion beside the forces: the problem of both together is
 /// monotone, too.
 class Projections
@@ -26,14 +27,12 @@ public:
 
 private:
   VectorXd modified(const VectorXd &unknowns) const;
-  VectorXd predicted(const VectorXd &unknowns, const VectorXd &direction, const double factor) const
-  {
-    return step_.admissible(unknowns - factor * rho_.cwiseProduct(direction));
-  }
+  VectorXd predicted(const VectorXd &unknowns, const VectorXd &direction, double factor) const;
 
   const ContactStep &step_;
-  VectorXd rho_;  ///< step of each unknown; the metric of the method is diag(1 / rho)
-  double factor_; ///< of the steps
+  std::vector<OrthotropicFriction> laws_; ///< normalized
+  VectorXd rho_;                          ///< step of each unknown; the metric of the method is diag(1 / rho)
+  double factor_;                         ///< of the steps
 };
 
 Projections::Projections(const ContactStep &step)
@@ -41,7 +40,10 @@ Projections::Projections(const ContactStep &step)
       rho_(step.n_unknowns())
 {
   for (Index node = 0; node < step.n_nodes(); ++node)
+  {
     rho_.segment<3>(3 * node).setConstant(step.system().rho(node));
+    laws_.push_back(normalized(ellipse_of(step, node, "uzawa")));
+  }
   rho_.tail(step.face().n()).setConstant(step.system().softness());
   factor_ = 1 / (step.system().softness() * rho_.head(3 * step.n_nodes()).maxCoeff());
 }
@@ -51,9 +53,18 @@ VectorXd Projections::modified(const VectorXd &unknowns) const
   VectorXd g(unknowns.size());
   const NodeVector d = step_.displacement(unknowns);
   for (Index node = 0; node < step_.n_nodes(); ++node)
-    g.segment<3>(3 * node) = modified_displacement(step_.law(node), d.segment<3>(3 * node));
+    g.segment<3>(3 * node) = modified_displacement(laws_[node], d.segment<3>(3 * node));
   g.tail(step_.face().n()) = -step_.imbalance(unknowns);
   return g;
+}
+
+VectorXd Projections::predicted(const VectorXd &unknowns, const VectorXd &direction,
+                                const double factor) const
+{
+  VectorXd predicted = unknowns - factor * rho_.cwiseProduct(direction);
+  for (Index node = 0; node < step_.n_nodes(); ++node)
+    predicted.segment<3>(3 * node) = project(laws_[node], predicted.segment<3>(3 * node));
+  return predicted;
 }
 
 void Projections::iterate(VectorXd &unknowns)

@@ -91,7 +91,7 @@ TEST(CriticalFriction, ScalesWithTheInverseOfFrictionAndNotWithThatOfSlip)
   const Matrix3d w = random_block(generator);
   const double factor = critical_friction_factor(case_b, w);
   EXPECT_NEAR(critical_friction_factor(scaled(case_b, 5), w), factor / 5, 1e-9 * factor);
-  EXPECT_NEAR(critical_friction_factor({0.3, 0.15, 3, 1.5}, w), factor, 1e-12 * factor);
+  EXPECT_NEAR(critical_friction_factor(OrthotropicFriction{0.3, 0.15, 3, 1.5}, w), factor, 1e-12 * factor);
   EXPECT_NEAR(critical_friction_factor(case_b, 1e-6 * w), factor, 1e-9 * factor);
 }
 
@@ -171,8 +171,8 @@ TEST(CriticalFriction, OneNodeIsSolvedBeyondIt)
         for (const Vector3d &q : directions())
         {
           const ContactStep problem(system, step_displacement(q, Vector3d::Zero()));
-          const OneNodeProblem node{problem.law(0), w, w.inverse()};
-          EXPECT_LE(problem.residual(solve_one_node(node, q, Vector3d::Zero())), 1e-9)
+          const OneNodeProblem node{w, w.inverse()};
+          EXPECT_LE(problem.residual(solve_one_node(problem.law(0), node, q, Vector3d::Zero())), 1e-9)
               << factor << " mu " << law.mu_x << " " << law.mu_y << "\n"
               << w << "\nq " << q.transpose();
         }

@@ -33,7 +33,7 @@ void expect_law(const ContactStep &problem, const NodeVector &force, const doubl
   const NodeVector d = problem.displacement(force);
   for (Index node = 0; node < problem.n_nodes(); ++node)
   {
-    const OrthotropicFriction &law = problem.law(node);
+    const OrthotropicFriction &law = *problem.law(node).ellipse();
     const Vector3d r = force.segment<3>(3 * node);
     const Vector3d u = d.segment<3>(3 * node);
     EXPECT_GE(u[0], -tolerance);
@@ -124,8 +124,8 @@ TEST(ScalingMap, TurnsOrthotropicFrictionIntoIsotropic)
   const NodeVector expected = solve(grid.problem, solver_options("gauss-seidel", 1e-13));
   const NodeVector d = Vector3d(1, case_b.mu_x, case_b.mu_y).replicate(grid.problem.n_nodes(), 1);
   const DenseCompliance scaled(d.asDiagonal() * *grid.compliance.dense() * d.asDiagonal());
-  const ContactSystem isotropic_system(
-      scaled, std::vector<OrthotropicFriction>(grid.problem.n_nodes(), {1, 1, 1, 1}));
+  const ContactSystem isotropic_system(scaled,
+                                       FrictionLaws(grid.problem.n_nodes(), OrthotropicFriction{1, 1, 1, 1}));
   const ContactStep isotropic(isotropic_system,
                               step_displacement(d.cwiseProduct(grid.problem.q()), grid.zero()));
   const NodeVector force = solve(isotropic, solver_options("newton"));
@@ -156,7 +156,7 @@ TEST(Feng2006, FailsWhereRhoTimesTheLargestComplianceExceedsTwo)
   for (const double ratio : {1.5, 2.5})
   {
     const DenseCompliance compliance(Vector3d(1, 1, ratio).asDiagonal().toDenseMatrix());
-    const ContactSystem system(compliance, {{0.5, 0.5, 0.5, 0.5}});
+    const ContactSystem system(compliance, {OrthotropicFriction{0.5, 0.5, 0.5, 0.5}});
     const ContactStep problem(system, step_displacement(Vector3d(-1, 0, 0.1), Vector3d::Zero()));
     NodeVector force = Vector3d(1, 0, 0);
     ContactSolverOptions options = solver_options("feng2006");
@@ -225,7 +225,7 @@ TEST(Uzawa, RunsOnProductsAlone)
 {
   const GridProblem grid(case_b);
   const ProductsOnly products(grid.compliance);
-  const ContactSystem system(products, std::vector<OrthotropicFriction>(grid.problem.n_nodes(), case_b));
+  const ContactSystem system(products, FrictionLaws(grid.problem.n_nodes(), case_b));
   const ContactStep problem(system, step_displacement(grid.problem.q(), grid.zero()));
   const NodeVector expected = solve(grid.problem, solver_options("uzawa"));
   EXPECT_LE((solve(problem, solver_options("uzawa")) - expected).norm(), 1e-12);

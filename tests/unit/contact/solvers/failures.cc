@@ -20,7 +20,7 @@ struct SmallProblem
 {
   SmallProblem(const MatrixXd &w, const OrthotropicFriction &law, const NodeVector &free)
       : compliance(w),
-        system(compliance, std::vector<OrthotropicFriction>(free.size() / 3, law)),
+        system(compliance, FrictionLaws(free.size() / 3, law)),
         problem(system, free)
   {
   }

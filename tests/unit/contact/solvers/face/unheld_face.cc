@@ -83,16 +83,15 @@ struct Worn
   explicit Worn(const OrthotropicFriction &law)
       : hidden(grid_compliance(n_side)),
         dense(grid_compliance(n_side)),
-        system(hidden, std::vector<OrthotropicFriction>(n_grid, law)),
-        system_with_matrix(dense, std::vector<OrthotropicFriction>(n_grid, law))
+        system(hidden, FrictionLaws(n_grid, law)),
+        system_with_matrix(dense, FrictionLaws(n_grid, law))
   {
   }
 
   VectorXd way(const ContactStep &step, const VectorXd &unknowns) const
   {
     const NodeVector d = step.displacement(unknowns);
-    return increment_of_unheld_face(step, unknowns, d, linearize_alart_curnier(step, unknowns, d).conditions,
-                                    1);
+    return increment_of_unheld_face(step, unknowns, d, linearize(step, unknowns, d).conditions, 1);
   }
 
   /// Forces of the nodes (N) if each of them were a spring.

@@ -50,7 +50,7 @@ double jump_between(const ContactStep &step, Map *const map, const NodeVector &d
 /// From stick to slip in all directions, and from slip to no contact. A line search could not cross a jump.
 TEST(LineSearch, MapsAreContinuousWhereNodesChangeTheirStatus)
 {
-  for (Map *const map : {linearize, linearize_alart_curnier})
+  for (Map *const map : {linearize, linearize_on_elliptic_cone})
     for (const OrthotropicFriction &law : case_laws)
     {
       const GridProblem grid(law);

@@ -28,7 +28,7 @@ struct NewtonStep
     for (Index node = 0; node < grid.problem.n_nodes(); ++node)
       force.segment<3>(3 * node) *= 1 + 0.2 * static_cast<double>(node % 3);
     displacement = grid.problem.displacement(force);
-    conditions = linearize_alart_curnier(grid.problem, force, displacement).conditions;
+    conditions = linearize(grid.problem, force, displacement).conditions;
     solver = condition_solver(grid.system, "newton");
     change = with_displacement(grid.problem, solver->solve(conditions, 1e-12));
   }

@@ -58,8 +58,8 @@ Solved solved(const MatrixXd &h, const VectorXd &motion, const double gap, const
   for (Index i = 0; i < free.size(); i += 3)
     free[i] += gap;
   const DenseCompliance compliance(h * h.transpose());
-  const ContactSystem system(compliance, std::vector<OrthotropicFriction>(
-                                             static_cast<std::size_t>(free.size() / 3), {mu, mu, mu, mu}));
+  const ContactSystem system(compliance, FrictionLaws(static_cast<std::size_t>(free.size() / 3),
+                                                      OrthotropicFriction{mu, mu, mu, mu}));
   NodeVector force = NodeVector::Zero(free.size());
   ContactSolverOptions options = solver_options(method, 1e-8);
   SolverReport report = solve_step(ContactStep(system, free), options, force);

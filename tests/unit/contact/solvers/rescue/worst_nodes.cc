@@ -48,7 +48,7 @@ TEST(WorstNodes, ObeyLinearizedLawsOnAComplianceThatIsNotSymmetric)
   for (Index node = 0; node < grid.problem.n_nodes(); ++node)
     force.segment<3>(3 * node) *= 1 + 0.2 * static_cast<double>(node % 3);
   const NodeVector displacement = grid.problem.displacement(force);
-  const ContactConditions conditions = linearize_alart_curnier(grid.problem, force, displacement).conditions;
+  const ContactConditions conditions = linearize(grid.problem, force, displacement).conditions;
   MatrixXd matrix = *grid.system.compliance().dense();
   matrix = MatrixXd(matrix.selfadjointView<Eigen::Lower>());
   const double skew = 0.01 * matrix.norm() / static_cast<double>(matrix.rows());
