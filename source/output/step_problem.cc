@@ -36,6 +36,9 @@ void require_writable_problems(const Parameters &parameters, const ModelSymmetry
     throw InputError(entry +
                      " with the axisymmetric model, whose nodes are rings: allowed is 0, or Mesh/Model "
                      "= full, half or quarter");
+  if (!parameters.friction.has_ellipses())
+    throw InputError(entry + " with Friction/Law = " + parameters.friction.law.word() +
+                     ", and FCLIB knows cones of ellipses only: allowed is 0, or Friction/Law = ellipses");
   if (LoadProgram(parameters.load).has_forces() && !parameters.friction.is_associated())
     throw InputError(entry +
                      " with forces in the load program and a slip rule that is not associated, which "

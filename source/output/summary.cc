@@ -247,14 +247,14 @@ std::string describe_friction(const Parameters &parameters)
   const FrictionOptions &friction = parameters.friction;
   if (friction.is_frictionless())
     return line + "none\n";
-  if (friction.varies())
+  if (friction.varies() || !friction.has_ellipses())
   {
     std::string entries;
     for (const auto &[entry, value] : entry_values(parameters))
       if (entry.rfind("Friction/", 0) == 0)
         entries +=
             (entries.empty() ? "" : "; ") + entry.substr(std::string("Friction/").size()) + " = " + value;
-    return line + "varies: " + entries + "\n";
+    return line + (friction.varies() ? "varies: " : "") + entries + "\n";
   }
   const std::array<double, 2> p = friction.p();
   return line + "mu " + to_text(friction.mu[0]) + ", " + to_text(friction.mu[1]) +

@@ -91,16 +91,21 @@ std::string entry_of(const Parameters &parameters, const std::string &name)
   return {};
 }
 
-/// Where friction varies, the numbers are those at the centre, and the expressions are beside them.
+/// Where friction varies, the numbers are those at the centre, and the expressions are beside them. A law
+/// that is no ellipse has no such numbers.
 OrderedJson friction_json(const Parameters &parameters)
 {
   const FrictionOptions &friction = parameters.friction;
-  OrderedJson json{{"mu", friction.mu},
+  OrderedJson json{{"law", friction.law.word()},
+                   {"mu", friction.mu},
                    {"p", friction.p()},
                    {"associated", friction.is_associated()},
                    {"collinear", friction.is_collinear()},
                    {"angle_degrees", friction.angle}};
-  if (friction.varies())
+  if (!friction.has_ellipses())
+    for (const char *const key : {"mu", "p", "associated", "collinear"})
+      json.erase(key);
+  else if (friction.varies())
     for (const char *const entry : {"Coefficients", "Slip potential", "Orthotropy angle"})
       json["expressions"][entry] = entry_of(parameters, std::string("Friction/") + entry);
   return json;

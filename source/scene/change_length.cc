@@ -61,8 +61,7 @@ VectorXd change_lengths(const Obstacle &obstacle, const FrictionField &friction,
         places, fine * reach);
   if (friction.varies())
     shorten(
-        lengths, [&](const Vector2d &place) { return VectorXd(friction.tensors(place)); }, places,
-        fine * reach);
+        lengths, [&](const Vector2d &place) { return friction.numbers(place); }, places, fine * reach);
   return lengths;
 }
 } // namespace orthocone

@@ -34,6 +34,16 @@ void check_backend(const Parameters &parameters)
                      "allowed is Backend = condensed");
 }
 
+/// Refuses what a friction law that is no ellipse cannot be solved with.
+void check_law(const Parameters &parameters)
+{
+  const std::string &method = parameters.contact_solver.method;
+  if (!parameters.friction.has_ellipses() && find_contact_method(method)->needs_ellipses)
+    throw InputError("Contact solver/Method = " + method +
+                     " needs friction ellipses, and Friction/Law = " + parameters.friction.law.word() +
+                     " has none: allowed are newton and gauss_seidel, or Law = ellipses");
+}
+
 void check_compression(const LoadOptions &load, const GeometryOptions &geometry)
 {
   const ShapeKind &kind = kind_of(geometry);
@@ -94,6 +104,7 @@ void check_parameters(const Parameters &parameters)
 {
   check_mesh_choice(parameters);
   check_backend(parameters);
+  check_law(parameters);
   check_load(parameters.load, parameters.wear);
   check_wear(parameters.wear, parameters.load);
   check_compression(parameters.load, parameters.geometry);

@@ -9,89 +9,92 @@
 
 #include <algorithm>
 #include <cmath>
-#include <utility>
+#include <limits>
 
 namespace orthocone
 {
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
+using Eigen::VectorXd;
 
 namespace
 {
 constexpr double right_angle = 90; // degrees
 
-OrthotropicFriction law_of(const FrictionOptions &there)
+Matrix2d turned_by(const double degrees)
 {
-  return {there.mu[0], there.mu[1], there.p()[0], there.p()[1]};
+  return Eigen::Rotation2Dd(degrees * pi / (2 * right_angle)).toRotationMatrix();
 }
 
-/// An ellipse as the tensor with the squares of its semi-axes as eigenvalues.
-Matrix2d tensor(const std::array<double, 2> &axes, const double degrees)
+/// An ellipse as the tensor with the squares of its semi-axes as eigenvalues: entries xx, xy, yy.
+Eigen::Vector3d tensor(const Vector2d &axes, const Matrix2d &turn)
 {
-  const Matrix2d turn = Eigen::Rotation2Dd(degrees * pi / (2 * right_angle)).toRotationMatrix();
-  return turn * Vector2d(axes[0] * axes[0], axes[1] * axes[1]).asDiagonal() * turn.transpose();
+  const Matrix2d whole = turn * axes.cwiseAbs2().asDiagonal() * turn.transpose();
+  return {whole(0, 0), whole(0, 1), whole(1, 1)};
 }
 
-/// Both ellipses; the slip ellipse has its shape only, not its size.
-std::pair<Matrix2d, Matrix2d> ellipses(const FrictionOptions &there)
+/// A law as forces per unit normal force in global axes, against slip along `map` times each of so many
+/// directions, with `map` undone: two laws are images of each other where these numbers are equal.
+class ForcesAgainstSlip
 {
-  const std::array<double, 2> p = there.p();
-  const double larger = std::max(p[0], p[1]);
-  return {tensor(there.mu, there.angle), tensor({{p[0] / larger, p[1] / larger}}, there.angle)};
-}
+public:
+  static constexpr unsigned int n_directions = 72;
 
-bool are_alike(const Matrix2d &one, const Matrix2d &other)
-{
-  constexpr double rounding = 1e-9;
-  return (one - other).norm() <= rounding * std::max(one.norm(), other.norm());
-}
+  ForcesAgainstSlip(const FrictionLaw &law, const double angle, const Matrix2d &map = Matrix2d::Identity())
+  {
+    const Matrix2d to_map = map.transpose() * turned_by(angle);
+    for (unsigned int i = 0; i < n_directions; ++i)
+    {
+      const double direction = 2 * pi * (i + 0.5) / n_directions;
+      const Vector2d slip = to_map.transpose() * Vector2d(std::cos(direction), std::sin(direction));
+      forces_.segment<2>(2 * i) = to_map * law.force_against(slip);
+    }
+  }
 
-/// "Friction/Coefficients = 0.3-x/20, 0.15".
-std::string entry_text(const std::string &entry, const FrictionOptions &options)
-{
-  Parameters parameters;
-  parameters.friction = options;
-  return entry_text(parameters, entry);
-}
+  const VectorXd &forces() const { return forces_; }
 
-/// Throws InputError unless both numbers at a place are positive, or, if `may_be_none`, both 0.
-void check_pair(const FrictionOptions &options, const std::string &entry, const std::array<double, 2> &pair,
-                const bool may_be_none, const Vector2d &place)
-{
-  const auto is_fine = [](const double number) { return number > 0 && std::isfinite(number); };
-  if ((is_fine(pair[0]) && is_fine(pair[1])) || (may_be_none && pair[0] == 0 && pair[1] == 0))
-    return;
-  throw InputError(entry_text(entry, options) + " is " + value_text(pair[0]) + ", " + value_text(pair[1]) +
-                   " at " + place_text(place) +
-                   " of the contact surface: allowed are two finite numbers > 0" +
-                   (may_be_none ? ", or both 0 (no friction)" : ""));
-}
+  bool is_like(const ForcesAgainstSlip &other) const
+  {
+    constexpr double rounding = 1e-9;
+    return (forces_ - other.forces_).norm() <= rounding * std::max(forces_.norm(), other.forces_.norm());
+  }
+
+private:
+  VectorXd forces_{2 * n_directions};
+};
 
 /// Friction along radius and hoop of a section, which are the axes of its ellipses.
-OrthotropicFriction law_of_ring(FrictionOptions there)
+FrictionLaw law_of_ring(const FrictionLaw &law, const double angle)
 {
-  if (std::abs(std::remainder(there.angle, 2 * right_angle)) > right_angle / 2)
-  {
-    const std::array<double, 2> p = there.p();
-    there.slip_potential = std::array<double, 2>{{p[1], p[0]}};
-    std::swap(there.mu[0], there.mu[1]);
-  }
-  return law_of(there);
+  const OrthotropicFriction *const ellipse = law.ellipse();
+  if (ellipse == nullptr || std::abs(std::remainder(angle, 2 * right_angle)) <= right_angle / 2)
+    return law;
+  return OrthotropicFriction{ellipse->mu_y, ellipse->mu_x, ellipse->p_y, ellipse->p_x};
 }
 } // namespace
+
+FrictionLaw FrictionField::law(const Vector2d &place) const
+{
+  return options_.law.chosen().law(options_, place);
+}
+
+double FrictionField::angle(const Vector2d &place) const
+{
+  return options_.varying_angle ? options_.varying_angle->value(place[0], place[1]) : options_.angle;
+}
 
 void FrictionField::check(const std::vector<Vector2d> &places) const
 {
   for (const Vector2d &place : places)
   {
-    const FrictionOptions there = options_.at(place[0], place[1]);
-    check_pair(options_, "Friction/Coefficients", there.mu, true, place);
-    if (!there.is_frictionless())
-      check_pair(options_, "Friction/Slip potential", there.p(), false, place);
-    if (!std::isfinite(there.angle))
-      throw InputError(entry_text("Friction/Orthotropy angle", options_) + " is " + value_text(there.angle) +
-                       " at " + place_text(place) +
-                       " of the contact surface: allowed is a finite number (degrees)");
+    law(place);
+    if (std::isfinite(angle(place)))
+      continue;
+    Parameters parameters;
+    parameters.friction = options_;
+    throw InputError(entry_text(parameters, "Friction/Orthotropy angle") + " is " + value_text(angle(place)) +
+                     " at " + place_text(place) +
+                     " of the contact surface: allowed is a finite number (degrees)");
   }
 }
 
@@ -99,13 +102,10 @@ std::vector<FrictionLaw> FrictionField::laws(const ContactSurface &surface,
                                              const ModelSymmetry &symmetry) const
 {
   if (!varies())
-    return std::vector<FrictionLaw>(surface.nodes.size(), law_of(options_));
+    return std::vector<FrictionLaw>(surface.nodes.size(), law(Vector2d::Zero()));
   std::vector<FrictionLaw> laws;
-  for (const ContactNode &node : surface.nodes)
-  {
-    const FrictionOptions there = options_.at(node.position[0], node.position[1]);
-    laws.push_back(symmetry.is_axisymmetric() ? law_of_ring(there) : law_of(there));
-  }
+  for (const Vector2d &place : places_of(surface))
+    laws.push_back(symmetry.is_axisymmetric() ? law_of_ring(law(place), angle(place)) : law(place));
   return laws;
 }
 
@@ -116,8 +116,8 @@ LocalAxes FrictionField::axes(const ContactSurface &surface, const ModelSymmetry
   if (!options_.varying_angle)
     return LocalAxes(options_.angle);
   std::vector<double> angles;
-  for (const ContactNode &node : surface.nodes)
-    angles.push_back(options_.varying_angle->value(node.position[0], node.position[1]));
+  for (const Vector2d &place : places_of(surface))
+    angles.push_back(angle(place));
   return LocalAxes(angles);
 }
 
@@ -137,32 +137,57 @@ std::string FrictionField::constant_asymmetry(const ModelSymmetry &symmetry) con
   return "Friction/Orthotropy angle = " + to_text(options_.angle) + " turns the axes of friction";
 }
 
-std::string FrictionField::asymmetry(const ModelSymmetry &symmetry, const SurfaceSample &sample) const
+std::string FrictionField::asymmetry_of_maps(const ModelSymmetry &symmetry,
+                                             const std::vector<Vector2d> &places) const
 {
-  if (!varies())
-    return constant_asymmetry(symmetry);
-  for (const Vector2d &place : sample.of(symmetry))
+  for (const Vector2d &place : places)
   {
     if (symmetry.is_axisymmetric() && place[0] == 0)
       continue; // nothing slips on the axis
-    const auto [friction, slip] = ellipses(options_.at(place[0], place[1]));
     for (const Matrix2d &map : symmetry_maps(symmetry))
     {
       const Vector2d image = map * place;
-      const auto [friction_there, slip_there] = ellipses(options_.at(image[0], image[1]));
-      if (!are_alike(friction_there, map * friction * map.transpose()) ||
-          !are_alike(slip_there, map * slip * map.transpose()))
+      if (!ForcesAgainstSlip(law(image), angle(image), map)
+               .is_like(ForcesAgainstSlip(law(place), angle(place))))
         return "friction at " + place_text(image) + " is no image of that at " + place_text(place);
     }
   }
   return {};
 }
 
-Eigen::Matrix<double, 6, 1> FrictionField::tensors(const Vector2d &place) const
+std::string FrictionField::asymmetry(const ModelSymmetry &symmetry, const SurfaceSample &sample) const
 {
-  const auto [friction, slip] = ellipses(options_.at(place[0], place[1]));
-  Eigen::Matrix<double, 6, 1> all;
-  all << friction(0, 0), friction(0, 1), friction(1, 1), slip(0, 0), slip(0, 1), slip(1, 1);
-  return all;
+  const std::string law_text = "Friction/Law = " + options_.law.word();
+  if (symmetry.is_axisymmetric() && !options_.has_ellipses())
+    return law_text + ", and a section knows ellipses only";
+  if (varies())
+    return asymmetry_of_maps(symmetry, sample.of(symmetry));
+  if (options_.has_ellipses())
+    return constant_asymmetry(symmetry);
+  return asymmetry_of_maps(symmetry, {Vector2d::Zero()}).empty()
+             ? ""
+             : law_text + " with Friction/Orthotropy angle = " + to_text(options_.angle) +
+                   " is no image of itself";
+}
+
+VectorXd FrictionField::numbers(const Vector2d &place) const
+{
+  const Matrix2d turn = turned_by(angle(place));
+  if (options_.has_ellipses())
+  {
+    const FrictionOptions there = options_.at(place[0], place[1]);
+    const Vector2d p(there.p()[0], there.p()[1]);
+    VectorXd both(6);
+    both << tensor({there.mu[0], there.mu[1]}, turn), tensor(p / p.maxCoeff(), turn);
+    return both;
+  }
+  try
+  {
+    return ForcesAgainstSlip(law(place), angle(place)).forces();
+  }
+  catch (const InputError &)
+  {
+    return VectorXd::Constant(2 * ForcesAgainstSlip::n_directions, std::numeric_limits<double>::quiet_NaN());
+  }
 }
 } // namespace orthocone

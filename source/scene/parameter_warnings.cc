@@ -5,6 +5,7 @@
 #include <orthocone/scene/parameters.h>
 
 #include <cmath>
+#include <limits>
 
 namespace orthocone
 {
@@ -13,6 +14,8 @@ namespace
 void warn_of_slip_ellipse(const FrictionOptions &friction, std::vector<std::string> &warnings)
 {
   constexpr double most = 20;
+  if (!friction.has_ellipses())
+    return;
   const double ratio = friction.p()[0] / friction.p()[1];
   if (std::max(ratio, 1 / ratio) > most)
     warnings.push_back(
@@ -42,12 +45,21 @@ void warn_of_large_strain(const std::string &motion, const double largest, const
                        " %; the program computes with small strains, good to about 5 %");
 }
 
+/// The largest coefficient of friction; infinite where a law that is no ellipse depends on the place.
+double largest_friction(const FrictionOptions &friction)
+{
+  if (friction.has_ellipses())
+    return std::max(friction.mu[0], friction.mu[1]);
+  return friction.varies() ? std::numeric_limits<double>::infinity()
+                           : friction.law.chosen().law(friction, {0, 0}).largest_friction();
+}
+
 /// The largest motion (mm) by which friction can shear the body sideways under a compression by `compression`
 /// (mm): mu E strain / G times the height.
 double sheared_by_friction(const Parameters &parameters, const double compression)
 {
-  return 2 * (1 + parameters.material.isotropic().poisson_ratio) *
-         std::max(parameters.friction.mu[0], parameters.friction.mu[1]) * compression;
+  return 2 * (1 + parameters.material.isotropic().poisson_ratio) * largest_friction(parameters.friction) *
+         compression;
 }
 
 void warn_of_large_strains(const Parameters &parameters, const std::vector<PathLeg> &path,

@@ -19,7 +19,7 @@ SUMMARY = {
     "peaks": {name: {"value": NUMBER, "step": NUMBER} for name in ("slip_mm", "pressure_MPa", "force_z_N")},
     "friction": {"mu": NUMBERS, "p": NUMBERS, "angle_degrees": NUMBER}, "warnings": "words"}
 NEEDED = {"model": ("kind", "reason", "cells", "degree", "dofs", "contact_nodes"), "peaks": (),
-          "contact_solver": ("method", "tolerance", "iterations"), "friction": ("mu", "p", "angle_degrees"),
+          "contact_solver": ("method", "tolerance", "iterations"), "friction": ("angle_degrees",),
           **{name: ("value", "step") for name in ("slip_mm", "pressure_MPa", "force_z_N")}}
 
 

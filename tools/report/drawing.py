@@ -56,5 +56,5 @@ def ground(data, start, end):
 def counterface(data):
     """What the body rests on, in words."""
     kind = {"half-space": "elastic half-space", "body": "elastic body"}.get(data.counterface, "rigid")
-    friction = "\u03bc varies" if data.friction_varies else f"\u03bc = ({data.mu[0]:g}, {data.mu[1]:g})"
+    friction = data.law if data.mu is None else "\u03bc varies" if data.friction_varies else f"\u03bc = ({data.mu[0]:g}, {data.mu[1]:g})"
     return f"{kind + ', with a gap' if data.has_gap else kind + ' plane' if kind == 'rigid' else kind}, {friction}"

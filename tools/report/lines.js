@@ -75,6 +75,8 @@ class LineCharts {
 
 /** The largest friction traction in the direction of (x, y) under a pressure: on the friction ellipse. */
 function frictionLimit(pressure, x, y) {
+  if (!data.mu)
+    return null;
   const angle = data.angle * Math.PI / 180, [a, b] = data.mu;
   const first = Math.cos(angle) * x + Math.sin(angle) * y, second = Math.cos(angle) * y - Math.sin(angle) * x;
   const size = Math.hypot(x, y), norm = Math.hypot(first / a, second / b);

@@ -107,9 +107,9 @@ function drawProbeLoops({name, place, table: t}) {
   path("Path of slip", {name: "slip_x", ...slip}, {name: "slip_y", ...slip}, t.slip_x, t.slip_y, {equal: true});
   path("Path of the friction force", {name: "force_x", ...force}, {name: "force_y", ...force}, t.force_x, t.force_y,
        {equal: true});
-  path("Path in the friction ellipse (dashed)", {name: "force_x / force_n", unit: ""},
+  path(data.mu ? "Path in the friction ellipse (dashed)" : "Path of force_t / force_n", {name: "force_x / force_n", unit: ""},
        {name: "force_y / force_n", unit: ""}, over(t.force_x, t.force_n), over(t.force_y, t.force_n),
-       {equal: true, outline: ellipsePoints(data.mu, data.angle)});
+       data.mu ? {equal: true, outline: ellipsePoints(data.mu, data.angle)} : {equal: true});
   overStepsOfFirst(grid, "Slip over the steps", t, "mm", [["slip_x", "slip_x"], ["slip_y", "slip_y"],
                                                           ["accumulated_slip", "accumulated"]], {least: slip.least});
   overStepsOfFirst(grid, "Forces over the steps", t, "N",

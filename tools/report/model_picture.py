@@ -235,6 +235,6 @@ def views_from_the_side(data):
 
 def figures(data):
     """(caption, SVG) of each drawing."""
-    of_friction = [("Ellipses of friction and slip", ellipses(data))] if any(data.mu) else []
+    of_friction = [("Ellipses of friction and slip", ellipses(data))] if any(data.mu or ()) else []
     return [("Contact surface, from above", surface(data)), *of_friction,
             *views_from_the_side(data)]

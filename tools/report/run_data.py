@@ -36,9 +36,13 @@ class RunData:
         self.blocks = self.program.blocks(self.steps)
         # Of friction that varies the page shows that of the centre, which the summary has.
         self.friction_varies = any(re.search("[xy]", text) for text in self.friction_texts())
-        centre = self.summary.get("friction", {"mu": (0, 0), "p": (1, 1), "angle_degrees": 0})
-        self.mu = tuple(centre["mu"]) if self.friction_varies else self.pair("Coefficients")
-        self.p = tuple(centre["p"]) if self.friction_varies else self.pair("Slip potential")
+        centre = {"mu": (0, 0), "p": (1, 1), "angle_degrees": 0, **self.summary.get("friction", {})}
+        self.law = self.parameters.get("Friction", {}).get("Law", "ellipses")
+        # A law that is no ellipse has neither: what draws an ellipse is left out then.
+        self.mu = self.p = None
+        if self.law == "ellipses":
+            self.mu = tuple(centre["mu"]) if self.friction_varies else self.pair("Coefficients")
+            self.p = tuple(centre["p"]) if self.friction_varies else self.pair("Slip potential")
         self.angle = (centre["angle_degrees"] if self.friction_varies
                       else self.number("Friction", "Orthotropy angle", 0))
         obstacle = self.parameters.get("Obstacle", {})
@@ -127,7 +131,7 @@ class RunData:
 
     def friction_texts(self):
         words = ("associated", "collinear")
-        return [text for text in self.parameters.get("Friction", {}).values() if text not in words]
+        return [text for name, text in self.parameters.get("Friction", {}).items() if name != "Law" and text not in words]
 
     def pair(self, entry):
         def two():

@@ -11,7 +11,7 @@
 
 namespace orthocone
 {
-/// The friction law at each place of the contact surface, and the axes of its ellipses.
+/// The friction law at each place of the contact surface, and its axes there.
 class FrictionField
 {
 public:
@@ -34,12 +34,21 @@ public:
   /// Why friction does not have the symmetry of a model; empty if it does.
   std::string asymmetry(const ModelSymmetry &symmetry, const SurfaceSample &sample) const;
 
-  /// Entries of both ellipses as tensors in global axes, at a place (mm): six numbers that vary as smoothly
-  /// as friction does; they may be NaN.
-  Eigen::Matrix<double, 6, 1> tensors(const Eigen::Vector2d &place) const;
+  /// Numbers that vary as smoothly over the surface as friction does, at a place (mm): entries of both
+  /// ellipses as tensors in global axes, or forces against slip in several directions where there are no
+  /// ellipses. They are as many at all places, and may be NaN.
+  Eigen::VectorXd numbers(const Eigen::Vector2d &place) const;
 
 private:
+  /// The law at a place (mm) along the axes there. Throws InputError if there is none.
+  FrictionLaw law(const Eigen::Vector2d &place) const;
+
+  /// Degrees from x to the first axis at a place (mm).
+  double angle(const Eigen::Vector2d &place) const;
+
   std::string constant_asymmetry(const ModelSymmetry &symmetry) const;
+  std::string asymmetry_of_maps(const ModelSymmetry &symmetry,
+                                const std::vector<Eigen::Vector2d> &places) const;
 
   FrictionOptions options_;
 };

@@ -7,6 +7,7 @@
 
 #include <orthocone/base/rigid_components.h>
 #include <orthocone/body/options.h>
+#include <orthocone/contact/law/friction_law.h>
 #include <orthocone/contact/solvers/contact_solver_options.h>
 #include <orthocone/entries/choice.h>
 
@@ -88,9 +89,42 @@ public:
 template<>
 std::vector<Kind<ObstacleKindOptions>> &kinds_of<ObstacleKindOptions>();
 
-/// The entries of section Friction: semi-axes of the friction ellipse (mu) and of the slip ellipse (p), both
-/// along axes turned by `angle` degrees from x to y. Where they vary, the numbers are those at the centre x =
-/// y = 0.
+/// The word of a kind of friction law, and that of the program itself. Others may be added from outside.
+struct FrictionLawKind
+{
+  std::string_view word;
+
+  static const FrictionLawKind ellipses;
+};
+
+inline constexpr FrictionLawKind FrictionLawKind::ellipses{"ellipses"};
+
+struct FrictionOptions;
+
+/// What a kind of friction law has of its own: its entries, and the law that they make at a place.
+class FrictionLawOptions
+{
+public:
+  virtual ~FrictionLawOptions() = default;
+  virtual std::unique_ptr<FrictionLawOptions> clone() const = 0;
+
+  /// Adds the entries of this kind, which count where it is chosen.
+  virtual void declare(Section &, const Condition & /*is_chosen*/) {}
+
+  /// Whether the law depends on the place.
+  virtual bool varies(const FrictionOptions &) const { return false; }
+
+  /// The law at a place (x, y) of the contact surface, mm, along the axes that Friction/Orthotropy angle
+  /// turns. Throws InputError if there is none.
+  virtual FrictionLaw law(const FrictionOptions &friction, const Eigen::Vector2d &place) const = 0;
+};
+
+template<>
+std::vector<Kind<FrictionLawOptions>> &kinds_of<FrictionLawOptions>();
+
+/// The entries of section Friction: the law, and for that of two ellipses the semi-axes of the friction
+/// ellipse (mu) and of the slip ellipse (p). Axes are turned by `angle` degrees from x to y. Where numbers
+/// vary, those here are at the centre x = y = 0.
 struct FrictionOptions
 {
   std::array<double, 2> mu{{0.3, 0.15}};                 ///< both 0: no friction
@@ -101,9 +135,11 @@ struct FrictionOptions
   std::optional<std::array<Expression, 2>> varying_mu{};
   std::optional<std::array<Expression, 2>> varying_slip_potential{};
   std::optional<Expression> varying_angle{};
+  Choice<FrictionLawOptions> law{};
 
-  bool varies() const { return varying_mu || varying_slip_potential || varying_angle; }
-  bool is_frictionless() const { return mu[0] == 0 && !varying_mu; }
+  bool has_ellipses() const { return law == FrictionLawKind::ellipses; }
+  bool varies() const { return varying_angle || law.chosen().varies(*this); }
+  bool is_frictionless() const { return has_ellipses() && mu[0] == 0 && !varying_mu; }
 
   /// Semi-axes p_x, p_y of the slip ellipse; without friction (1, 1), which means nothing.
   std::array<double, 2> p() const
@@ -112,21 +148,23 @@ struct FrictionOptions
                                                      : slip_potential.value_or(mu);
   }
 
-  /// Whether p is proportional to mu everywhere, so that slip is along the normal of the cone.
+  /// Whether p is proportional to mu everywhere, so that slip is along the normal of the cone. False for laws
+  /// that are no ellipses.
   bool is_associated() const
   {
     constexpr double rounding = 1e-12;
     const bool has_own_field =
         varying_slip_potential || (varying_mu && (slip_potential || is_collinear_by_word));
     return is_frictionless() ||
-           (!has_own_field && std::abs(p()[0] * mu[1] / (p()[1] * mu[0]) - 1) <= rounding);
+           (has_ellipses() && !has_own_field && std::abs(p()[0] * mu[1] / (p()[1] * mu[0]) - 1) <= rounding);
   }
 
-  /// Whether p_x = p_y everywhere, so that slip is along the friction force.
+  /// Whether p_x = p_y everywhere, so that slip is along the friction force. False for laws that are no
+  /// ellipses.
   bool is_collinear() const
   {
     const bool has_varying_p = varying_slip_potential || (varying_mu && !slip_potential);
-    return is_collinear_by_word || (!has_varying_p && p()[0] == p()[1]);
+    return has_ellipses() && (is_collinear_by_word || (!has_varying_p && p()[0] == p()[1]));
   }
 
   /// Friction at a place (mm): the same with numbers only. These may be any numbers, also NaN.

@@ -25,6 +25,7 @@ FrictionLaw::FrictionLaw(const OrthotropicFriction &ellipse)
   slip_ = p.cwiseProduct(p).cwiseQuotient(mu_);
   mean_friction_ = std::sqrt(mu_[0] * mu_[1]);
   least_friction_ = mu_.minCoeff();
+  largest_friction_ = mu_.maxCoeff();
   const double ratio = (ellipse.p_x / ellipse.mu_x) / (ellipse.p_y / ellipse.mu_y);
   slip_amplification_ = std::max(ratio, 1 / ratio) * std::max(ratio, 1 / ratio);
 }
@@ -35,7 +36,8 @@ FrictionLaw::FrictionLaw(std::shared_ptr<const TangentMaps> maps)
     : maps_(std::move(maps))
 {
   constexpr unsigned int n_directions = 360;
-  double sum = 0, least = std::numeric_limits<double>::infinity(), least_weight = least, largest_weight = 0;
+  double sum = 0, largest_weight = 0;
+  double least_weight = least_friction_ = std::numeric_limits<double>::infinity();
   for (unsigned int i = 0; i < n_directions; ++i)
   {
     const double angle = 2 * pi * i / n_directions;
@@ -43,12 +45,12 @@ FrictionLaw::FrictionLaw(std::shared_ptr<const TangentMaps> maps)
     const double friction = maps_->force(e).norm();
     const double weight = maps_->reduced_force(maps_->reduced_slip(e)).norm();
     sum += std::log(friction);
-    least = std::min(least, friction);
+    least_friction_ = std::min(least_friction_, friction);
+    largest_friction_ = std::max(largest_friction_, friction);
     least_weight = std::min(least_weight, weight);
     largest_weight = std::max(largest_weight, weight);
   }
   mean_friction_ = std::exp(sum / n_directions);
-  least_friction_ = least;
   slip_amplification_ = largest_weight / least_weight;
 }
 

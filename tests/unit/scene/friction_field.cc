@@ -74,7 +74,7 @@ TEST(FrictionField, TurnsWithTheRadius)
   for (const double angle : {0., 0.3, 2., -3.})
   {
     const Eigen::Vector2d radial(std::cos(angle), std::sin(angle));
-    const auto entries = field.tensors(7 * radial);
+    const auto entries = field.numbers(7 * radial);
     Eigen::Matrix2d friction;
     friction << entries[0], entries[1], entries[1], entries[2];
     EXPECT_NEAR((friction * radial - 0.16 * radial).norm(), 0, 1e-15);

@@ -93,10 +93,11 @@ public:
   /// it.
   Eigen::Vector2d cone_normal(const Eigen::Vector2d &force) const;
 
-  /// Geometric mean over the force's directions (of the semi-axes of an ellipse) and the least of the forces
-  /// that slip per unit normal force, without units.
+  /// Geometric mean over the force's directions (of the semi-axes of an ellipse), least and largest of the
+  /// forces that slip per unit normal force, without units.
   double mean_friction() const { return mean_friction_; }
   double least_friction() const { return least_friction_; }
+  double largest_friction() const { return largest_friction_; }
 
   /// How much more the law weights slip in one direction than in another: largest over least value of
   /// |r'(g(e))| over all directions e, which is that of (p/mu)^2 for ellipses. 1 without friction.
@@ -106,7 +107,7 @@ private:
   std::shared_ptr<const TangentMaps> maps_;
   OrthotropicFriction ellipse_{0, 0, 1, 1};
   Eigen::Vector2d mu_ = Eigen::Vector2d::Zero(), slip_ = Eigen::Vector2d::Zero(); ///< diagonals of the maps
-  double mean_friction_ = 0, least_friction_ = 0, slip_amplification_ = 1;
+  double mean_friction_ = 0, least_friction_ = 0, largest_friction_ = 0, slip_amplification_ = 1;
 };
 
 /// Whether the slip rule is known to be the associated one, up to rounding, or nothing is known of it because

@@ -22,6 +22,7 @@ struct ContactMethod
   std::string_view rho{};      ///< what Rho factor is a factor of, a clause; nothing if it has no rho
   bool has_relaxation = false; ///< whether it reads Relaxation
   bool needs_dense = true;     ///< whether it works with a dense compliance only
+  bool needs_ellipses = false; ///< whether it works with friction laws of two ellipses only
   bool is_for_study = false;   ///< it is there to show where it fails (docs/stability.md)
 };
 

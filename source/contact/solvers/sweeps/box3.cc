@@ -110,6 +110,7 @@ ContactMethod feng2006_method()
 {
   ContactMethod method{"feng2006", "the paper's Box 3, node by node", make<Feng2006>};
   method.rho = "1 / the smallest diagonal entry of a node's compliance";
+  method.needs_ellipses = true;
   return method;
 }
 
@@ -117,6 +118,7 @@ ContactMethod box3_method()
 {
   ContactMethod method{"box3", "the paper's Box 3 for all nodes at once", make<Box3AtOnce>};
   method.rho = "1 / the smallest diagonal entry of a node's compliance";
+  method.needs_ellipses = true;
   method.is_for_study = true;
   return method;
 }

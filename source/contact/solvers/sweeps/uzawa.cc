@@ -127,6 +127,7 @@ private:
 ContactMethod uzawa_method()
 {
   ContactMethod method{"uzawa", "simultaneous projections with adaptive step", make<Uzawa>};
+  method.needs_ellipses = true;
   return method;
 }
 } // namespace orthocone
