@@ -161,7 +161,7 @@ FrictionOptions FrictionOptions::at(const double x, const double y) const
 
 void declare_friction(FrictionOptions &friction, Section &section)
 {
-  friction.law.declare("Law", "The law of friction and slip:", section);
+  friction.law.declare("Law", "The law of friction and slip.", section);
   const Condition has_ellipses{[&friction] { return friction.has_ellipses(); },
                                [&friction] { return "Friction/Law = " + friction.law.word(); }};
   section

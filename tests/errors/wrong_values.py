@@ -86,6 +86,8 @@ ROWS = [
      "{file}:4: Mesh/Model = axisymmetrical: allowed is auto | full | half | quarter | axisymmetric"),
     ("model_capital", "subsection Mesh\n  set Core cells = 8\n  set Model = Quarter\nend\n",
      "{file}:4: Mesh/Model = Quarter: allowed is auto | full | half | quarter | axisymmetric"),
+    ("friction_law_coulomb", "subsection Friction\n  set Law = coulomb\nend\n",
+     "{file}:3: Friction/Law = coulomb: allowed is ellipses"),
     ("obstacle_kind_elastic", "subsection Obstacle\n  set Kind = elastic\nend\n",
      "{file}:3: Obstacle/Kind = elastic: allowed is rigid | half-space | body"),
     ("obstacle_poisson_ratio_half", "subsection Obstacle\n  set Kind = half-space\n  set Poisson ratio = 0.5\nend\n",

@@ -25,6 +25,7 @@ REFUSED = {
     "Mesh/Rim grading": ["10.000001", "-1", "-0", "nan"], "Mesh/Layer grading": ["1e2", "-1e-9", "1:2"],
     "Material/Young modulus": ["-0", "210 000", "2.1e5MPa", "2.1*10^5", "1e309"],
     "Material/Poisson ratio": ["-1.0000001", "1", "inf", "1/3"],
+    "Friction/Law": ["Ellipses", "ellipses ellipses", ""],
     "Friction/Coefficients": ["0.3, 0.15, 0.1", "0.3; 0.15", "(0.3, 0.15)", "0.3,", ",0.3", "0.3, nan", "0.3,-0", ", "],
     "Friction/Slip potential": ["1", "1, inf", "1, 2, 3", "1 : 2"],
     "Friction/Orthotropy angle": ["", "1e400", "90 90"],

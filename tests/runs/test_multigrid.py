@@ -113,9 +113,9 @@ class ResumedTest(ResumeTest):
 
 class UnsolvedTest(RunTest):
     def test_what_is_named_as_a_remedy_is_there(self):
-        """Slip axes that differ a hundred thousandfold are too much for continuation, too."""
+        """Slip axes that differ a millionfold are too much for continuation, too."""
         settings = [*ISOTROPIC, "Load program/Legs=0 0 -0.1 : 1", "Load program/Cycles=1", "Mesh/Refinements=1",
-                    "Friction/Slip potential=0.00001, 1"]
+                    "Friction/Slip potential=0.000001, 1"]
         result = self.run_program("multigrid", settings=[*settings, "Mesh/Backend=multigrid"])
         self.assertEqual(result.returncode, 3)
         self.assertIn("Mesh/Backend = condensed", result.stderr)
