@@ -50,20 +50,20 @@ bool ImplicitWear::is_for(const ContactState &before, const ContactState &after)
          unfound_wear(before, after, opening_) > most_explicit_wear;
 }
 
-/// Depth (mm) that a unit of normal force wears at each node on its way from `before` to `after`. A node that
-/// is open may close while its neighbours are worn, so that its way counts, too.
+/// Depth (mm) that a unit of normal force wears at each node while it slips from `before` to `after`. A node that
+/// is open may close while its neighbours are worn, so that its slip counts, too.
 VectorXd ImplicitWear::depths_of_a_unit(const ContactStep &problem, const ContactState &before,
                                         const ContactState &after) const
 {
   VectorXd depths = VectorXd::Zero(after.n_nodes());
   for (Index node = 0; node < after.n_nodes(); ++node)
   {
-    const Vector2d way = (after.displacement - before.displacement).segment<2>(3 * node + 1);
-    if (after.status[node] == NodeStatus::stick || way.isZero(0))
+    const Vector2d slip = (after.displacement - before.displacement).segment<2>(3 * node + 1);
+    if (after.status[node] == NodeStatus::stick || slip.isZero(0))
       continue;
     const FrictionLaw &friction = problem.law(node);
-    const double traction = friction.is_frictionless() ? 0 : friction.force_against(way).norm();
-    depths[node] = law_.depth(node, {1, way.norm(), traction * way.norm()});
+    const double traction = friction.is_frictionless() ? 0 : friction.force_against(slip).norm();
+    depths[node] = law_.depth(node, {1, slip.norm(), traction * slip.norm()});
   }
   return depths;
 }

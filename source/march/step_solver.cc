@@ -161,7 +161,7 @@ VectorXd StepSolver::start_of(const Attempt &attempt, const ContactState &state,
   const ElasticBody &body = scene_.body();
   const ContactChange held = body.compliance().held_at(body.elastic_displacement(state.force) +
                                                        body.prolonged(change->displacement));
-  body.compliance().remember(held.force, held.body);
+  body.compliance().memory().remember(held.force, held.body);
   ContactState moved = state;
   moved.force = held.force;
   moved.motion.components += change->motion.components;
@@ -320,7 +320,7 @@ void StepSolver::remember_last_cycle(const LoadStep &step)
   if (body == nullptr || any_rank(body->size() < n)) // of another division of the body
     return;
   const ContactChange held = elastic.compliance().held_at(body->head(n)); // behind them are the held ones
-  elastic.compliance().remember(held.force, held.body);
+  elastic.compliance().memory().remember(held.force, held.body);
 }
 
 void StepSolver::accept(const ContactState &before, const ContactState &after, const LoadStep &step)
@@ -345,7 +345,7 @@ void StepSolver::keep_bodies(const ContactState &state)
   std::vector<MarchMemory> coarser;
   if (coarser_ != nullptr)
     coarser.push_back(coarser_->memory());
-  starts_.keep(scene_.system().compliance().forget_trials(state.force), std::move(coarser));
+  starts_.keep(scene_.system().compliance().memory().forget_trials(state.force), std::move(coarser));
 }
 
 void StepSolver::remember_body(const ContactState &state)
@@ -364,7 +364,7 @@ void StepSolver::reject()
 void StepSolver::restore(const StartMemory &memory)
 {
   starts_.restore(memory);
-  scene_.system().compliance().restore(memory.bodies);
+  scene_.system().compliance().memory().restore(memory.bodies);
   if (coarser_ != nullptr && !memory.coarser.empty())
     coarser_->restore(memory.coarser.front());
 }

@@ -32,7 +32,7 @@ public:
   /// The best combination of earlier solutions, for one product with K.
   ApproximateSolution approximate(const Vector &forces) const;
 
-  /// Compliance::forget_trials() and restore().
+  /// SolutionMemory::forget_trials() and restore().
   const std::vector<Eigen::VectorXd> &forget_trials(const Vector &forces, double accuracy);
   void restore(const std::vector<Eigen::VectorXd> &accepted);
 

@@ -21,10 +21,39 @@ MultigridCompliance::MultigridCompliance(const ContactFrame &frame,
     : frame_(frame),
       stiffness_(stiffness),
       cycle_(cycle),
-      elastic_(stiffness, cycle),
       of_nodes_(std::move(of_nodes)),
-      accuracy_(accuracy)
+      accuracy_(accuracy),
+      memory_(std::make_unique<Memory>(*this))
 {
+}
+
+MultigridCompliance::Memory::Memory(const MultigridCompliance &compliance)
+    : elastic(compliance.stiffness_, compliance.cycle_),
+      compliance_(compliance)
+{
+}
+
+void MultigridCompliance::Memory::remember(const NodeVector &force, const BodyPart &body)
+{
+  const ContactFrame &frame = compliance_.frame_;
+  BodyVector<double> displacement = compliance_.stiffness_.make_vector(),
+                     forces = compliance_.stiffness_.make_vector();
+  entries(displacement, body.displacement.size()) = body.displacement;
+  entries(forces, frame.n_free()) = frame.on_free_unknowns(force) - body.residual;
+  elastic.remember(displacement, forces);
+  last = {force, {}, compliance_.of_nodes(displacement, force), body};
+}
+
+std::vector<VectorXd> MultigridCompliance::Memory::forget_trials(const NodeVector &force)
+{
+  last = {};
+  return elastic.forget_trials(compliance_.on_body(force), compliance_.accuracy_);
+}
+
+void MultigridCompliance::Memory::restore(const std::vector<VectorXd> &accepted)
+{
+  last = {};
+  elastic.restore(accepted);
 }
 
 BodyVector<double> MultigridCompliance::on_body(const NodeVector &force) const
@@ -42,9 +71,9 @@ VectorXd MultigridCompliance::body_displacement(const NodeVector &force) const
 
 ContactChange MultigridCompliance::approximate(const NodeVector &force) const
 {
-  if (force.size() == remembered_.force.size() && force == remembered_.force)
-    return remembered_;
-  const ApproximateSolution approximate = elastic_.approximate(on_body(force));
+  if (const ContactChange &last = memory_->last; force.size() == last.force.size() && force == last.force)
+    return last;
+  const ApproximateSolution approximate = memory_->elastic.approximate(on_body(force));
   ContactChange answer;
   answer.force = force;
   answer.displacement = of_nodes(approximate.displacement, force);
@@ -59,15 +88,6 @@ ContactChange MultigridCompliance::held_at(const VectorXd &displacement) const
   entries(all, displacement.size()) = displacement;
   stiffness_.vmult(forces, all);
   return contact_change(frame_, all, forces, {});
-}
-
-void MultigridCompliance::remember(const NodeVector &force, const BodyPart &body) const
-{
-  BodyVector<double> displacement = stiffness_.make_vector(), forces = stiffness_.make_vector();
-  entries(displacement, body.displacement.size()) = body.displacement;
-  entries(forces, frame_.n_free()) = frame_.on_free_unknowns(force) - body.residual;
-  elastic_.remember(displacement, forces);
-  remembered_ = {force, {}, of_nodes(displacement, force), body};
 }
 
 /// Displacement of the contact nodes. A direction that symmetry holds has a compliance of its own.
@@ -93,18 +113,6 @@ NodeVector MultigridCompliance::of_nodes(const BodyVector<double> &body, const N
 void MultigridCompliance::vmult(NodeVector &displacement, const NodeVector &force) const
 {
   displacement = of_nodes(solution(force), force);
-}
-
-std::vector<VectorXd> MultigridCompliance::forget_trials(const NodeVector &force) const
-{
-  remembered_ = {};
-  return elastic_.forget_trials(on_body(force), accuracy_);
-}
-
-void MultigridCompliance::restore(const std::vector<VectorXd> &accepted) const
-{
-  remembered_ = {};
-  elastic_.restore(accepted);
 }
 
 Eigen::Matrix3d MultigridCompliance::diagonal_block(const Index node) const

@@ -22,9 +22,7 @@ public:
   void vmult(NodeVector &displacement, const NodeVector &force) const override;
   ContactChange approximate(const NodeVector &force) const override;
   ContactChange held_at(const Eigen::VectorXd &displacement) const override;
-  void remember(const NodeVector &force, const BodyPart &body) const override;
-  std::vector<Eigen::VectorXd> forget_trials(const NodeVector &force) const override;
-  void restore(const std::vector<Eigen::VectorXd> &accepted) const override;
+  SolutionMemory &memory() const override { return *memory_; }
   double norm(const Eigen::VectorXd &residual) const override;
   Eigen::Matrix3d diagonal_block(Eigen::Index node) const override;
   std::unique_ptr<ConditionSolver> condition_solver(double softness) const override;
@@ -34,19 +32,33 @@ public:
   Eigen::VectorXd body_displacement(const NodeVector &force) const;
 
 private:
+  class Memory : public SolutionMemory
+  {
+  public:
+    explicit Memory(const MultigridCompliance &compliance);
+    void remember(const NodeVector &force, const BodyPart &body) override;
+    std::vector<Eigen::VectorXd> forget_trials(const NodeVector &force) override;
+    void restore(const std::vector<Eigen::VectorXd> &accepted) override;
+
+    ElasticSolver elastic;
+    ContactChange last; ///< what remember() was given last
+
+  private:
+    const MultigridCompliance &compliance_;
+  };
+
   BodyVector<double> on_body(const NodeVector &force) const;
   BodyVector<double> solution(const NodeVector &force) const
   {
-    return elastic_.solve(on_body(force), accuracy_);
+    return memory_->elastic.solve(on_body(force), accuracy_);
   }
   NodeVector of_nodes(const BodyVector<double> &body, const NodeVector &force) const;
 
   const ContactFrame &frame_;
   const MatrixFreeStiffness<double> &stiffness_;
   VCycle &cycle_;
-  mutable ElasticSolver elastic_; ///< remembers solutions, from which others start
-  Eigen::VectorXd of_nodes_;      ///< mm/N
+  Eigen::VectorXd of_nodes_; ///< mm/N
   double accuracy_;
-  mutable ContactChange remembered_; ///< what remember() was given last
+  std::unique_ptr<Memory> memory_;
 };
 } // namespace orthocone

@@ -29,14 +29,11 @@ ContactChange Compliance::held_at(const Eigen::VectorXd &) const
   throw std::logic_error("this compliance has no body");
 }
 
-void Compliance::remember(const NodeVector &, const BodyPart &) const {}
-
-std::vector<Eigen::VectorXd> Compliance::forget_trials(const NodeVector &) const
+SolutionMemory &Compliance::memory() const
 {
-  return {};
+  static SolutionMemory none;
+  return none;
 }
-
-void Compliance::restore(const std::vector<Eigen::VectorXd> &) const {}
 
 Eigen::Vector3d Compliance::displacement_at(const Eigen::Index node, const NodeVector &force) const
 {

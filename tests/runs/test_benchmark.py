@@ -23,7 +23,7 @@ import paths  # noqa: E402, F401 (finds the modules of all studies)
 import benchmark_ratios  # noqa: E402
 import docs_page  # noqa: E402
 
-KERNELS = {"projection/mixed", "projection/slip", "projection_with_derivative/slip", "one_node/slip_guessed",
+KERNELS = {"projection/mixed", "projection/slip", "trial_force/slip", "one_node/slip_guessed",
            "one_node/slip_unguessed", "residual", "sweep", "newton_iteration", "contact_step", "assembly",
            "factorization", "factorization_free", "condensation", "one_solve", "assembled_product",
            "matrix_free_product/single", "matrix_free_product/double", "ordering/metis", "ordering/amd",

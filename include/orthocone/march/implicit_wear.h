@@ -24,8 +24,8 @@ double weight_of_end(double depth_of_flattening);
 
 /// Finds how deep a step wears whose surface gives way while it is worn. In proportion to the force, depth is
 /// one more compliance: h = D (theta r_n + (1 - theta) r_n before), with the depth D that a unit of force
-/// wears on the way of the step. So the step is solved with W + theta D on the normal diagonal, whatever the
-/// length of the way. docs/theory.md, section 3, "Wear".
+/// wears while the step slips. So the step is solved with W + theta D on the normal diagonal, whatever the
+/// length of the slip. docs/theory.md, section 3, "Wear".
 class ImplicitWear
 {
 public:

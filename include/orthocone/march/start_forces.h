@@ -21,7 +21,7 @@ struct StartMemory
   NodeVector change;                           ///< of the forces in the last step
   std::map<unsigned int, NodeVector> of_phase; ///< forces at each phase of the last cycle
   std::map<unsigned int, NodeVector> drift;    ///< their change from the cycle before
-  std::vector<Eigen::VectorXd> bodies{};       ///< Compliance::forget_trials()
+  std::vector<Eigen::VectorXd> bodies{};       ///< SolutionMemory::forget_trials()
   std::vector<MarchMemory> coarser{};          ///< of CoarserMarch; one, or none
   /// Bodies at phases of the last cycle where it took work to find them. With forces that come back they come
   /// back, too.

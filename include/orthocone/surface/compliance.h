@@ -15,6 +15,23 @@ namespace orthocone
 /// A dense W, whoever owns its memory: 3 n x 3 n, mm/N.
 using DenseView = Eigen::Map<const Eigen::MatrixXd>;
 
+/// Solutions of a body, from which later ones start. This one remembers none.
+class SolutionMemory
+{
+public:
+  virtual ~SolutionMemory() = default;
+
+  /// Remembers a body under these forces (N) that the caller has found.
+  virtual void remember(const NodeVector & /*force*/, const BodyPart &) {}
+
+  /// To be called with the forces (N) of an accepted state. Of all that was remembered it keeps what comes
+  /// from the last accepted states, and returns that. A new compliance of the same body whose memory gets it
+  /// by restore() answers as this one does from then on, to the last bit. Empty where answers do not depend
+  /// on earlier ones.
+  virtual std::vector<Eigen::VectorXd> forget_trials(const NodeVector & /*force*/) { return {}; }
+  virtual void restore(const std::vector<Eigen::VectorXd> &) {}
+};
+
 /// Compliance W (3 n x 3 n, mm/N) of an elastic body condensed to its n contact nodes: forces r of the
 /// obstacle on the body (N) cause displacements W r of the contact nodes (mm). W is symmetric and positive
 /// definite. A direction in which a node cannot move (a symmetry plane) has a compliance of its own, coupled
@@ -39,15 +56,9 @@ public:
   /// what the body lacks then. Throws std::logic_error where there is no body.
   virtual ContactChange held_at(const Eigen::VectorXd &displacement) const;
 
-  /// Remembers a body under these forces (N) that the caller has found: later answers may start from it.
-  virtual void remember(const NodeVector &force, const BodyPart &body) const;
-
-  /// To be called with the forces (N) of an accepted state. Of all that was remembered it keeps what comes
-  /// from the last accepted states, and returns that. A new compliance of the same body to which restore()
-  /// gives it answers as this one does from then on, to the last bit. Empty where answers do not depend on
-  /// earlier ones.
-  virtual std::vector<Eigen::VectorXd> forget_trials(const NodeVector &force) const;
-  virtual void restore(const std::vector<Eigen::VectorXd> &accepted) const;
+  /// What answers start from where the body is solved iteratively: they differ by its content within their
+  /// accuracy, and add to it.
+  virtual SolutionMemory &memory() const;
 
   /// Norm (N) of the forces that the body lacks, BodyPart::residual, over all processes that have a part of
   /// it.

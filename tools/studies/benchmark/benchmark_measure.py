@@ -80,7 +80,7 @@ def kernel_filter(sizes):
     """Regular expression of the kernels to be run: of one node, of these sizes."""
     def some(limit):
         return "|".join(str(cells) for cells in sizes if cells <= limit) or "none"
-    of_one_node = "^(projection|one_node)"
+    of_one_node = "^(projection|trial_force|one_node)"
     words = "residual|sweep|newton|contact|assembly|factorization|condensation|assembled_product|matrix_free_product"
     of_all = f"^({words}).*/({some(LARGEST_OF_ALL_KERNELS)})/"
     solve = f"^one_solve/({some(max(sizes))})/"

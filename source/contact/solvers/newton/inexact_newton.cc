@@ -119,7 +119,8 @@ Iterate InexactNewton::next(const ContactStep &step, const Iterate &last, const 
 /// they do not solve the step, the iterate becomes their state.
 double InexactNewton::judge_forces(const ContactStep &step, Iterate &iterate, VectorXd &unknowns) const
 {
-  step.system().compliance().remember(iterate.unknowns.head(iterate.displacement.size()), iterate.body);
+  step.system().compliance().memory().remember(iterate.unknowns.head(iterate.displacement.size()),
+                                               iterate.body);
   unknowns = step.admissible(iterate.unknowns);
   const double residual = step.residual(unknowns);
   if (residual > options_.tolerance)

@@ -55,7 +55,9 @@ bool ProximalSteps::are_needed() const
 {
   constexpr Index most_nodes = 500;
   const DenseView *const w = system_.compliance().dense();
-  return w != nullptr && system_.n_nodes() <= most_nodes && is_singular(*w);
+  if (!are_needed_)
+    are_needed_ = w != nullptr && system_.n_nodes() <= most_nodes && is_singular(*w);
+  return *are_needed_;
 }
 
 bool ProximalSteps::are_needed_by_few_nodes() const

@@ -4,6 +4,8 @@
 
 #include <orthocone/contact/solvers/contact_solver.h>
 
+#include <optional>
+
 namespace orthocone
 {
 /// Proximal point iteration for singular compliances, as rigid bodies with more contacts than degrees of
@@ -33,6 +35,7 @@ public:
 
 private:
   const ContactSystem &system_;
+  mutable std::optional<bool> are_needed_{}; ///< once it is known
   ContactSolverOptions options_;
   Make *make_;
 };
