@@ -50,8 +50,8 @@ bool ImplicitWear::is_for(const ContactState &before, const ContactState &after)
          unfound_wear(before, after, opening_) > most_explicit_wear;
 }
 
-/// Depth (mm) that a unit of normal force wears at each node while it slips from `before` to `after`. A node that
-/// is open may close while its neighbours are worn, so that its slip counts, too.
+/// Depth (mm) that a unit of normal force wears at each node while it slips from `before` to `after`. A node
+/// that is open may close while its neighbours are worn, so that its slip counts, too.
 VectorXd ImplicitWear::depths_of_a_unit(const ContactStep &problem, const ContactState &before,
                                         const ContactState &after) const
 {
