@@ -1,8 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 #
-# What `cmake --install` takes along, in components: `contact`, `body` (it wants `contact`, too), `program`, and what stands
-# in the file of the Python module. The headers of a library are those of include/orthocone/NAME.
+# What `cmake --install` takes along, in components: `contact`, `body` (it wants `contact`, too), `app` (the program as
+# libraries, which want both), `program`, and what stands in the file of the Python module. The headers of a library are
+# those of include/orthocone/NAME.
 include(CMakePackageConfigHelpers)
 include(GNUInstallDirs)
 
@@ -21,6 +22,11 @@ endfunction()
 
 orthocone_install(contact base surface contact)
 orthocone_install(body entries body)
+set(of_app multigrid scene march results accuracy output app)
+if(ORTHOCONE_HAS_FCLIB)
+  list(APPEND of_app problems) # output writes problem files by it
+endif()
+orthocone_install(app ${of_app})
 
 # Eigen's templates must mean the same in the libraries and in what uses them. A header refuses to be compiled for a
 # processor with wider registers than those of every one.

@@ -18,7 +18,8 @@ endif()
 set(ORTHOCONE_HAS_FCLIB ON)
 orthocone_library(problems DEPENDS contact)
 target_include_directories(orthocone_problems SYSTEM PRIVATE ${FCLIB_INCLUDE_DIR} ${HDF5_INCLUDE_DIR})
-target_link_libraries(orthocone_problems ${FCLIB_LIBRARY} ${HDF5_LIBRARY})
+orthocone_link_file(orthocone_problems ${FCLIB_LIBRARY})
+orthocone_link_file(orthocone_problems ${HDF5_LIBRARY})
 
 # The program writes the problems of its steps (Output/Problems): the sources of output alone see them, where they are.
 target_link_libraries(orthocone_output $<LINK_ONLY:orthocone_problems>)

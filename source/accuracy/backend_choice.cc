@@ -27,7 +27,7 @@ std::string what_multigrid_cannot(const Parameters &parameters)
   if (parameters.output.problem_interval != 0)
     return "Output/Problems = " + std::to_string(parameters.output.problem_interval);
   if (!parameters.material.is_uniform_and_isotropic())
-    return parameters.material.is_orthotropic() ? "Material/Law = orthotropic" : "Material/Regions";
+    return parameters.material.is_isotropic() ? "Material/Regions" : parameters.material.law_entry();
   if (find_contact_method(parameters.contact_solver.method)->needs_dense)
     return "Contact solver/Method = " + parameters.contact_solver.method;
   return "";

@@ -188,7 +188,7 @@ Estimate CostModel::of_factorization(const FactorizationCost &factor, const doub
       step_gigabytes();
   if (parameters_.obstacle.kind.chosen().gives_way())
     result.gigabytes += dense(cost::of_counterbody) * cost::bytes_per_number / cost::gigabyte;
-  if (parameters_.wear.law != WearKind::none && parameters_.wear.deep_steps == DeepWear::implicitly)
+  if (parameters_.wear.wears() && parameters_.wear.deep_steps == DeepWear::implicitly)
     result.gigabytes += dense(cost::of_deep_wear) * cost::bytes_per_number / cost::gigabyte;
   const unsigned int dim = symmetry_.is_axisymmetric() ? 2 : 3;
   const double n_cell = dim * std::pow(parameters_.mesh.degree + 1, dim);

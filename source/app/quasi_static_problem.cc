@@ -136,7 +136,6 @@ void QuasiStaticProblem::begin(const std::optional<Checkpoint> &checkpoint)
     throw FileError(folder_.path() + ": the checkpoint is of " + std::to_string(checkpoint->state.n_nodes()) +
                     " contact nodes, the model has " + std::to_string(state_.n_nodes()) +
                     "; was it written by another version of the program (" + checkpoint->program + ")?");
-  cycles_.restore(checkpoint->cycles);
   output_.return_to(checkpoint->state.step, checkpoint->tables, checkpoint->fields);
   log_.line("resumed after load step " + std::to_string(checkpoint->state.step) + " of " +
             std::to_string(steps_.size()));
@@ -148,6 +147,7 @@ void QuasiStaticProblem::begin(const std::optional<Checkpoint> &checkpoint)
   if (checkpoint->n_ranks != n_ranks())
     solver_.remember_body(state_);
   totals_ = compute_totals(evaluator_, state_);
+  cycles_.restore(checkpoint->cycles, state_, totals_);
   RunRecord before = checkpoint->record;
   before.stretch = record_.stretch;
   before.of_mesh_files = record_.of_mesh_files;
@@ -357,23 +357,19 @@ void QuasiStaticProblem::end_cycle(const CycleRow &row, ContactState &state)
 {
   output_.write(row);
   log_.note(describe(row, parameters_.load.cycles));
-  if (cycles_.is_to_stop())
-  {
-    log_.line(describe_stop(cycles_.memory(), parameters_.load.stop_when_periodic));
-    output_.end_with(state);
-  }
   if (const unsigned int n = cycles_.n_to_jump(); n > 0)
   {
     CycleRow jumped = cycles_.jump_cycles(state, n);
     totals_ = compute_totals(evaluator_, state);
-    jumped.dissipation = totals_.total_dissipation - row.total_dissipation;
-    jumped.total_dissipation = totals_.total_dissipation;
-    jumped.max_accumulated_slip = totals_.max_accumulated_slip;
-    jumped.worn_volume = totals_.worn_volume;
-    jumped.max_wear_depth = totals_.max_wear_depth;
+    cycles_.end_jump(jumped, totals_);
     record_.add_jump(jumped);
     output_.write(jumped);
     log_.line(describe_jump(jumped, cycles_.memory(), parameters_.load.jump_when_periodic));
+  }
+  if (cycles_.is_to_stop())
+  {
+    log_.line(cycles_.why_to_stop());
+    output_.end_with(state);
   }
 }
 } // namespace orthocone

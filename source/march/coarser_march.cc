@@ -21,7 +21,7 @@ Parameters coarser(Parameters parameters)
 std::unique_ptr<CoarserMarch> CoarserMarch::of(const Scene &finer)
 {
   const MeshOptions &mesh = finer.parameters().mesh;
-  if (finer.parameters().wear.law != WearKind::none)
+  if (finer.parameters().wear.wears())
     return nullptr; // it would have wear of its own, without the jumps
   if (mesh.backend != BodyBackend::multigrid || finer.body().mesh().n_levels() == 1)
     return nullptr;

@@ -46,7 +46,7 @@ ImplicitWear::ImplicitWear(WearLaw law, ContactSolverOptions options, VectorXd o
 
 bool ImplicitWear::is_for(const ContactState &before, const ContactState &after) const
 {
-  return law_.options().law != WearKind::none && law_.options().deep_steps == DeepWear::implicitly &&
+  return law_.options().wears() && law_.options().deep_steps == DeepWear::implicitly &&
          unfound_wear(before, after, opening_) > most_explicit_wear;
 }
 

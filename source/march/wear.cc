@@ -20,15 +20,6 @@ WearLaw::WearLaw(const WearOptions &options, const ContactSurface &surface)
 
 double WearLaw::depth(const Eigen::Index node, const Rubbing &rubbing) const
 {
-  switch (options_.law)
-  {
-  case WearKind::none:
-    break;
-  case WearKind::archard:
-    return options_.coefficient * rubbing.normal_force * rubbing.slip / areas_[node];
-  case WearKind::energy:
-    return options_.coefficient * rubbing.dissipated / areas_[node];
-  }
-  return 0;
+  return options_.wears() ? options_.law.chosen().volume(options_.coefficient, rubbing) / areas_[node] : 0;
 }
 } // namespace orthocone

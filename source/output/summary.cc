@@ -190,9 +190,9 @@ static std::string describe_counterbody(const Parameters &parameters)
 {
   const auto constants = [](const MaterialOptions &material)
   {
-    return material.is_orthotropic()
-               ? std::string("orthotropic")
-               : "E " + to_text(material.young_modulus) + " MPa, nu " + to_text(material.poisson_ratio);
+    return material.is_isotropic()
+               ? "E " + to_text(material.young_modulus) + " MPa, nu " + to_text(material.poisson_ratio)
+               : material.law.word();
   };
   const auto &kind = parameters.obstacle.kind;
   if (kind == ObstacleKind::half_space)

@@ -40,9 +40,23 @@ unsigned int steps_of_cycle(const LoadOptions &load)
   return n;
 }
 
+/// Within which cycles count as alike; 0: nobody asks.
 double tolerance_of(const LoadOptions &load)
 {
-  return std::max(load.stop_when_periodic, load.jump_when_periodic);
+  double tolerance = load.jump_when_periodic;
+  for (const auto &rule : load.stops)
+    tolerance = std::max(tolerance, rule->periodic_within());
+  return tolerance;
+}
+
+/// What a row has of the end of its cycles.
+void set_end(CycleRow &row, const Totals &totals)
+{
+  row.force_z = totals.force[2];
+  row.max_accumulated_slip = totals.max_accumulated_slip;
+  row.total_dissipation = totals.total_dissipation;
+  row.worn_volume = totals.worn_volume;
+  row.max_wear_depth = totals.max_wear_depth;
 }
 } // namespace
 
@@ -129,27 +143,38 @@ std::optional<CycleRow> CycleWatch::add_step(const LoadStep &step, const Contact
   return row;
 }
 
-void CycleWatch::complete(const ContactState &end, const Totals &totals)
+void CycleWatch::set_row(const ContactState &end, const Totals &totals)
 {
   CycleRow &row = memory_.row;
   row.last_step = end.step;
-  row.force_z = totals.force[2];
-  row.max_accumulated_slip = totals.max_accumulated_slip;
+  set_end(row, totals);
   row.accumulated_slip = (end.accumulated_slip - memory_.start.accumulated_slip).maxCoeff();
-  row.total_dissipation = totals.total_dissipation;
   row.dissipation = totals.total_dissipation - memory_.start_dissipation;
-  row.change = change_of_state(memory_.start, end, shares_, memory_.largest_nodal_force, length_, reach_);
-  memory_.n_completed = row.cycle;
-  memory_.change = row.change;
+  row.change = memory_.change;
+  row.wear_error = memory_.wear.error;
+}
+
+void CycleWatch::complete(const ContactState &end, const Totals &totals)
+{
+  memory_.n_completed = memory_.row.cycle;
+  memory_.change = change_of_state(memory_.start, end, shares_, memory_.largest_nodal_force, length_, reach_);
   const double tolerance = tolerance_of(load_);
-  if (tolerance == 0 || !(row.change <= tolerance))
+  if (tolerance == 0 || !(memory_.change <= tolerance))
     memory_.periodic_since = 0;
   else if (memory_.periodic_since == 0)
-    memory_.periodic_since = row.cycle;
-  n_to_jump_ = n_alike(end);
-  row.worn_volume = totals.worn_volume;
-  row.max_wear_depth = totals.max_wear_depth;
-  row.wear_error = memory_.wear.error;
+    memory_.periodic_since = memory_.row.cycle;
+  set_row(end, totals);
+  ask_rules(memory_.row);
+  n_to_jump_ = is_to_stop() ? 0 : n_alike(end);
+  memory_.row.wear_error = memory_.wear.error;
+}
+
+void CycleWatch::ask_rules(const CycleRow &row)
+{
+  why_to_stop_.clear();
+  for (const auto &rule : load_.stops)
+    if (why_to_stop_.empty())
+      why_to_stop_ = rule->why_to_stop(row);
 }
 
 /// Cycles that may be jumped behind the one that ends here.
@@ -168,15 +193,15 @@ unsigned int CycleWatch::n_alike(const ContactState &end)
   return is_periodic ? std::min(load_.jump_cycles, left) : 0;
 }
 
-void CycleWatch::restore(const CycleMemory &memory)
+void CycleWatch::restore(const CycleMemory &memory, const ContactState &state, const Totals &totals)
 {
   memory_ = memory;
   wear_.restore(memory.wear);
-}
-
-bool CycleWatch::is_to_stop() const
-{
-  return load_.stop_when_periodic > 0 && memory_.periodic_since > 0;
+  if (memory.row.last_step == 0)
+    return; // in the middle of a cycle
+  set_row(state, totals);
+  memory_.row.cycle = memory.n_completed;
+  ask_rules(memory_.row);
 }
 
 CycleRow CycleWatch::jump_cycles(ContactState &state, const unsigned int n)
@@ -197,18 +222,18 @@ CycleRow CycleWatch::jump_cycles(ContactState &state, const unsigned int n)
   return row;
 }
 
+void CycleWatch::end_jump(CycleRow &row, const Totals &totals)
+{
+  row.dissipation = totals.total_dissipation - memory_.row.total_dissipation;
+  set_end(row, totals);
+  ask_rules(row);
+}
+
 std::string describe(const CycleRow &row, const unsigned int n_cycles)
 {
   return "cycle " + std::to_string(row.cycle) + " of " + std::to_string(n_cycles) + ": change " +
          to_text(row.change) + ", dissipation " + to_text(row.dissipation) + " N mm, accumulated slip " +
          to_text(row.accumulated_slip) + " mm";
-}
-
-std::string describe_stop(const CycleMemory &memory, const double tolerance)
-{
-  return "periodic since cycle " + std::to_string(memory.periodic_since) + ": change " +
-         to_text(memory.change) + " <= Load program/Stop when periodic = " + to_text(tolerance) +
-         "; stops after load step " + std::to_string(memory.row.last_step);
 }
 
 std::string describe_jump(const CycleRow &row, const CycleMemory &memory, const double tolerance)

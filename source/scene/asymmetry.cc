@@ -53,7 +53,7 @@ Asymmetry asymmetry_of(const Parameters &parameters)
   constexpr unsigned int normal = 2;
   const auto shape = make_shape(parameters.geometry, parameters.mesh);
   const auto lower = lower_shape(parameters);
-  const Material material(parameters.material);
+  const Material material(parameters.material), lower_material(parameters.lower.material);
   const FrictionField friction(parameters.friction);
   const auto obstacle = make_obstacle(parameters.obstacle);
   const LoadProgram program(parameters.load);
@@ -68,8 +68,9 @@ Asymmetry asymmetry_of(const Parameters &parameters)
   const auto why = [&](const ModelSymmetry &symmetry)
   {
     return first_of({shape->asymmetry(symmetry), asymmetry_of_lower(lower.get(), symmetry),
-                     material.asymmetry(symmetry), friction.asymmetry(symmetry, sample),
-                     obstacle->asymmetry(symmetry, sample), program.asymmetry(symmetry)});
+                     material.asymmetry(symmetry), lower ? lower_material.asymmetry(symmetry) : "",
+                     friction.asymmetry(symmetry, sample), obstacle->asymmetry(symmetry, sample),
+                     program.asymmetry(symmetry)});
   };
   return {{{why(SymmetryPlanes{true, false}), why(SymmetryPlanes{false, true})}},
           why(ModelSymmetry::of_revolution()),

@@ -27,9 +27,9 @@ void check_backend(const Parameters &parameters)
                      " with Mesh/Backend = multigrid: what is below is no part of "
                      "the body that its cycles solve; allowed is auto or condensed, or Kind = rigid");
   if (!parameters.material.is_uniform_and_isotropic())
-    throw InputError((parameters.material.is_orthotropic()
-                          ? "Material/Law = orthotropic"
-                          : "Material/Regions = " + parameters.material.regions_text()) +
+    throw InputError((parameters.material.is_isotropic()
+                          ? "Material/Regions = " + parameters.material.regions_text()
+                          : parameters.material.law_entry()) +
                      " with Mesh/Backend = multigrid, whose products have one pair of Lame's constants: "
                      "allowed is Backend = condensed");
 }

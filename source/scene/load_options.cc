@@ -4,12 +4,23 @@
 #include <orthocone/scene/computed_steps.h>
 #include <orthocone/scene/legs.h>
 
+#include "periods.h"
+
 #include <cmath>
 #include <iomanip>
 #include <sstream>
 
 namespace orthocone
 {
+Kind<StopRule> periodic_stop();
+
+template<>
+std::vector<Kind<StopRule>> &kinds_of<StopRule>()
+{
+  static std::vector<Kind<StopRule>> kinds{periodic_stop()};
+  return kinds;
+}
+
 namespace
 {
 double solved_parts(const std::vector<Leg> &legs)
@@ -25,7 +36,7 @@ double least_computed_cycles(const LoadOptions &load, const WearOptions &wear)
   const double n = load.cycles;
   // Behind a jump of wear one cycle settles, and the next one has the rate of the next jump. The last cycle
   // is always computed, in wear as in a response that is periodic.
-  if (wear.law != WearKind::none && wear.largest_jump > 0)
+  if (wear.wears() && wear.largest_jump > 0)
     return std::min(n, 3.);
   if (load.jump_when_periodic > 0)
     return n == 0 ? 0 : 1 + std::ceil((n - 1) / (load.jump_cycles + 1.));
@@ -65,7 +76,7 @@ void check_number_of_steps(const LoadOptions &load, const WearOptions &wear)
 
 bool may_jump(const LoadOptions &load, const WearOptions &wear)
 {
-  return load.jump_when_periodic > 0 || (wear.law != WearKind::none && wear.largest_jump > 0);
+  return load.jump_when_periodic > 0 || (wear.wears() && wear.largest_jump > 0);
 }
 
 double least_computed_parts(const LoadOptions &load, const WearOptions &wear)
@@ -92,14 +103,10 @@ void declare_load(LoadOptions &load, Section &section)
       "are.");
   section.add("Cycles", load.cycles, count_codec(0, 1000000), "How many times the legs are passed through.")
       .may_change_on_resume();
-  const Codec<double> share = number_codec(NumberRange{0, 1, true, false});
+  for (const auto &rule : load.stops)
+    rule->declare(section);
   section
-      .add("Stop when periodic", load.stop_when_periodic, share,
-           "The run is complete as soon as a cycle ends as it began: nodal forces within this share of the "
-           "largest one, displacements within this share of the largest motion of the upper face; 0 = never.")
-      .may_change_on_resume();
-  section
-      .add("Jump when periodic", load.jump_when_periodic, share,
+      .add("Jump when periodic", load.jump_when_periodic, period_codec(),
            "When a cycle ends as it began, in the same measure, the next ones are not computed: accumulated "
            "slip and dissipated energy grow as in this one; 0 = never. The last cycle is always computed.")
       .may_change_on_resume();
@@ -121,42 +128,14 @@ void check_load(const LoadOptions &load, const WearOptions &wear)
         "Load program/Cycles = 0 and Load program/Preload is empty: allowed is at least one cycle or "
         "a preload");
   check_number_of_steps(load, wear);
-  if (load.stop_when_periodic > 0 && load.jump_when_periodic > 0)
-    throw InputError("Load program/Stop when periodic = " + to_text(load.stop_when_periodic) +
-                     " and Load program/Jump when periodic = " + to_text(load.jump_when_periodic) +
-                     ": allowed is one of them, the other 0 (a run that stops has nothing to jump)");
+  for (const auto &rule : load.stops)
+    rule->check(load, wear);
 }
-
-namespace
-{
-/// Forces may differ by a hundred times the residual that the solver leaves: W is that ill-conditioned.
-void warn_of_unresolved_period(const std::string &entry, const double bound, const double tolerance,
-                               std::vector<std::string> &warnings)
-{
-  constexpr double resolved = 100;
-  if (bound > 0 && bound < resolved * tolerance)
-    warnings.push_back("Load program/" + entry + " = " + to_text(bound) +
-                       " is less than a hundred times Contact solver/Tolerance = " + to_text(tolerance) +
-                       ": what the solver leaves may hide, or look like, a change from cycle to cycle");
-}
-
-/// Cycles that differ count as alike, so that what is jumped or left out has errors of about this size.
-void warn_of_loose_period(const std::string &entry, const double bound, std::vector<std::string> &warnings)
-{
-  constexpr double most = 1e-3, percent = 100;
-  if (bound > most)
-    warnings.push_back("Load program/" + entry + " = " + to_text(bound) +
-                       ": cycles count as alike whose forces differ by " + to_text(percent * bound) +
-                       " % of the largest; slip and dissipation of the later ones may be as wrong, "
-                       "1e-3 and less keeps them");
-}
-} // namespace
 
 void warn_of_periods(const LoadOptions &load, const double tolerance, std::vector<std::string> &warnings)
 {
-  warn_of_unresolved_period("Stop when periodic", load.stop_when_periodic, tolerance, warnings);
-  warn_of_unresolved_period("Jump when periodic", load.jump_when_periodic, tolerance, warnings);
-  warn_of_loose_period("Stop when periodic", load.stop_when_periodic, warnings);
-  warn_of_loose_period("Jump when periodic", load.jump_when_periodic, warnings);
+  for (const auto &rule : load.stops)
+    rule->warn(tolerance, warnings);
+  warn_of_period("Jump when periodic", load.jump_when_periodic, tolerance, warnings);
 }
 } // namespace orthocone

@@ -3,16 +3,39 @@
 #include <orthocone/base/errors.h>
 #include <orthocone/scene/options.h>
 
+#include "periods.h"
+
 namespace orthocone
 {
+namespace
+{
+class NoWear : public WearKindOptions
+{
+public:
+  std::unique_ptr<WearKindOptions> clone() const override { return std::make_unique<NoWear>(); }
+  bool wears() const override { return false; }
+  double volume(double, const Rubbing &) const override { return 0; }
+};
+} // namespace
+
+// Each in a file of its name.
+Kind<WearKindOptions> archard_wear();
+Kind<WearKindOptions> energy_wear();
+
+template<>
+std::vector<Kind<WearKindOptions>> &kinds_of<WearKindOptions>()
+{
+  static std::vector<Kind<WearKindOptions>> kinds{
+      {"none", "", [] { return std::make_unique<NoWear>(); }}, archard_wear(), energy_wear()};
+  return kinds;
+}
+
 void declare_wear(WearOptions &wear, Section &section)
 {
   const Codec<double> size = number_codec(NumberRange{0, 1e6, true, true});
-  const Condition wears = section.where<WearKind>("Law", wear.law, {WearKind::archard, WearKind::energy});
-  section.add_word(
-      "Law", wear.law,
-      "What wears the base of the body where it slips, a depth that is added to the gap. archard: "
-      "Coefficient x pressure x slip; energy: Coefficient x dissipated energy per area.");
+  const Condition wears{[&wear] { return wear.wears(); }, [&wear] { return wear.law_entry(); }};
+  wear.law.declare("Law", "What wears the base of the body where it slips, a depth that is added to the gap.",
+                   section);
   section
       .add("Coefficient", wear.coefficient, size,
            "Volume that is worn per work, mm^3/(N mm) = 1/MPa; above 0 where a Law wears.")
@@ -35,17 +58,11 @@ void declare_wear(WearOptions &wear, Section &section)
 
 void check_wear(const WearOptions &wear, const LoadOptions &load)
 {
-  if (wear.law == WearKind::none)
+  if (!wear.wears())
     return;
   if (wear.coefficient == 0)
-    throw InputError("Wear/Coefficient = 0 with Wear/Law = " + to_word(wear.law) +
+    throw InputError("Wear/Coefficient = 0 with " + wear.law_entry() +
                      ": allowed is a number > 0, in mm^3/(N mm) = 1/MPa, or Law = none");
-  for (const auto &[entry, value] : {std::pair("Stop when periodic", load.stop_when_periodic),
-                                     std::pair("Jump when periodic", load.jump_when_periodic)})
-    if (value > 0)
-      throw InputError(std::string("Load program/") + entry + " = " + to_text(value) +
-                       " with Wear/Law = " + to_word(wear.law) +
-                       ": allowed is 0, because no cycle of a surface that wears ends as "
-                       "it began (Wear/Largest depth of a jump jumps cycles)");
+  check_no_wear("Jump when periodic", load.jump_when_periodic, wear);
 }
 } // namespace orthocone

@@ -5,7 +5,7 @@
 // sections of other names, so that each of the option structs knows the name of its own section.
 #pragma once
 
-#include <orthocone/entries/entry.h>
+#include <orthocone/body/materials/material_law.h>
 
 namespace orthocone
 {
@@ -100,20 +100,6 @@ struct Words<VolumetricQuadrature>
        {VolumetricQuadrature::full, "full"},
        {VolumetricQuadrature::projected, "projected"},
        {VolumetricQuadrature::projected, "reduced"}}};
-};
-
-/// Law of elasticity of the body.
-enum class MaterialLaw
-{
-  isotropic,
-  orthotropic,
-};
-
-template<>
-struct Words<MaterialLaw>
-{
-  static constexpr std::array<std::pair<MaterialLaw, std::string_view>, 2> table{
-      {{MaterialLaw::isotropic, "isotropic"}, {MaterialLaw::orthotropic, "orthotropic"}}};
 };
 
 /// How the elastic body is solved: factorized and condensed to its contact nodes, or by multigrid.
@@ -211,19 +197,18 @@ struct MaterialOptions
 {
   double young_modulus = 210000; ///< MPa
   double poisson_ratio = 0.3;
-  MaterialLaw law = MaterialLaw::isotropic;
-  // For the orthotropic law:
-  std::array<double, 3> young_moduli{{210000, 210000, 210000}}; ///< E_x, E_y, E_z, MPa
-  std::array<double, 3> poisson_ratios{{0.3, 0.3, 0.3}};        ///< nu_xy, nu_xz, nu_yz
-  std::array<double, 3> shear_moduli{{80000, 80000, 80000}};    ///< G_xy, G_xz, G_yz, MPa
+  Choice<MaterialLaw> law{};
   std::vector<MaterialRegion> regions{};
   SectionName section = "Material";
 
-  bool is_orthotropic() const { return law == MaterialLaw::orthotropic; }
-  bool is_uniform_and_isotropic() const { return !is_orthotropic() && regions.empty(); }
+  bool is_isotropic() const { return !law.chosen().tangent(); }
+  bool is_uniform_and_isotropic() const { return is_isotropic() && regions.empty(); }
 
-  /// The constants themselves, or, for the orthotropic law, those of Reuss's average over all directions
-  /// (Hill, Proc. Phys. Soc. A 65 (1952) 349-354), which are the same where the nine constants are isotropic.
+  /// "Material/Law = orthotropic".
+  std::string law_entry() const { return section + "/Law = " + law.word(); }
+
+  /// The constants themselves, or, for any other law, those of its average over all directions, which are the
+  /// same where its constants are isotropic.
   MaterialOptions isotropic() const;
 
   std::string regions_text() const; ///< of the entry Regions

@@ -17,13 +17,45 @@ template<typename Options>
 struct Kind
 {
   std::string word;
-  std::string help; ///< a clause that follows the word
+  std::string help; ///< a clause that follows the word, or nothing
   std::function<std::unique_ptr<Options>()> make_options;
 };
 
 /// All kinds, to be defined for each type of options.
 template<typename Options>
 std::vector<Kind<Options>> &kinds_of();
+
+/// The options of all kinds, in the order of the kinds.
+template<typename Options>
+class Kinds
+{
+public:
+  Kinds()
+  {
+    for (const Kind<Options> &kind : kinds_of<Options>())
+      options_.push_back(kind.make_options());
+  }
+  Kinds(const Kinds &other)
+  {
+    for (const auto &options : other.options_)
+      options_.push_back(options->clone());
+  }
+  Kinds(Kinds &&other) noexcept = default;
+  Kinds &operator=(Kinds other) noexcept
+  {
+    std::swap(options_, other.options_);
+    return *this;
+  }
+  ~Kinds() = default;
+
+  auto begin() const { return options_.begin(); }
+  auto end() const { return options_.end(); }
+  const Options &operator[](const std::size_t i) const { return *options_[i]; }
+  Options &operator[](const std::size_t i) { return *options_[i]; }
+
+private:
+  std::vector<std::unique_ptr<Options>> options_;
+};
 
 /// The kind that is chosen, and the options of all kinds.
 template<typename Options>
@@ -34,23 +66,14 @@ public:
   Choice()
       : word_(kinds_of<Options>().front().word)
   {
-    for (const Kind<Options> &kind : kinds_of<Options>())
-      options_.push_back(kind.make_options());
   }
-  Choice(const Choice &other)
-      : word_(other.word_)
+
+  /// The kind of this word. Throws std::invalid_argument for a word that is none.
+  Choice(const char *const word)
+      : Choice()
   {
-    for (const auto &options : other.options_)
-      options_.push_back(options->clone());
+    choose(word);
   }
-  Choice(Choice &&other) noexcept = default;
-  Choice &operator=(Choice other) noexcept
-  {
-    std::swap(word_, other.word_);
-    std::swap(options_, other.options_);
-    return *this;
-  }
-  ~Choice() = default;
 
   /// The kind that has a member `word`. Throws std::invalid_argument for a word that is none.
   template<typename Named, typename = decltype(Named::word)>
@@ -73,6 +96,20 @@ public:
     word_ = word;
   }
 
+  /// Chooses the kind whose options are of this class, and returns them.
+  template<typename Derived>
+  Derived &choose()
+  {
+    const auto &kinds = kinds_of<Options>();
+    for (std::size_t i = 0; i < kinds.size(); ++i)
+      if (auto *const options = dynamic_cast<Derived *>(&options_[i]))
+      {
+        word_ = kinds[i].word;
+        return *options;
+      }
+    throw std::invalid_argument("there is no kind with these options");
+  }
+
   const std::string &word() const { return word_; }
   template<typename Named>
   bool operator==(const Named &named) const
@@ -85,12 +122,12 @@ public:
     return word_ != named.word;
   }
 
-  const Options &chosen() const { return *options_[index_of(word_)]; }
+  const Options &chosen() const { return options_[index_of(word_)]; }
 
   /// The options of a kind, chosen or not. Throws std::invalid_argument for a word that is none.
-  Options &of(const std::string &word) { return *options_[index_of(word)]; }
+  Options &of(const std::string &word) { return options_[index_of(word)]; }
 
-  /// Adds the word and the entries of all kinds; `help` stands before those of the kinds.
+  /// Adds the word and the entries of all kinds; `help` stands before that of those kinds that have any.
   void declare(const std::string &name, const std::string &help, Section &section)
   {
     Codec<std::string> codec{{}, {}, [](const std::string &word) { return word; }};
@@ -98,7 +135,8 @@ public:
     for (const Kind<Options> &kind : kinds_of<Options>())
     {
       codec.allowed += (codec.allowed.empty() ? "" : " | ") + kind.word;
-      all_help += (&kind == kinds_of<Options>().data() ? " " : "; ") + kind.word + ": " + kind.help;
+      if (!kind.help.empty())
+        all_help += (all_help.empty() ? "" : all_help == help ? " " : "; ") + kind.word + ": " + kind.help;
     }
     codec.parse = [](const std::string &text, std::string &)
     {
@@ -108,8 +146,8 @@ public:
       return is_one ? std::optional<std::string>(text) : std::nullopt;
     };
     section.add(name, word_, codec, all_help + ".");
-    for (std::size_t i = 0; i < options_.size(); ++i)
-      options_[i]->declare(section, is_chosen(i, section.name() + "/" + name));
+    for (std::size_t i = 0; i < kinds_of<Options>().size(); ++i)
+      options_[i].declare(section, is_chosen(i, section.name() + "/" + name));
   }
 
 private:
@@ -129,7 +167,7 @@ private:
   }
 
   std::string word_;
-  std::vector<std::unique_ptr<Options>> options_; ///< in the order of the kinds
+  Kinds<Options> options_;
 };
 
 template<typename Options>

@@ -12,17 +12,7 @@ namespace orthocone
 /// Areas of the contact nodes, mm^2.
 Eigen::VectorXd areas_of(const ContactSurface &surface);
 
-/// A node's slip along the obstacle in one solved step.
-struct Rubbing
-{
-  double normal_force = 0; ///< mean over the step, N; 0 counts for the time without contact
-  double slip = 0;         ///< length of its way, mm
-  double dissipated = 0;   ///< N mm
-};
-
-/// The depth that slip wears off the base of the body: in proportion to pressure times slip (Archard, J.
-/// Appl. Phys. 24, 1953, 981), or to dissipated energy per area (Fouvry et al., Wear 255, 2003, 287).
-/// docs/theory.md, section 3, "Wear".
+/// The depth that slip wears off the base of the body, by the law that is chosen.
 class WearLaw
 {
 public:

@@ -4,10 +4,12 @@
 
 #include <orthocone/results/solved_step.h>
 #include <orthocone/results/wear_jumps.h>
+#include <orthocone/scene/cycle_row.h>
 #include <orthocone/scene/load_program.h>
 #include <orthocone/scene/options.h>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace orthocone
@@ -24,29 +26,6 @@ double change_of_state(const ContactState &start, const ContactState &end, const
 /// Moves `state` over `n` cycles like the one from `start` to `state`: accumulated slip, dissipation and wear
 /// grow as in that cycle, the step number by `n_steps` a cycle. Nothing else changes.
 void jump(ContactState &state, const ContactState &start, unsigned int n, unsigned int n_steps);
-
-/// A row of cycles.csv: a completed cycle, or several that are jumped.
-struct CycleRow
-{
-  unsigned int cycle = 0;          ///< the last of the row, counted from 1
-  unsigned int n_cycles = 1;       ///< that the row stands for
-  unsigned int last_step = 0;      ///< number of the last step of `cycle`
-  double peak_force_z = 0;         ///< when the total force is largest, N
-  double force_z = 0;              ///< at the end, N
-  double max_slip = 0;             ///< largest in the cycle, mm
-  double max_accumulated_slip = 0; ///< at the end, since the start of the run, mm
-  double accumulated_slip = 0;     ///< largest of a node in the cycles of the row, mm
-  double dissipation = 0;          ///< in the cycles of the row, N mm
-  double total_dissipation = 0;    ///< at the end, since the start of the run, N mm
-  double work = 0;                 ///< of the upper face in the cycles of the row, N mm
-  double into_wear = 0;            ///< the part of it that leaves the body with worn material, N mm
-  double missing = 0;              ///< what the steps leave of the energy balance, N mm
-  double change = 0;               ///< change_of_state() of the (last computed) cycle
-  unsigned int iterations = 0;     ///< of the contact solver
-  double worn_volume = 0;          ///< at the end, mm^3
-  double max_wear_depth = 0;       ///< at the end, mm
-  double wear_error = 0;           ///< WearMemory::error at the end, mm^3
-};
 
 /// Steps that were jumped, both ends included.
 struct StepRange
@@ -94,21 +73,27 @@ public:
   std::optional<CycleRow> add_step(const LoadStep &step, const ContactState &before,
                                    const SolvedStep &solved);
 
-  /// Whether the run is to end here because its response is periodic.
-  bool is_to_stop() const;
+  /// Whether a StopRule ends the run here, and its sentence.
+  bool is_to_stop() const { return !why_to_stop_.empty(); }
+  const std::string &why_to_stop() const { return why_to_stop_; }
 
   /// How many cycles are to be jumped now. The last cycle of the program is always computed.
   unsigned int n_to_jump() const { return n_to_jump_; }
 
-  /// Jumps `n` cycles like the last one. The totals of the row are not set.
+  /// Jumps `n` cycles like the last one. The totals of the row are not set: end_jump() does that.
   CycleRow jump_cycles(ContactState &state, unsigned int n);
+  void end_jump(CycleRow &row, const Totals &totals);
 
   const CycleMemory &memory() const { return memory_; }
-  void restore(const CycleMemory &memory);
+
+  /// Goes on from the memory of a run that has come to `state`.
+  void restore(const CycleMemory &memory, const ContactState &state, const Totals &totals);
 
 private:
   void begin_cycle(const LoadStep &step, const ContactState &before, const Totals &totals);
   void complete(const ContactState &end, const Totals &totals);
+  void set_row(const ContactState &end, const Totals &totals);
+  void ask_rules(const CycleRow &row);
   unsigned int n_alike(const ContactState &end);
 
   const LoadOptions load_;
@@ -118,11 +103,11 @@ private:
   const Eigen::VectorXd shares_; ///< ModelSymmetry::force_shares()
   WearJumps wear_;
   unsigned int n_to_jump_ = 0;
+  std::string why_to_stop_;
   CycleMemory memory_;
 };
 
 /// Sentences for the log.
 std::string describe(const CycleRow &row, unsigned int n_cycles);
-std::string describe_stop(const CycleMemory &memory, double tolerance);
 std::string describe_jump(const CycleRow &row, const CycleMemory &memory, double tolerance);
 } // namespace orthocone

@@ -25,7 +25,7 @@ public:
   /// `areas` are the areas of the nodes in the whole body, mm^2, one for each node of the model.
   WearJumps(const WearOptions &options, Eigen::VectorXd areas);
 
-  bool are_wanted() const { return options_.law != WearKind::none && options_.largest_jump > 0; }
+  bool are_wanted() const { return options_.wears() && options_.largest_jump > 0; }
 
   /// To be called with the states at both ends of every computed cycle. Returns how many cycles like it may
   /// follow, at most `most`.

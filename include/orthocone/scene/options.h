@@ -9,7 +9,8 @@
 #include <orthocone/body/options.h>
 #include <orthocone/contact/law/friction_law.h>
 #include <orthocone/contact/solvers/contact_solver_options.h>
-#include <orthocone/entries/choice.h>
+#include <orthocone/scene/stop_rule.h>
+#include <orthocone/scene/wear_kind.h>
 
 #include <array>
 #include <cmath>
@@ -19,21 +20,6 @@
 
 namespace orthocone
 {
-/// The law by which slip wears the base of the body (docs/theory.md, section 3, "Wear").
-enum class WearKind
-{
-  none,
-  archard,
-  energy,
-};
-
-template<>
-struct Words<WearKind>
-{
-  static constexpr std::array<std::pair<WearKind, std::string_view>, 3> table{
-      {{WearKind::none, "none"}, {WearKind::archard, "archard"}, {WearKind::energy, "energy"}}};
-};
-
 /// How a step is solved that wears a node about as deep as pressure flattens it (docs/theory.md, section 3,
 /// "Wear").
 enum class DeepWear
@@ -187,10 +173,13 @@ struct ObstacleOptions
 /// The entries of section Wear.
 struct WearOptions
 {
-  WearKind law = WearKind::none;
+  Choice<WearKindOptions> law{};
   double coefficient = 0; ///< worn mm^3 per N mm of normal force times slip, or of friction work; 1/MPa
   DeepWear deep_steps = DeepWear::implicitly;
   double largest_jump = 0; ///< largest depth that cycles may wear off without being computed, mm; 0 = none
+
+  bool wears() const { return law.chosen().wears(); }
+  std::string law_entry() const { return "Wear/Law = " + law.word(); }
 };
 
 /// The target of a component of the held face in a leg: mm, degrees, N or N mm.
@@ -239,7 +228,7 @@ struct LoadOptions
   unsigned int cycles = 1;
   double accuracy =
       0; ///< wanted of `quantity_names` as far as load steps cause errors, percent; 0: steps as given
-  double stop_when_periodic = 0;  ///< bound of the change of state in a cycle; 0 = never
+  Kinds<StopRule> stops{};        ///< each of which may end the run before its last cycle
   double jump_when_periodic = 0;  ///< bound of the change of state in a cycle; 0 = never
   unsigned int jump_cycles = 100; ///< most cycles that are jumped before the next one is computed
 };

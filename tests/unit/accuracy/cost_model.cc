@@ -30,7 +30,7 @@ TEST(Estimate, HasTheSecondMatrixOfDeepSteps)
   Parameters parameters;
   const Body body(parameters, quarter);
   const double dry = CostModel(parameters, quarter).condensed(body).gigabytes;
-  parameters.wear.law = WearKind::archard;
+  parameters.wear.law = "archard";
   const double rows = 3 * model_size(parameters, quarter).contact_nodes;
   EXPECT_GE(CostModel(parameters, quarter).condensed(body).gigabytes - dry, 8e-9 * rows * rows);
   parameters.wear.deep_steps = DeepWear::explicitly;

@@ -2,9 +2,11 @@
 // Copyright (C) 2026 the orthocone authors
 //
 // Many cycles: when the response is periodic, and what jumping over cycles leaves.
+#include "folder_of_files.h"
 #include "results/scenes.h"
 
 #include <orthocone/results/cycles.h>
+#include <orthocone/scene/parameters.h>
 
 namespace orthocone::test
 {
@@ -171,7 +173,9 @@ TEST(Cycles, StopEndsTheRunAtTheFirstPeriodicCycle)
 {
   Parameters parameters = partly_unloaded(slip_ellipses[0], 40);
   const WatchedScene whole(parameters);
-  parameters.load.stop_when_periodic = 1e-4;
+  const Folder folder;
+  parameters.load.stops =
+      read_parameters(folder.write("a.prm", ""), {"Load program/Stop when periodic=1e-4"}).load.stops;
   const WatchedScene stopped(parameters);
   ASSERT_LT(stopped.rows.size(), whole.rows.size());
   for (std::size_t i = 0; i < stopped.rows.size(); ++i)

@@ -18,7 +18,7 @@ Parameters dragged_block()
   parameters.material.poisson_ratio = 0;
   parameters.friction.mu = {{0, 0}};
   parameters.contact_solver.tolerance = 1e-12;
-  parameters.wear = {WearKind::archard, 1e-6, DeepWear::implicitly, 0};
+  parameters.wear = {"archard", 1e-6, DeepWear::implicitly, 0};
   Leg press, drag;
   press.targets[2] = Drive{true, -4000};
   drag.targets[0] = Drive{false, 1};
@@ -33,7 +33,7 @@ Parameters dragged_block()
 Parameters worn_by_energy(const ObstacleKind obstacle)
 {
   Parameters parameters = small_scene();
-  parameters.wear = {WearKind::energy, 1e-7, DeepWear::implicitly, 0};
+  parameters.wear = {"energy", 1e-7, DeepWear::implicitly, 0};
   parameters.mesh.model = ModelKind::quarter;
   parameters.obstacle.kind = obstacle;
   parameters.obstacle.material = {420000, 0.2};
@@ -106,7 +106,7 @@ TEST(Wear, StiffCounterfacesWearTheBodyAsAPlaneDoes)
 TEST(Wear, PartsOfTheBodyWearLikeAllOfIt)
 {
   Parameters parameters = small_scene();
-  parameters.wear = {WearKind::archard, 1e-5, DeepWear::implicitly, 0};
+  parameters.wear = {"archard", 1e-5, DeepWear::implicitly, 0};
   parameters.load.legs = {move_to(0, 0, -0.1, 4), move_to(0, 0, -0.05, 3)};
   TestScene quarter(parameters);
   quarter.march();
@@ -128,7 +128,7 @@ TEST(WearJumps, ErrByLessThanTheyEstimate)
   double last_error = 1;
   for (const double largest : {0.2, 0.05, 0.0125})
   {
-    WearJumps jumps({WearKind::archard, 1, DeepWear::implicitly, largest}, Eigen::VectorXd::Constant(1, 2.));
+    WearJumps jumps({"archard", 1, DeepWear::implicitly, largest}, Eigen::VectorXd::Constant(1, 2.));
     ContactState state(1);
     unsigned int n_computed = 0;
     for (unsigned int cycle = 1; cycle <= n_cycles; ++cycle, ++n_computed)
@@ -156,7 +156,7 @@ TEST(WearJumps, ErrByLessThanTheyEstimate)
 // Where jumps make contact flicker, the rate changes without end: they get shorter until it does not.
 TEST(WearJumps, GetShorterWhereTheRateFlickers)
 {
-  WearJumps jumps({WearKind::archard, 1, DeepWear::implicitly, 1.}, Eigen::VectorXd::Ones(1));
+  WearJumps jumps({"archard", 1, DeepWear::implicitly, 1.}, Eigen::VectorXd::Ones(1));
   ContactState state(1);
   unsigned int longest = 0, last = 0;
   for (unsigned int cycle = 0; cycle < 40; ++cycle)
@@ -175,7 +175,7 @@ TEST(WearJumps, GetShorterWhereTheRateFlickers)
 
 TEST(WearJumps, AreNotMadeUnasked)
 {
-  WearJumps none({WearKind::archard, 1, DeepWear::implicitly, 0}, Eigen::VectorXd::Ones(1));
+  WearJumps none({"archard", 1, DeepWear::implicitly, 0}, Eigen::VectorXd::Ones(1));
   const ContactState start(1);
   ContactState end(1);
   end.wear_depth[0] = 1e-9;

@@ -3,6 +3,8 @@
 #include "rejection.h"
 #include "scene/parameter_files.h"
 
+#include <orthocone/body/materials/orthotropic_law.h>
+
 #include <gtest/gtest.h>
 
 #include <sstream>
@@ -31,8 +33,7 @@ TEST(GroupEntries, ReadBackWhatTheyWrite)
 TEST(MaterialChecks, WantAnOrthotropicMaterialToStoreEnergy)
 {
   Parameters parameters;
-  MaterialOptions &material = parameters.material;
-  material.law = MaterialLaw::orthotropic;
+  auto &material = parameters.material.law.choose<OrthotropicLaw>();
   const auto is_taken = [&] { return rejection_of([&] { check_parameters(parameters); }).empty(); };
   EXPECT_TRUE(is_taken());
   material.young_moduli = {{100, 1, 1}};
@@ -50,7 +51,7 @@ TEST(MaterialChecks, WantAnOrthotropicMaterialToStoreEnergy)
 TEST(MaterialChecks, NameWhatCannotGoTogether)
 {
   Parameters parameters;
-  parameters.material.law = MaterialLaw::orthotropic;
+  parameters.material.law = "orthotropic";
   parameters.mesh.backend = BodyBackend::multigrid;
   EXPECT_NE(rejection_of([&] { check_parameters(parameters); }).find("Material/Law = orthotropic with"),
             std::string::npos);

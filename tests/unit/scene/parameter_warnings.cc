@@ -3,6 +3,7 @@
 #include "entries/parsed.h"
 
 #include <orthocone/base/text.h>
+#include <orthocone/body/materials/orthotropic_law.h>
 #include <orthocone/contact/solvers/contact_method.h>
 #include <orthocone/scene/legs.h>
 #include <orthocone/scene/parameters.h>
@@ -104,11 +105,11 @@ TEST(Warnings, TakeOrthotropicMaterialsByTheirAverage)
   {
     return [=](Parameters &p)
     {
-      p.material.law = MaterialLaw::orthotropic;
-      p.material.young_moduli = {{70, 70, 70}};
-      p.material.poisson_ratios = {{poisson, poisson, poisson}};
+      auto &law = p.material.law.choose<OrthotropicLaw>();
+      law.young_moduli = {{70, 70, 70}};
+      law.poisson_ratios = {{poisson, poisson, poisson}};
       const double shear = 70 / (2 * (1 + poisson));
-      p.material.shear_moduli = {{shear, shear, shear}};
+      law.shear_moduli = {{shear, shear, shear}};
       p.mesh.volumetric_quadrature = VolumetricQuadrature::full;
     };
   };

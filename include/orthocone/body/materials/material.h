@@ -5,43 +5,26 @@
 #include <orthocone/body/materials/lame.h>
 #include <orthocone/surface/model_symmetry.h>
 
-#include <deal.II/base/symmetric_tensor.h>
-
 #include <optional>
 #include <string>
 
 namespace orthocone
 {
-using Strain = dealii::SymmetricTensor<2, 3>;
-using Stress = dealii::SymmetricTensor<2, 3>;         ///< MPa
-using ElasticTangent = dealii::SymmetricTensor<4, 3>; ///< MPa
-
-/// Orthotropic linear elasticity along x, y, z (MPa): the inverse of the compliance that the nine constants
-/// define (docs/theory.md, section 2, "Materials"). nu_xy is - strain along y / strain along x under a stress
-/// along x alone. Does not check that every strain stores energy.
-ElasticTangent orthotropic_tangent(const MaterialOptions &options);
-
-/// Linear elasticity at small strain, orthotropic or isotropic; the same in solids and sections. Nothing here
-/// throws.
+/// Linear elasticity at small strain by any law; the same in solids and sections. Nothing here throws.
 class Material
 {
 public:
   explicit Material(const MaterialOptions &options)
-      : lame_(options.isotropic())
+      : lame_(options.isotropic()),
+        anisotropic_(options.law.chosen().tangent()),
+        law_(options.law_entry())
   {
-    if (options.is_orthotropic())
-      orthotropic_ = orthotropic_tangent(options);
   }
 
-  bool is_isotropic() const { return !orthotropic_; }
+  bool is_isotropic() const { return !anisotropic_; }
 
-  /// Why the material does not have the symmetry of a model; empty if it has. Axes of an orthotropic material
-  /// are x, y and z. A file mirrors its regions.
-  std::string asymmetry(const ModelSymmetry &symmetry) const
-  {
-    return symmetry.is_axisymmetric() && !is_isotropic() ? "Material/Law = orthotropic has axes along x and y"
-                                                         : "";
-  }
+  /// Why the material does not have the symmetry of a model; empty if it has. A file mirrors its regions.
+  std::string asymmetry(const ModelSymmetry &symmetry) const;
 
   /// Stress (MPa) of a strain.
   Stress stress(const Strain &strain) const { return stress(strain, trace(strain)); }
@@ -50,27 +33,27 @@ public:
   Stress stress(const Strain &strain, const double volume_change) const
   {
     const auto one = dealii::unit_symmetric_tensor<3>();
-    if (orthotropic_)
-      return *orthotropic_ * strain + lame_.lambda * (volume_change - trace(strain)) * one;
+    if (anisotropic_)
+      return *anisotropic_ * strain + lame_.lambda * (volume_change - trace(strain)) * one;
     return lame_.lambda * volume_change * one + 2 * lame_.mu * strain;
   }
 
   /// Derivative of the stress with respect to the strain, MPa.
   ElasticTangent tangent() const
   {
-    return orthotropic_ ? *orthotropic_ : volumetric_tangent() + tangent_at_constant_volume();
+    return anisotropic_ ? *anisotropic_ : volumetric_tangent() + tangent_at_constant_volume();
   }
 
   /// The part of the tangent without the stress from the change of volume, MPa.
   ElasticTangent tangent_at_constant_volume() const
   {
-    return orthotropic_ ? *orthotropic_ - volumetric_tangent() : 2 * lame_.mu * dealii::identity_tensor<3>();
+    return anisotropic_ ? *anisotropic_ - volumetric_tangent() : 2 * lame_.mu * dealii::identity_tensor<3>();
   }
 
   double shear_modulus() const { return lame_.mu; } ///< MPa, for isotropic materials only
 
   /// What resists a change of volume by 1 and is no part of the tangent at constant volume, MPa: lambda, for
-  /// orthotropic materials that of the isotropic average. It is less than their bulk modulus 1/(1 : S : 1),
+  /// anisotropic materials that of the isotropic average. It is less than their bulk modulus 1/(1 : S : 1),
   /// so that every strain stores energy without this part, too.
   double volumetric_modulus() const { return lame_.lambda; }
 
@@ -82,6 +65,7 @@ private:
   }
 
   LameParameters lame_; ///< of the isotropic average
-  std::optional<ElasticTangent> orthotropic_;
+  std::optional<ElasticTangent> anisotropic_;
+  std::string law_; ///< "Material/Law = orthotropic"
 };
 } // namespace orthocone

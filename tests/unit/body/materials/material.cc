@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/body/materials/material.h>
 
+#include <orthocone/body/materials/orthotropic_law.h>
+
 #include <Eigen/Dense>
 
 #include <gtest/gtest.h>
@@ -43,22 +45,22 @@ TEST(Material, HasTheTangentOfItsStress)
 TEST(Material, HasAVolumetricPartWhateverItsLaw)
 {
   MaterialOptions options;
-  options.law = MaterialLaw::orthotropic;
+  auto &law = options.law.choose<OrthotropicLaw>();
   for (const double poisson : {-0.5, 0.3, 0.4999})
   {
     MaterialOptions isotropic;
     isotropic.poisson_ratio = poisson;
     const double shear = isotropic.young_modulus / (2 * (1 + poisson));
-    options.young_moduli.fill(isotropic.young_modulus);
-    options.poisson_ratios.fill(poisson);
-    options.shear_moduli.fill(shear);
+    law.young_moduli.fill(isotropic.young_modulus);
+    law.poisson_ratios.fill(poisson);
+    law.shear_moduli.fill(shear);
     const ElasticTangent expected = Material(isotropic).tangent_at_constant_volume();
     const ElasticTangent change = Material(options).tangent_at_constant_volume() - expected;
     EXPECT_LE(change.norm(), 1e-10 * expected.norm() / (0.5 - poisson));
   }
-  options.young_moduli = {{100, 50, 2000}};
-  options.poisson_ratios = {{0.3, 0.05, 0.01}};
-  options.shear_moduli = {{11, 1200, 13}};
+  law.young_moduli = {{100, 50, 2000}};
+  law.poisson_ratios = {{0.3, 0.05, 0.01}};
+  law.shear_moduli = {{11, 1200, 13}};
   const Material material(options);
   Eigen::Matrix3d normal;
   for (unsigned int i = 0; i < 3; ++i)
@@ -76,10 +78,10 @@ TEST(Material, HasAVolumetricPartWhateverItsLaw)
 TEST(Material, IsOrthotropic)
 {
   MaterialOptions options;
-  options.law = MaterialLaw::orthotropic;
-  options.young_moduli = {{100, 50, 20}};
-  options.poisson_ratios = {{0.3, 0.2, 0.4}};
-  options.shear_moduli = {{11, 12, 13}};
+  auto &law = options.law.choose<OrthotropicLaw>();
+  law.young_moduli = {{100, 50, 20}};
+  law.poisson_ratios = {{0.3, 0.2, 0.4}};
+  law.shear_moduli = {{11, 12, 13}};
   const Material material(options);
   Strain along_x;
   along_x[0][0] = 0.01;

@@ -7,6 +7,7 @@
 #include "folder_of_files.h"
 
 #include <orthocone/body/body.h>
+#include <orthocone/body/materials/orthotropic_law.h>
 
 #include <deal.II/grid/grid_tools.h>
 
@@ -96,10 +97,10 @@ TEST(ImportedMesh, IsAnOrthotropicBar)
   const Folder folder;
   const std::string file = folder.write("box.msh", distorted_box(0.2).text());
   MaterialOptions wood;
-  wood.law = MaterialLaw::orthotropic;
-  wood.young_moduli = {{14000, 900, 500}};
-  wood.poisson_ratios = {{0.4, 0.5, 0.6}};
-  wood.shear_moduli = {{800, 700, 60}};
+  auto &law = wood.law.choose<OrthotropicLaw>();
+  law.young_moduli = {{14000, 900, 500}};
+  law.poisson_ratios = {{0.4, 0.5, 0.6}};
+  law.shear_moduli = {{800, 700, 60}};
   constexpr double pressure = 2;
   for (const unsigned int degree : {1, 2})
     for (const auto &[node, moved] : pressed(file, pressure, wood, of_degree(degree)))
