@@ -130,11 +130,14 @@ void declare_mesh_choice(MeshOptions &mesh, Section &section)
                 "costs); "
                 "custom: the entries below. With another word than custom these stay at their defaults.")
       .also_called({"refinement"});
-  section.add(
-      "Accuracy", mesh.accuracy, percentage_codec(NumberRange{0.01, 50, true, true}),
-      "Largest wanted error of the largest slip, the total force, the dissipated energy and the stick area: "
-      "the program refines the mesh until it estimates to have reached it; Resolution and the entries below "
-      "then stay at their defaults. 0 = the mesh is given.");
+  section
+      .add("Accuracy", mesh.accuracy, percentage_codec(NumberRange{0.01, 50, true, true}),
+           "Largest wanted error of the largest slip, the total force, the dissipated energy and the stick "
+           "area: "
+           "the program refines the mesh until it estimates to have reached it; Resolution and the entries "
+           "below "
+           "then stay at their defaults. 0 = the mesh is given.")
+      .unit("%");
 }
 
 void declare_cells(MeshOptions &mesh, const GeometryOptions &geometry, Section &section)

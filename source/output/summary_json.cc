@@ -91,6 +91,17 @@ std::string entry_of(const Parameters &parameters, const std::string &name)
   return {};
 }
 
+/// Units of the entries that have one, which is what a page shows behind their numbers.
+OrderedJson units_json()
+{
+  OrderedJson json;
+  const DeclaredParameters declared;
+  for (const Entry &entry : declared.list.entries())
+    if (!entry.unit().empty())
+      json[entry.name()] = entry.unit();
+  return json;
+}
+
 /// Where friction varies, the numbers are those at the centre, and the expressions are beside them. A law
 /// that is no ellipse has no such numbers.
 OrderedJson friction_json(const Parameters &parameters)
@@ -214,6 +225,7 @@ std::string summary_json(const Summary &summary)
   for (const auto &[name, version] : versions())
     json["versions"][name] = version;
   json["processes"] = n_ranks();
+  json["units"] = units_json();
   json["threads"] = {{"number", summary.record.threads.number}, {"reason", summary.record.threads.reason}};
   json["seconds"] = seconds_json(summary.record);
   // Names of folders need not be UTF-8.

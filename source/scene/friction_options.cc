@@ -180,6 +180,7 @@ void declare_friction(FrictionOptions &friction, Section &section)
       .add("Orthotropy angle", angle_binding(friction),
            "Degrees from the x axis to the first axis of both ellipses; atan2(y,x)*180/pi: axes along radius "
            "and hoop.")
+      .unit("degrees")
       .also_called({"angle"});
 }
 } // namespace orthocone

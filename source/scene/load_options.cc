@@ -86,21 +86,27 @@ double least_computed_parts(const LoadOptions &load, const WearOptions &wear)
 
 void declare_load(LoadOptions &load, Section &section)
 {
-  section.add("Preload", load.preload, legs_codec(), "Legs passed through once, before the cycles.");
+  const std::string unit_of_legs = "(mm, degrees, N, N mm : steps)";
+  section.add("Preload", load.preload, legs_codec(), "Legs passed through once, before the cycles.")
+      .unit(unit_of_legs);
   section
       .add(
           "Legs", load.legs, legs_codec(),
           "Legs of a cycle: the upper face moves to (ux, uy, uz) in equal steps, from where it was. Named "
           "components, as in 'Fz -2e5 rz 0.5 : 10', are driven by a motion or by a force; the others keep "
           "what they have. ': 10 * 4' solves each of 10 steps in 4 parts, of which only the last is written.")
+      .unit(unit_of_legs)
       .also_called({"force", "normal force", "load", "displacement", "amplitude", "steps"});
-  section.add(
-      "Accuracy", load.accuracy, percentage_codec(NumberRange{0.01, 50, true, true}),
-      "Largest wanted error by the size of the load steps, of the quantities of Mesh/Accuracy and of the "
-      "work "
-      "of the upper face in the first cycle: the program divides the steps of each leg into as many parts as "
-      "it estimates to need. States are written at the steps of the legs. 0 = the legs are taken as they "
-      "are.");
+  section
+      .add(
+          "Accuracy", load.accuracy, percentage_codec(NumberRange{0.01, 50, true, true}),
+          "Largest wanted error by the size of the load steps, of the quantities of Mesh/Accuracy and of the "
+          "work "
+          "of the upper face in the first cycle: the program divides the steps of each leg into as many "
+          "parts as "
+          "it estimates to need. States are written at the steps of the legs. 0 = the legs are taken as they "
+          "are.")
+      .unit("%");
   section.add("Cycles", load.cycles, count_codec(0, 1000000), "How many times the legs are passed through.")
       .may_change_on_resume();
   for (const auto &rule : load.stops)

@@ -14,18 +14,20 @@ bool ObstacleOptions::is_plane() const
 void declare_obstacle(ObstacleOptions &obstacle, Section &section)
 {
   const Codec<Expression> gap = expression_codec(any_number);
-  section.add("Gap",
-              {gap.allowed,
-               [&obstacle, gap](const std::string &text, std::string &instead)
-               {
-                 const auto given = gap.parse(text, instead);
-                 if (given)
-                   obstacle.gap = given->text();
-                 return given.has_value();
-               },
-               [&obstacle] { return obstacle.gap; }},
-              "Gap between the base of the body and the obstacle in mm, before the body moves, such as "
-              "(x^2+y^2)/(2*1000), a sphere of radius 1000 mm.");
+  section
+      .add("Gap",
+           {gap.allowed,
+            [&obstacle, gap](const std::string &text, std::string &instead)
+            {
+              const auto given = gap.parse(text, instead);
+              if (given)
+                obstacle.gap = given->text();
+              return given.has_value();
+            },
+            [&obstacle] { return obstacle.gap; }},
+           "Gap between the base of the body and the obstacle in mm, before the body moves, such as "
+           "(x^2+y^2)/(2*1000), a sphere of radius 1000 mm.")
+      .unit("mm");
   section
       .add("Gap file", obstacle.gap_file, path_codec(),
            "A gap on a regular grid, which is added to Gap: a text file with the line 'x0 dx nx y0 dy ny', "
@@ -40,6 +42,7 @@ void declare_obstacle(ObstacleOptions &obstacle, Section &section)
   section
       .add("Young modulus", obstacle.material.young_modulus, number_codec(positive),
            "Young's modulus in MPa" + of_half_space)
+      .unit("MPa")
       .only_if(has_half_space);
   section
       .add("Poisson ratio", obstacle.material.poisson_ratio, number_codec(NumberRange{-1, 0.5}),

@@ -51,22 +51,25 @@ Codec<std::vector<Probe>> probes_codec()
 void declare_checks(CheckOptions &checks, Section &section)
 {
   const auto add = [&section](const char *const name, double &value, const std::string &help)
-  { section.add(name, value, number_codec(positive), help).may_change_on_resume(); };
+  { return &section.add(name, value, number_codec(positive), help).may_change_on_resume(); };
   const std::string times = " Bound in multiples of Contact solver/Tolerance.";
+  const std::string of_tolerance = "\u00d7 tolerance";
   add("Equilibrium", checks.equilibrium,
       "Every step is checked from its final state; one that exceeds a bound stops the run (exit code 3). "
       "Bound of the forces in the body that contact forces do not balance, relative to these, and of the "
       "difference between the displacements of body and contact surface.");
-  add("Penetration", checks.penetration,
-      "Largest negative gap relative to the largest displacement." + times);
+  add("Penetration", checks.penetration, "Largest negative gap relative to the largest displacement." + times)
+      ->unit(of_tolerance);
   add("Complementarity", checks.complementarity,
-      "Gap and normal force, each relative to its largest: the smaller of both must vanish." + times);
-  add("Friction cone", checks.friction_cone,
-      "Largest ||r_t||_m - r_n relative to the largest force." + times);
+      "Gap and normal force, each relative to its largest: the smaller of both must vanish." + times)
+      ->unit(of_tolerance);
+  add("Friction cone", checks.friction_cone, "Largest ||r_t||_m - r_n relative to the largest force." + times)
+      ->unit(of_tolerance);
   add("Slip rule", checks.slip_rule,
       "Change of slip that is not along the normal of the slip ellipse, or not on the cone, weighted with "
       "the normal force." +
-          times);
+          times)
+      ->unit(of_tolerance);
   add("Energy identity", checks.energy_identity,
       "Work of the upper face minus change of elastic energy minus work of the mean contact forces, and "
       "dissipation that these cannot do, relative to the largest energy or work of a step so far. It holds "
@@ -98,10 +101,12 @@ void declare_output(OutputOptions &output, Section &section)
   section
       .add("Checkpoint", output.checkpoint_seconds, number_codec(NumberRange{0, 1e9, true, true}),
            "Least seconds between two checkpoints, from which --resume goes on; 0 = one after every step.")
+      .unit("s")
       .may_change_on_resume();
   section
       .add("Probes", output.probes, probes_codec(),
            "Points of the contact surface whose history is written; the nearest contact node is taken.")
+      .unit("(mm)")
       .may_grow_on_resume();
 }
 } // namespace orthocone

@@ -39,6 +39,7 @@ void declare_wear(WearOptions &wear, Section &section)
   section
       .add("Coefficient", wear.coefficient, size,
            "Volume that is worn per work, mm^3/(N mm) = 1/MPa; above 0 where a Law wears.")
+      .unit("MPa\u207b\u00b9")
       .only_if(wears);
   section
       .add_word(
@@ -53,6 +54,7 @@ void declare_wear(WearOptions &wear, Section &section)
            "Cycles are jumped, each as the last one, as long as no node loses more than this depth in mm; "
            "fewer where the depth of a cycle changes by more than a tenth from jump to jump. 0 = all cycles "
            "are computed.")
+      .unit("mm")
       .only_if(wears);
 }
 

@@ -56,7 +56,7 @@ def check_object(found, wanted, place=""):
 
 def summary(found):
     check_object(found, SUMMARY)
-    for name, kind in (("seconds", NUMBER), ("versions", WORD)):
+    for name, kind in (("seconds", NUMBER), ("versions", WORD), ("units", WORD)):
         values = found.get(name, {})
         if not isinstance(values, dict) or not all(value is not None and is_of(kind, value) for value in values.values()):
             raise ValueError(f"{name} has something that is not {kind}")

@@ -12,7 +12,6 @@ import worn
 from markup import element, escape, table
 from payload import payload_of, run_names
 from run_folder import text_of
-from units import unit_of
 
 HERE = pathlib.Path(__file__).resolve().parent
 SCRIPTS = ("numbers.js", "elements.js", "scales.js", "charts.js", "reading.js", "save.js", "maps.js", "lines.js",
@@ -112,17 +111,20 @@ def model(data):
     return element("div", figures, "figures") + element("p", escape(words), "hint")
 
 
-def entry_table(section, entries):
+def entry_table(section, entries, units):
     rows = ""
     for entry, value in entries.items():
-        unit = unit_of(section, entry, value)
+        unit = units.get(f"{section}/{entry}", "")
+        if not re.search(r"\d", value) or value.endswith(unit):  # a word, nothing, or a unit that is there
+            unit = ""
         cell = escape(value) + (" " + element("span", escape(unit), "unit") if unit else "")
         rows += element("tr", element("th", escape(entry), more=' scope="row"') + element("td", cell))
     return element("table", element("tbody", rows), "entries")
 
 
 def parameters(data):
-    groups = "".join(element("div", element("h3", escape(section)) + entry_table(section, entries), "group")
+    units = data.summary.get("units", {})
+    groups = "".join(element("div", element("h3", escape(section)) + entry_table(section, entries, units), "group")
                      for section, entries in data.parameters.items() if data.has_lower or not section.startswith("Lower "))
     given = next((data.path / name for name in ("input.prm", "input.json") if (data.path / name).is_file()), None)
     details = ""

@@ -66,6 +66,12 @@ public:
     may_grow_ = true;
     return *this;
   }
+  /// The unit of its numbers, for those who show them; without one they are pure numbers.
+  Entry &unit(std::string text)
+  {
+    unit_ = std::move(text);
+    return *this;
+  }
   /// Words in lower case that other programs and papers have for it.
   Entry &also_called(const std::initializer_list<std::string_view> words)
   {
@@ -78,6 +84,7 @@ public:
   std::string own_name() const { return name_.substr(name_.find('/') + 1); }
   const std::string &help() const { return help_; } ///< ends with the allowed values
   std::string text() const { return binding_.print(); }
+  const std::string &unit() const { return unit_; }
   bool is_path() const { return path_ != nullptr; }
   bool may_change() const { return may_change_; }
   bool may_grow() const { return may_grow_; }
@@ -94,6 +101,7 @@ private:
   std::string name_;
   Binding binding_;
   std::string help_;
+  std::string unit_{};
   std::vector<Condition> conditions_;
   std::vector<std::string> synonyms_;
   std::string *path_ = nullptr;

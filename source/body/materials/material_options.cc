@@ -99,6 +99,7 @@ std::string MaterialOptions::regions_text() const
 void declare_material(MaterialOptions &material, Section &section)
 {
   section.add("Young modulus", material.young_modulus, number_codec(positive), "Young's modulus in MPa.")
+      .unit("MPa")
       .also_called({"e", "young", "modulus", "elastic modulus"});
   section.add("Poisson ratio", material.poisson_ratio, number_codec(NumberRange{-1, 0.5}), "Poisson's ratio.")
       .also_called({"nu"});

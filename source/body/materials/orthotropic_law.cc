@@ -21,10 +21,10 @@ Kind<MaterialLaw> orthotropic_law()
 void OrthotropicLaw::declare(Section &section, const Condition &)
 {
   const Codec<std::array<double, 3>> moduli = three_numbers_codec(positive);
-  section.add("Young moduli", young_moduli, moduli, "E_x, E_y, E_z in MPa.");
+  section.add("Young moduli", young_moduli, moduli, "E_x, E_y, E_z in MPa.").unit("MPa");
   section.add("Poisson ratios", poisson_ratios, three_numbers_codec(any_number),
               "nu_xy, nu_xz, nu_yz: under stress along x alone nu_xy = -strain along y / strain along x.");
-  section.add("Shear moduli", shear_moduli, moduli, "G_xy, G_xz, G_yz in MPa.");
+  section.add("Shear moduli", shear_moduli, moduli, "G_xy, G_xz, G_yz in MPa.").unit("MPa");
 }
 
 std::optional<ElasticTangent> OrthotropicLaw::tangent() const

@@ -130,6 +130,7 @@ public:
     section
         .add("Sizes", geometry.sizes, three_numbers_codec(positive),
              "l_x, l_y, l_z: lengths of a box along the axes in mm.")
+        .unit("mm")
         .only_if(section.where<BodyShape>("Shape", geometry.shape, {BodyShape::box}));
   }
 

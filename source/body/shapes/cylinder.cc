@@ -172,9 +172,11 @@ public:
   {
     const Condition is_chosen = section.where<BodyShape>("Shape", geometry.shape, {BodyShape::cylinder});
     section.add("Radius", geometry.radius, number_codec(positive), "Radius of a cylinder in mm.")
+        .unit("mm")
         .only_if(is_chosen)
         .also_called({"r", "diameter", "d"});
     section.add("Height", geometry.height, number_codec(positive), "Height of a cylinder in mm.")
+        .unit("mm")
         .only_if(is_chosen)
         .also_called({"length", "thickness"});
   }

@@ -8,6 +8,8 @@
 
 #include <gtest/gtest.h>
 
+#include <regex>
+
 #include <map>
 #include <sstream>
 
@@ -133,5 +135,22 @@ TEST(Parameters, AreWrittenWithTheirHelpInLinesOf78Characters)
   std::istringstream lines(text);
   for (std::string line; std::getline(lines, line);)
     EXPECT_TRUE(line.empty() || line[2] != '#' || line.size() <= 78) << line;
+}
+
+// What shows numbers to people asks the entry for their unit.
+TEST(Parameters, EntriesThatSayAUnitHaveIt)
+{
+  const DeclaredParameters declared;
+  const std::regex says_a_unit("[^x] (in mm|in MPa|1/MPa)[ .;]|^Degrees|Least seconds|%\\. ");
+  unsigned int n = 0;
+  for (const Entry &entry : declared.list.entries())
+    if (std::regex_search(entry.help(), says_a_unit))
+    {
+      ++n;
+      EXPECT_NE(entry.unit(), "") << entry.name() << ": " << entry.help();
+    }
+  EXPECT_GE(n, 15u);
+  EXPECT_EQ(declared.list.find("Lower material/Young modulus")->unit(), "MPa");
+  EXPECT_EQ(declared.list.find("Mesh/Degree")->unit(), "");
 }
 } // namespace orthocone::test
