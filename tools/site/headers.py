@@ -4,7 +4,7 @@
 such marks become code."""
 import re
 
-# Those that `cmake --install` installs.
+# Those of the components `contact` and `body` that `cmake --install` installs.
 LIBRARIES = {
     "contact": ("Contact", "Laws and solvers of contact. They know a body by its compliance only."),
     "surface": ("Surface", "Contact nodes, their axes and compliance, and rigid motions."),

@@ -9,8 +9,8 @@ import headers
 
 INDEX = """C++ interface
 =============
-These are the headers that ``cmake --install`` installs. All names are in the namespace ``orthocone``. Lengths are in mm,
-forces in N. :doc:`../examples/library` is a project that uses them.
+These are headers that ``cmake --install`` installs, those of its components ``contact`` and ``body``. All names are in the
+namespace ``orthocone``. Lengths are in mm, forces in N. :doc:`../examples/library` is a project that uses them.
 
 .. toctree::
 
@@ -31,8 +31,9 @@ def place(element):
 
 
 def members(namespace):
-    """(place, directive) of functions, enumerations, types and variables. Their arguments distinguish overloaded ones."""
-    found = namespace.findall("sectiondef/memberdef")
+    """(place, directive) of functions, enumerations, types and variables. Their arguments distinguish overloaded ones.
+    A function for certain types is described where the template is."""
+    found = [member for member in namespace.findall("sectiondef/memberdef") if not re.search(r"\w< ", member.findtext("name"))]
     count = collections.Counter(member.findtext("name") for member in found)
     for member in found:
         name = member.findtext("name")

@@ -78,13 +78,13 @@ TEST(MaterialLaw, StoresEnergy)
 
 TEST(MaterialLaw, IsSymmetricAboutItsAxesAlone)
 {
-  const ModelSymmetry quarter(SymmetryPlanes{true, true}), half(SymmetryPlanes{false, true}), full;
+  const ModelSymmetry of_four(SymmetryPlanes{true, true}), of_two(SymmetryPlanes{false, true}), of_one;
   for (const double angle : {0., M_PI / 2})
-    for (const ModelSymmetry &symmetry : {quarter, half, full})
+    for (const ModelSymmetry &symmetry : {of_four, of_two, of_one})
       EXPECT_EQ(asymmetry_of_fibres(angle, symmetry), "");
-  EXPECT_EQ(asymmetry_of_fibres(0.3, quarter), "Material/Law = fibres has other axes than x, y and z");
-  EXPECT_NE(asymmetry_of_fibres(0.3, half), "");
-  EXPECT_EQ(asymmetry_of_fibres(0.3, full), "");
+  EXPECT_EQ(asymmetry_of_fibres(0.3, of_four), "Material/Law = fibres has other axes than x, y and z");
+  EXPECT_NE(asymmetry_of_fibres(0.3, of_two), "");
+  EXPECT_EQ(asymmetry_of_fibres(0.3, of_one), "");
   EXPECT_EQ(asymmetry_of_fibres(0, ModelSymmetry::of_revolution()),
             "Material/Law = fibres has axes along x and y");
 }
