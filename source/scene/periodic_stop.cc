@@ -52,28 +52,6 @@ public:
 private:
   double bound_ = 0; ///< of the change of state in a cycle; 0 = never
 };
-
-/// Forces may differ by a hundred times the residual that the solver leaves: W is that ill-conditioned.
-void warn_of_unresolved_period(const std::string &entry, const double bound, const double tolerance,
-                               std::vector<std::string> &warnings)
-{
-  constexpr double resolved = 100;
-  if (bound > 0 && bound < resolved * tolerance)
-    warnings.push_back("Load program/" + entry + " = " + to_text(bound) +
-                       " is less than a hundred times Contact solver/Tolerance = " + to_text(tolerance) +
-                       ": what the solver leaves may hide, or look like, a change from cycle to cycle");
-}
-
-/// Cycles that differ count as alike, so that what is jumped or left out has errors of about this size.
-void warn_of_loose_period(const std::string &entry, const double bound, std::vector<std::string> &warnings)
-{
-  constexpr double most = 1e-3, percent = 100;
-  if (bound > most)
-    warnings.push_back("Load program/" + entry + " = " + to_text(bound) +
-                       ": cycles count as alike whose forces differ by " + to_text(percent * bound) +
-                       " % of the largest; slip and dissipation of the later ones may be as wrong, "
-                       "1e-3 and less keeps them");
-}
 } // namespace
 
 Kind<StopRule> periodic_stop()
@@ -97,7 +75,17 @@ void check_no_wear(const std::string &entry, const double bound, const WearOptio
 void warn_of_period(const std::string &entry, const double bound, const double tolerance,
                     std::vector<std::string> &warnings)
 {
-  warn_of_unresolved_period(entry, bound, tolerance, warnings);
-  warn_of_loose_period(entry, bound, warnings);
+  // Forces may differ by a hundred times the residual that the solver leaves: W is that ill-conditioned.
+  constexpr double resolved = 100, loose = 1e-3, percent = 100;
+  if (bound > 0 && bound < resolved * tolerance)
+    warnings.push_back("Load program/" + entry + " = " + to_text(bound) +
+                       " is less than a hundred times Contact solver/Tolerance = " + to_text(tolerance) +
+                       ": what the solver leaves may hide, or look like, a change from cycle to cycle");
+  // Cycles that differ count as alike, so that what is jumped or left out has errors of about this size.
+  if (bound > loose)
+    warnings.push_back("Load program/" + entry + " = " + to_text(bound) +
+                       ": cycles count as alike whose forces differ by " + to_text(percent * bound) +
+                       " % of the largest; slip and dissipation of the later ones may be as wrong, "
+                       "1e-3 and less keeps them");
 }
 } // namespace orthocone
