@@ -87,14 +87,15 @@ class OutsideTest(unittest.TestCase):
         ellipse = ("Friction/Law=ellipses", "Friction/Coefficients=0.2, 0.15", "Friction/Slip potential=collinear")
         own = self.forces("superellipse", "two", "Friction/Exponent=2")
         self.assert_same(own, self.forces("superellipse", "ellipse", *ellipse), 1e-8)
-        self.assertGreater(np.abs(own - self.forces("superellipse", "five")).max(), 0.01 * np.abs(own).max())
+        five = self.forces("superellipse", "five")
+        self.assertGreater(np.abs(own - five)[:, 0].max(), 0.01 * np.abs(own)[:, 0].max())
 
     def test_superellipse_holds_at_every_probe(self):
         """Forces are in the cone, and on it where a node slips, against its slip."""
         self.table("superellipse", "law")
         n_slipping = n_stuck = 0
         for probe in "ABCDEF":
-            rows = self.rows("law", f"probe_{probe}.csv")
+            rows = self.rows("law", f"probe-{probe}.csv")
             at = {name: np.array([float(row[name]) for row in rows]) for name in rows[0] if name != "status"}
             force, slip = (np.stack((at[f"{name}_x"], at[f"{name}_y"])) for name in ("force", "slip"))
             load = (np.abs(force / [[0.2], [0.15]])**5).sum(axis=0)**0.2
