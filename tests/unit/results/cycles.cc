@@ -2,7 +2,6 @@
 // Copyright (C) 2026 the orthocone authors
 //
 // Many cycles: when the response is periodic, and what jumping over cycles leaves.
-#include "folder_of_files.h"
 #include "results/scenes.h"
 
 #include <orthocone/results/cycles.h>
@@ -173,10 +172,9 @@ TEST(Cycles, StopEndsTheRunAtTheFirstPeriodicCycle)
 {
   Parameters parameters = partly_unloaded(slip_ellipses[0], 40);
   const WatchedScene whole(parameters);
-  const Folder folder;
-  parameters.load.stops =
-      read_parameters(folder.write("a.prm", ""), {"Load program/Stop when periodic=1e-4"}).load.stops;
-  const WatchedScene stopped(parameters);
+  DeclaredParameters declared(parameters);
+  assign_entry("Load program/Stop when periodic=1e-4", declared.list);
+  const WatchedScene stopped(declared.parameters);
   ASSERT_LT(stopped.rows.size(), whole.rows.size());
   for (std::size_t i = 0; i < stopped.rows.size(); ++i)
     EXPECT_EQ(whole.rows[i].change <= 1e-4, i + 1 == stopped.rows.size()) << "cycle " << i + 1;
