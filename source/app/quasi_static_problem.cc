@@ -22,7 +22,7 @@
 
 namespace orthocone
 {
-QuasiStaticProblem::QuasiStaticProblem(ChosenModel chosen, const ModelChoice &choice, const RunFolder &folder,
+QuasiStaticProblem::QuasiStaticProblem(ChosenModel chosen, const ModelChoice &choice, RunFolder &folder,
                                        Log &log, ThreadChooser &threads)
     : parameters_(chosen.parameters),
       folder_(folder),

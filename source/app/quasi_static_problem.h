@@ -21,7 +21,7 @@ class QuasiStaticProblem : private MarchObserver
 public:
   /// Builds, factorizes and condenses the body, unless `chosen` has it already; writes only the log. Throws
   /// InputError or FileError. `folder`, `log` and `threads` must outlive the problem.
-  QuasiStaticProblem(ChosenModel chosen, const ModelChoice &choice, const RunFolder &folder, Log &log,
+  QuasiStaticProblem(ChosenModel chosen, const ModelChoice &choice, RunFolder &folder, Log &log,
                      ThreadChooser &threads);
 
   /// Solves all steps and writes the run folder, from the start or from a checkpoint on. The files of solved
@@ -50,7 +50,7 @@ private:
   void finish_if_possible(const Ending &outcome);
 
   const Parameters parameters_;
-  const RunFolder &folder_;
+  RunFolder &folder_;
   Log &log_;
   const LoadSteps steps_;
   Stopwatch total_;

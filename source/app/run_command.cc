@@ -84,7 +84,7 @@ fs::path run_folder_of(const CommandLine &line)
 }
 
 /// Writes the parameters into the run folder: as the user wrote them, and complete. Throws FileError.
-void keep_parameters(const RunFolder &folder, Assignment &task, const Parameters &parameters)
+void keep_parameters(RunFolder &folder, Assignment &task, const Parameters &parameters)
 {
   const std::string path = path_of(task.line);
   if (const auto earlier =
@@ -95,7 +95,7 @@ void keep_parameters(const RunFolder &folder, Assignment &task, const Parameters
 }
 
 /// The same for a run that goes on, perhaps with more cycles, probes or fields than it began with.
-void update_parameters(const RunFolder &folder, const Assignment &task, const Parameters &parameters)
+void update_parameters(RunFolder &folder, const Assignment &task, const Parameters &parameters)
 {
   const std::string text = complete_text(parameters);
   if (folder.has(input_name(task.line)) && folder.has("parameters.prm") &&
@@ -174,7 +174,7 @@ void go_on(Assignment &task, const Checkpoint &checkpoint)
 }
 
 /// Chooses the mesh, prepares the folder, and solves the steps. Throws what the libraries throw.
-Ending solve(Assignment &task, const RunFolder &folder)
+Ending solve(Assignment &task, RunFolder &folder)
 {
   const Parameters &given = task.file.parameters;
   folder.require_own(probe_files(given.output.probes));
@@ -211,7 +211,7 @@ Ending solve(Assignment &task, const RunFolder &folder)
 
 /// Writes the summary of a run that could not reach its first step. A summary of steps before an interruption
 /// keeps all but its status.
-void keep_failure(const RunFolder &folder, const Assignment &task, const std::string &message)
+void keep_failure(RunFolder &folder, const Assignment &task, const std::string &message)
 {
   const bool has_summary = folder.has("summary.json");
   if (has_summary && task.line.resume)
@@ -239,7 +239,7 @@ int run(const CommandLine &line, const ParameterFile &file)
 {
   Assignment task{line, file, resolve(line, file.parameters), ThreadChooser(line)};
   require_model_of(task);
-  const RunFolder folder(is_first_rank() ? std::optional(run_folder_of(line)) : std::nullopt);
+  RunFolder folder(is_first_rank() ? std::optional(run_folder_of(line)) : std::nullopt);
   Ending outcome;
   bool is_thrown = true;
   try

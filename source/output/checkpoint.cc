@@ -129,7 +129,7 @@ Parameters chosen_by(const Checkpoint &checkpoint, const Parameters &given)
   return chosen;
 }
 
-void write_checkpoint(const RunFolder &folder, const Checkpoint &checkpoint)
+void write_checkpoint(RunFolder &folder, const Checkpoint &checkpoint)
 {
   folder.write_durably(file_name, encode(checkpoint));
 }

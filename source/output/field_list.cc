@@ -12,7 +12,7 @@
 
 namespace orthocone
 {
-FieldList::FieldList(const RunFolder &folder, const std::string &name)
+FieldList::FieldList(RunFolder &folder, const std::string &name)
     : folder_(folder),
       name_(name)
 {

@@ -32,19 +32,19 @@ unsigned int nearest_node(const ContactSurface &surface, const Vector2d &positio
 }
 } // namespace
 
-History::History(const RunFolder &folder)
+History::History(RunFolder &folder)
     : folder_(folder)
 {
 }
 
-void History::start() const
+void History::start()
 {
   folder_.append("history.csv", header_line(history_columns()));
   folder_.append("checks.csv", header_line(checks_columns()));
   folder_.append("timing.csv", header_line(timing_columns()));
 }
 
-void History::write(const SolvedStep &step) const
+void History::write(const SolvedStep &step)
 {
   folder_.append("history.csv", row_line(history_columns(), step));
   folder_.append("checks.csv", row_line(checks_columns(), step));
@@ -64,7 +64,7 @@ std::vector<std::string> probe_files(const std::vector<Probe> &probes)
   return names;
 }
 
-ProbeHistories::ProbeHistories(const RunFolder &folder, const std::vector<Probe> &probes,
+ProbeHistories::ProbeHistories(RunFolder &folder, const std::vector<Probe> &probes,
                                const ContactFieldEvaluator &evaluator)
     : folder_(folder),
       evaluator_(evaluator)
@@ -78,14 +78,14 @@ ProbeHistories::ProbeHistories(const RunFolder &folder, const std::vector<Probe>
   }
 }
 
-void ProbeHistories::start(const TableMarks &there) const
+void ProbeHistories::start(const TableMarks &there)
 {
   for (const Place &place : places_)
     if (there.count(place.file) == 0)
       folder_.append(place.file, header_line(probe_columns()));
 }
 
-void ProbeHistories::write(const ContactState &state) const
+void ProbeHistories::write(const ContactState &state)
 {
   for (const Place &place : places_)
   {
@@ -94,12 +94,12 @@ void ProbeHistories::write(const ContactState &state) const
   }
 }
 
-void CycleTable::start() const
+void CycleTable::start()
 {
   folder_.append("cycles.csv", header_line(cycle_columns()));
 }
 
-void CycleTable::write(const CycleRow &row) const
+void CycleTable::write(const CycleRow &row)
 {
   folder_.append("cycles.csv", row_line(cycle_columns(), row));
 }

@@ -33,7 +33,7 @@ std::string bar(const unsigned int n_done, const unsigned int n_all)
 }
 } // namespace
 
-Log::Log(const RunFolder &folder, const bool is_quiet)
+Log::Log(RunFolder &folder, const bool is_quiet)
     : folder_(folder),
       is_quiet_(is_quiet),
       is_terminal_(isatty(STDOUT_FILENO) == 1 &&
@@ -49,7 +49,7 @@ void Log::line(const std::string &text)
     std::cout << text << std::endl;
 }
 
-void Log::note(const std::string &text) const
+void Log::note(const std::string &text)
 {
   folder_.append("log.txt", text + "\n");
 }

@@ -56,7 +56,7 @@ void RunFolder::lock()
   lock_ = result.descriptor;
 }
 
-void RunFolder::remove_fields_after(const unsigned int step) const
+void RunFolder::remove_fields_after(const unsigned int step)
 {
   if (is_nowhere())
     return;
@@ -86,7 +86,7 @@ fs::path RunFolder::place_of(const std::string &name) const
 }
 
 /// Writes the new content beside the file; nothing is left if this fails.
-fs::path RunFolder::write_part(const std::string &name, const std::string &content, const bool durably) const
+fs::path RunFolder::write_part(const std::string &name, const std::string &content, const bool durably)
 {
   require_listed(name);
   require_same_folder();
@@ -109,7 +109,7 @@ fs::path RunFolder::write_part(const std::string &name, const std::string &conte
   }
 }
 
-void RunFolder::replace(const std::string &name, const std::string &content, const bool durably) const
+void RunFolder::replace(const std::string &name, const std::string &content, const bool durably)
 {
   const fs::path part = write_part(name, content, durably);
   try
@@ -124,7 +124,7 @@ void RunFolder::replace(const std::string &name, const std::string &content, con
   }
 }
 
-void RunFolder::write(const std::string &name, const std::string &content) const
+void RunFolder::write(const std::string &name, const std::string &content)
 {
   if (is_nowhere())
     return;
@@ -132,7 +132,7 @@ void RunFolder::write(const std::string &name, const std::string &content) const
   not_on_disk_.insert(name);
 }
 
-void RunFolder::write_durably(const std::string &name, const std::string &content) const
+void RunFolder::write_durably(const std::string &name, const std::string &content)
 {
   if (is_nowhere())
     return;
@@ -146,7 +146,7 @@ void RunFolder::write_durably(const std::string &name, const std::string &conten
   posix::synchronize(path_);
 }
 
-fs::path RunFolder::place_for(const std::string &name) const
+fs::path RunFolder::place_for(const std::string &name)
 {
   require_listed(name);
   require_same_folder();
@@ -154,7 +154,7 @@ fs::path RunFolder::place_for(const std::string &name) const
   return place_of(name);
 }
 
-void RunFolder::append(const std::string &name, const std::string &content) const
+void RunFolder::append(const std::string &name, const std::string &content)
 {
   if (is_nowhere())
     return;
@@ -191,7 +191,7 @@ bool RunFolder::ends_with(const std::string &name, const std::string &end) const
   return posix::tail(place_of(name), end.size()) == end;
 }
 
-void RunFolder::remove(const std::string &name) const
+void RunFolder::remove(const std::string &name)
 {
   if (is_nowhere())
     return;
@@ -221,8 +221,13 @@ TableMarks RunFolder::tables() const
 
 void RunFolder::require_tables(const TableMarks &marks) const
 {
-  if (is_nowhere())
-    return;
+  if (!is_nowhere())
+    marked_tables(marks);
+}
+
+std::map<std::string, RunFolder::Growing> RunFolder::marked_tables(const TableMarks &marks) const
+{
+  std::map<std::string, Growing> tables;
   for (const auto &[name, mark] : marks)
   {
     if (!is_table(name))
@@ -237,15 +242,17 @@ void RunFolder::require_tables(const TableMarks &marks) const
       fail(path_ / name, "cannot be continued", "it is shorter than when the checkpoint was written");
     if (crc.checksum() != mark.checksum)
       fail(path_ / name, "cannot be continued", "it was changed since the checkpoint was written");
-    growing_[name] = {mark.size, crc};
+    tables[name] = {mark.size, crc};
   }
+  return tables;
 }
 
-void RunFolder::cut_tables(const TableMarks &marks) const
+void RunFolder::cut_tables(const TableMarks &marks)
 {
   if (is_nowhere())
     return;
-  require_tables(marks);
+  for (const auto &[name, table] : marked_tables(marks))
+    growing_[name] = table;
   for (const std::string &name : own_tables())
     if (const auto kept = marks.find(name); kept == marks.end())
     {

@@ -125,7 +125,7 @@ std::vector<std::string> RunFolder::marked_lines() const
   return lines;
 }
 
-void RunFolder::mark(const std::string &parameter_file, const std::vector<std::string> &probes) const
+void RunFolder::mark(const std::string &parameter_file, const std::vector<std::string> &probes)
 {
   if (is_nowhere())
     return;
@@ -189,7 +189,7 @@ void RunFolder::require_own(const std::vector<std::string> &probes) const
 
 std::optional<std::string> RunFolder::start_anew(const std::string &parameters,
                                                  const std::string &parameter_file,
-                                                 const std::vector<std::string> &probes) const
+                                                 const std::vector<std::string> &probes)
 {
   if (is_nowhere())
     return std::nullopt;

@@ -8,7 +8,7 @@
 
 namespace orthocone
 {
-RunOutput::RunOutput(const RunFolder &folder, const OutputOptions &options, const Scene &scene,
+RunOutput::RunOutput(RunFolder &folder, const OutputOptions &options, const Scene &scene,
                      const ContactFieldEvaluator &evaluator)
     : folder_(folder),
       options_(options),
@@ -24,7 +24,7 @@ RunOutput::RunOutput(const RunFolder &folder, const OutputOptions &options, cons
 {
 }
 
-void RunOutput::start() const
+void RunOutput::start()
 {
   history_.start();
   probes_.start({});
@@ -56,7 +56,7 @@ void RunOutput::write(const SolvedStep &step)
     write_step_problem(step, problem_file(step.state.step));
 }
 
-void RunOutput::write_unsolved(const LoadStep &step, const ContactStep &problem) const
+void RunOutput::write_unsolved(const LoadStep &step, const ContactStep &problem)
 {
   if (options_.problem_interval != 0)
     write_unsolved_problem(step, problem, problem_file(step.number));

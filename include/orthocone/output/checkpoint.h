@@ -56,7 +56,7 @@ Parameters chosen_by(const Checkpoint &checkpoint, const Parameters &given);
 
 /// Replaces the run folder's checkpoint. All other files of the run are brought to the disk before. Throws
 /// FileError.
-void write_checkpoint(const RunFolder &folder, const Checkpoint &checkpoint);
+void write_checkpoint(RunFolder &folder, const Checkpoint &checkpoint);
 
 /// Throws FileError if the folder has results of a run with other parameters (with its mesh chosen): without
 /// a checkpoint a run starts anew, and a resumed run must not remove what it does not compute again.

@@ -34,7 +34,7 @@ void require_fields(const RunFolder &folder, const std::string &kind, const std:
 class FieldList
 {
 public:
-  FieldList(const RunFolder &folder, const std::string &name);
+  FieldList(RunFolder &folder, const std::string &name);
 
   /// Lists the files of these steps and no others; without steps there is no .pvd file.
   void set(const std::vector<unsigned int> &steps);
@@ -60,7 +60,7 @@ private:
   void write_file(unsigned int step, const std::string &file, const std::string &content);
   void write_list();
 
-  const RunFolder &folder_;
+  RunFolder &folder_;
   std::string name_;
   std::vector<std::pair<double, std::string>> files_;
   bool is_up_to_date_ = true;

@@ -16,14 +16,14 @@ namespace orthocone
 class History
 {
 public:
-  explicit History(const RunFolder &folder);
+  explicit History(RunFolder &folder);
 
   /// Starts the tables with the names of their columns.
-  void start() const;
-  void write(const SolvedStep &step) const;
+  void start();
+  void write(const SolvedStep &step);
 
 private:
-  const RunFolder &folder_;
+  RunFolder &folder_;
 };
 
 /// File names of the tables of these probes.
@@ -33,12 +33,11 @@ std::vector<std::string> probe_files(const std::vector<Probe> &probes);
 class ProbeHistories
 {
 public:
-  ProbeHistories(const RunFolder &folder, const std::vector<Probe> &probes,
-                 const ContactFieldEvaluator &evaluator);
+  ProbeHistories(RunFolder &folder, const std::vector<Probe> &probes, const ContactFieldEvaluator &evaluator);
 
   /// Starts the tables that are not in `there`.
-  void start(const TableMarks &there) const;
-  void write(const ContactState &state) const;
+  void start(const TableMarks &there);
+  void write(const ContactState &state);
 
 private:
   struct Place
@@ -48,7 +47,7 @@ private:
     Eigen::Matrix2d map; ///< from the model to the image
   };
 
-  const RunFolder &folder_;
+  RunFolder &folder_;
   const ContactFieldEvaluator &evaluator_;
   std::vector<Place> places_;
 };
@@ -57,15 +56,15 @@ private:
 class CycleTable
 {
 public:
-  explicit CycleTable(const RunFolder &folder)
+  explicit CycleTable(RunFolder &folder)
       : folder_(folder)
   {
   }
 
-  void start() const;
-  void write(const CycleRow &row) const;
+  void start();
+  void write(const CycleRow &row);
 
 private:
-  const RunFolder &folder_;
+  RunFolder &folder_;
 };
 } // namespace orthocone

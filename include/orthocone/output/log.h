@@ -16,13 +16,13 @@ class Log
 {
 public:
   /// `folder` must outlive the log. A quiet log writes to log.txt only.
-  Log(const RunFolder &folder, bool is_quiet);
+  Log(RunFolder &folder, bool is_quiet);
 
   /// A line for the screen and for log.txt.
   void line(const std::string &text);
 
   /// A line for log.txt alone.
-  void note(const std::string &text) const;
+  void note(const std::string &text);
 
   /// Starts the clock of elapsed and remaining time. The first `n_done` of `steps` are solved already.
   void start_steps(unsigned int n_done, const LoadSteps &steps);
@@ -34,7 +34,7 @@ public:
   void finish_progress();
 
 private:
-  const RunFolder &folder_;
+  RunFolder &folder_;
   bool is_quiet_;
   bool is_terminal_;
   bool is_in_place_ = false;

@@ -56,25 +56,25 @@ public:
   /// parameters.prm, which distinguishes the run from others. `parameter_file` and `probes` are stored, too.
   /// Returns the parameter file of the earlier run, if it was another one.
   std::optional<std::string> start_anew(const std::string &parameters, const std::string &parameter_file,
-                                        const std::vector<std::string> &probes) const;
+                                        const std::vector<std::string> &probes);
 
   /// Stores which tables of probes belong to the run; others belong to the user.
-  void mark(const std::string &parameter_file, const std::vector<std::string> &probes) const;
+  void mark(const std::string &parameter_file, const std::vector<std::string> &probes);
 
   /// Removes the field files of steps after `step`.
-  void remove_fields_after(unsigned int step) const;
+  void remove_fields_after(unsigned int step);
 
   /// Writes a file, which appears under its name only when it is complete.
-  void write(const std::string &name, const std::string &content) const;
+  void write(const std::string &name, const std::string &content);
 
   /// The same. When this returns, the file is on the disk, and so are all that were written before.
-  void write_durably(const std::string &name, const std::string &content) const;
+  void write_durably(const std::string &name, const std::string &content);
 
   /// The path for a file that a library writes by itself, as NAME.part and then under its name.
-  std::filesystem::path place_for(const std::string &name) const;
+  std::filesystem::path place_for(const std::string &name);
 
   /// Appends in one piece. Throws FileError if the file is not as this run has left it.
-  void append(const std::string &name, const std::string &content) const;
+  void append(const std::string &name, const std::string &content);
 
   /// Content of a file. Throws FileError if it cannot be read, is no ordinary file or larger than those of a
   /// run.
@@ -86,7 +86,7 @@ public:
 
   /// Whether the file exists and ends with these bytes.
   bool ends_with(const std::string &name, const std::string &end) const;
-  void remove(const std::string &name) const;
+  void remove(const std::string &name);
 
   /// Marks of the CSV files that this run has written or continued.
   TableMarks tables() const;
@@ -95,7 +95,7 @@ public:
   void require_tables(const TableMarks &marks) const;
 
   /// Cuts the CSV files back to these marks, which must fit them, and removes the others.
-  void cut_tables(const TableMarks &marks) const;
+  void cut_tables(const TableMarks &marks);
 
   /// The folder, or a file in it, as messages show it.
   std::string path(const std::string &name = "") const;
@@ -112,16 +112,18 @@ private:
   std::filesystem::path place_of(const std::string &name) const;
   void require_same_folder() const;
   bool is_of_a_run() const;
+  /// The marked content of the tables. Throws as require_tables().
+  std::map<std::string, Growing> marked_tables(const TableMarks &marks) const;
   std::vector<std::string> marked_lines() const;
   std::vector<std::string> own_tables() const;
   std::vector<std::string> files() const;
-  std::filesystem::path write_part(const std::string &name, const std::string &content, bool durably) const;
-  void replace(const std::string &name, const std::string &content, bool durably) const;
+  std::filesystem::path write_part(const std::string &name, const std::string &content, bool durably);
+  void replace(const std::string &name, const std::string &content, bool durably);
 
   std::filesystem::path path_;
-  int lock_ = -1;                                  ///< descriptor of the folder itself
-  posix::Identity identity_{};                     ///< of the folder when the run began
-  mutable std::set<std::string> not_on_disk_;      ///< files written since the last write_durably()
-  mutable std::map<std::string, Growing> growing_; ///< files that append() has written
+  int lock_ = -1;                          ///< descriptor of the folder itself
+  posix::Identity identity_{};             ///< of the folder when the run began
+  std::set<std::string> not_on_disk_;      ///< files written since the last write_durably()
+  std::map<std::string, Growing> growing_; ///< files that append() has written
 };
 } // namespace orthocone

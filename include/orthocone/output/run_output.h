@@ -15,21 +15,21 @@ class RunOutput
 {
 public:
   /// All arguments but `options` must outlive the output.
-  RunOutput(const RunFolder &folder, const OutputOptions &options, const Scene &scene,
+  RunOutput(RunFolder &folder, const OutputOptions &options, const Scene &scene,
             const ContactFieldEvaluator &evaluator);
 
   /// Starts the tables.
-  void start() const;
+  void start();
 
   /// Takes the files back to their content after `step`, with these tables and fields. Probes that are new
   /// since then get tables that begin here. The files must be those that find_checkpoint() has checked.
   void return_to(unsigned int step, const TableMarks &tables, const FieldSteps &fields);
 
   void write(const SolvedStep &step);
-  void write(const CycleRow &row) const { cycles_.write(row); }
+  void write(const CycleRow &row) { cycles_.write(row); }
 
   /// Writes the problem of StepSolver::unsolved(), whatever the interval of problems, unless this is 0.
-  void write_unsolved(const LoadStep &step, const ContactStep &problem) const;
+  void write_unsolved(const LoadStep &step, const ContactStep &problem);
 
   /// Writes the fields that are due after the last step of a run that ends before its program does.
   void end_with(const ContactState &state);
@@ -47,14 +47,14 @@ private:
   void write_lower(const ContactState &state);
   void write_fields(const ContactState &state, const Eigen::VectorXd &volume);
 
-  const RunFolder &folder_;
+  RunFolder &folder_;
   const OutputOptions options_;
   unsigned int last_step_; ///< of the program, or of the run if it ended earlier
   const Scene &scene_;
   const ContactFieldEvaluator &evaluator_;
-  const History history_;
-  const ProbeHistories probes_;
-  const CycleTable cycles_;
+  History history_;
+  ProbeHistories probes_;
+  CycleTable cycles_;
   FieldList contact_;
   FieldList volume_;
   FieldList lower_; ///< the steps of volume_, if there is such a body

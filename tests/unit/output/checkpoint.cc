@@ -12,7 +12,7 @@ namespace orthocone::test
 TEST(Checkpoint, IsFoundByTheSameParametersOnly)
 {
   const ScratchFolder scratch;
-  const RunFolder folder(scratch.path);
+  RunFolder folder(scratch.path);
   const Parameters parameters = small_scene();
   EXPECT_FALSE(find_checkpoint(folder, parameters, "x.prm"));
   folder.append("history.csv", "one\n");
@@ -46,7 +46,7 @@ TEST(Checkpoint, IsFoundByTheSameParametersOnly)
 TEST(Checkpoint, HasNoCyclesAddedThatASearchHasNotSeen)
 {
   const ScratchFolder scratch;
-  const RunFolder folder(scratch.path);
+  RunFolder folder(scratch.path);
   Parameters parameters = small_scene();
   parameters.load.preload = {move_to(0, 0, -0.1, 2)};
   parameters.load.cycles = 0;
@@ -77,7 +77,7 @@ TEST(Checkpoint, GivesBackThePartsThatWereChosen)
 TEST(Checkpoint, WithoutOneTheFolderMustHaveNothingToLose)
 {
   const ScratchFolder scratch;
-  const RunFolder folder(scratch.path);
+  RunFolder folder(scratch.path);
   std::ostringstream text;
   write_parameters(small_scene(), text);
   folder.write("parameters.prm", text.str());

@@ -21,16 +21,16 @@ TEST(RunFolder, BelongsToOneRunAtATime)
 {
   const ScratchFolder scratch;
   {
-    const RunFolder first(scratch.path);
+    RunFolder first(scratch.path);
     EXPECT_THROW(RunFolder second(scratch.path), FileError);
   }
-  const RunFolder third(scratch.path);
+  RunFolder third(scratch.path);
 }
 
 TEST(RunFolder, TablesAreCutBackOrLeftAlone)
 {
   const ScratchFolder scratch;
-  const RunFolder folder(scratch.path);
+  RunFolder folder(scratch.path);
   folder.append("history.csv", "one\n");
   folder.append("probe-P.csv", "one\n");
   const auto marks = folder.tables();
@@ -51,7 +51,7 @@ TEST(RunFolder, TablesAreCutBackOrLeftAlone)
 TEST(RunFolder, FilesAreReadInPieces)
 {
   const ScratchFolder scratch;
-  const RunFolder folder(scratch.path);
+  RunFolder folder(scratch.path);
   std::string text;
   for (unsigned int line = 0; line < 30000; ++line)
     text += std::to_string(line) + "\n";
@@ -104,7 +104,7 @@ TEST(RunFolder, NamesNothingOutsideOfIt)
   put(run / "probe-x/a", "mine");
   put(run / "probe-P.csv", "of the run");
   {
-    const RunFolder folder(run);
+    RunFolder folder(run);
     folder.start_anew("parameters", "b.prm", {});
     EXPECT_FALSE(folder.has("probe-P.csv"));
     EXPECT_TRUE(fs::exists(thesis));
@@ -114,7 +114,7 @@ TEST(RunFolder, NamesNothingOutsideOfIt)
     EXPECT_THROW(folder.require_tables({{"parameters.prm", {}}}), FileError) << "is no table";
   }
   fs::create_directory_symlink(scratch.path / "home", run / "checkpoint");
-  const RunFolder folder(run);
+  RunFolder folder(run);
   EXPECT_THROW(folder.start_anew("parameters", "b.prm", {}), FileError);
   EXPECT_THROW(folder.write_durably("checkpoint/state", "new"), FileError);
   EXPECT_THROW(folder.remove("checkpoint/state"), FileError);
@@ -128,7 +128,7 @@ TEST(RunFolder, CutsAndReadsNoLinks)
   put(thesis, "mine");
   fs::create_directories(scratch.path / "run");
   fs::create_symlink(thesis, scratch.path / "run/history.csv");
-  const RunFolder folder(scratch.path / "run");
+  RunFolder folder(scratch.path / "run");
   EXPECT_THROW(folder.cut_tables({{"history.csv", {}}}), FileError); // a mark of 0 bytes fits any file
   EXPECT_THROW(folder.append("history.csv", "row\n"), FileError);
   EXPECT_THROW(folder.read("history.csv"), FileError);
@@ -144,7 +144,7 @@ TEST(RunFolder, ReadsAndWritesOrdinaryFilesOnly)
     ASSERT_EQ(::mkfifo((scratch.path / name).c_str(), 0600), 0);
   put(scratch.path / "summary.json", "");
   fs::resize_file(scratch.path / "summary.json", 10000000000);
-  const RunFolder folder(scratch.path);
+  RunFolder folder(scratch.path);
   for (const char *const name : {"orthocone-run.txt", "history.csv", "checkpoint/state", "summary.json"})
     EXPECT_THROW(folder.read(name), FileError) << name;
   EXPECT_THROW(folder.ends_with("history.csv", "\n"), FileError);
@@ -164,7 +164,7 @@ TEST(RunFolder, IsNoFolderOfTheSystem)
 TEST(RunFolder, WritesOnlyWhatIsListed)
 {
   const ScratchFolder scratch;
-  const RunFolder folder(scratch.path);
+  RunFolder folder(scratch.path);
   EXPECT_THROW(folder.write("notes.txt", ""), std::logic_error);
   EXPECT_THROW(folder.append("wear.csv", ""), std::logic_error);
   EXPECT_FALSE(folder.has("notes.txt"));
