@@ -3,18 +3,11 @@
 #include <orthocone/entries/text_file.h>
 
 #include <orthocone/base/errors.h>
+#include <orthocone/base/input_file.h>
 #include <orthocone/base/text.h>
 
-#include <fcntl.h>
-#include <poll.h>
-#include <sys/stat.h>
-#include <unistd.h>
-
 #include <algorithm>
-#include <array>
-#include <cerrno>
 #include <cstring>
-#include <utility>
 
 namespace orthocone
 {
@@ -39,80 +32,18 @@ std::string with_plain_line_ends(const std::string &content)
   return text;
 }
 
-/// An open file of any kind. Opening does not wait: with a pipe it would wait for a writer that may never
-/// come.
-class InputFile
+std::string content_of(const std::string &path, const std::string &name, const TextFileKind &kind)
 {
-public:
-  /// `name` is the file's name in messages.
-  InputFile(const std::string &path, std::string name)
-      : name_(std::move(name)),
-        descriptor_(::open(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY | O_CLOEXEC))
-  {
-    struct stat status
-    {
-    };
-    if (descriptor_ < 0 || ::fstat(descriptor_, &status) != 0)
-      fail();
-    is_pipe_ = S_ISFIFO(status.st_mode);
-    is_folder_ = S_ISDIR(status.st_mode);
-  }
-  ~InputFile() { ::close(descriptor_); }
-  InputFile(const InputFile &) = delete;
-  InputFile &operator=(const InputFile &) = delete;
-
-  std::string read(const TextFileKind &kind)
-  {
-    constexpr std::size_t megabyte = 1000000;
-    if (is_folder_)
-      throw FileError(name_ + ": is a folder; " + kind.name + " is wanted");
-    std::string content;
-    std::array<char, 65536> piece{};
-    while (const std::size_t n = read_piece(piece, content.empty()))
-    {
-      content.append(piece.data(), n);
-      if (content.size() > kind.most_megabytes * megabyte)
-        throw InputError(name_ + ": is larger than " + std::to_string(kind.most_megabytes) + " MB; " +
-                         kind.name + " is wanted");
-    }
-    return content;
-  }
-
-private:
-  [[noreturn]] void fail() const
-  {
-    const int cause = errno;
-    if (descriptor_ >= 0)
-      ::close(descriptor_);
-    throw FileError(name_ + ": cannot be read (" + std::strerror(cause) + ")");
-  }
-
-  /// Waits for bytes and returns their number; 0 at the end.
-  std::size_t read_piece(std::array<char, 65536> &piece, const bool is_first)
-  {
-    constexpr int patience = 50, pause = 100; // times, ms
-    for (int n_empty = 0;;)
-    {
-      const ssize_t n = ::read(descriptor_, piece.data(), piece.size());
-      if (n > 0)
-        return static_cast<std::size_t>(n);
-      if (n == 0 && (!is_pipe_ || !is_first))
-        return 0;
-      if (n < 0 && errno != EAGAIN && errno != EINTR)
-        throw FileError(name_ + ": cannot be read (" + std::strerror(errno) + ")");
-      if (n == 0 && ++n_empty == patience)
-        throw FileError(name_ + ": is a pipe, and nobody has written into it for five seconds");
-      // A pipe with a writer gives EAGAIN, and may take any time.
-      pollfd poll_for{descriptor_, POLLIN, 0};
-      n == 0 ? ::poll(nullptr, 0, pause) : ::poll(&poll_for, 1, -1);
-    }
-  }
-
-  std::string name_;
-  int descriptor_;
-  bool is_pipe_ = false;
-  bool is_folder_ = false;
-};
+  constexpr std::size_t megabyte = 1000000;
+  InputFile file(path, name);
+  if (file.is_folder())
+    throw FileError(name + ": is a folder; " + kind.name + " is wanted");
+  std::string content = file.read(kind.most_megabytes * megabyte + 1);
+  if (content.size() > kind.most_megabytes * megabyte)
+    throw InputError(name + ": is larger than " + std::to_string(kind.most_megabytes) + " MB; " + kind.name +
+                     " is wanted");
+  return content;
+}
 
 bool is_text(const std::string &content)
 {
@@ -125,7 +56,7 @@ std::string read_text_file(const std::string &file_name, const std::string &aske
                            const TextFileKind &kind)
 {
   const std::string name = asked_from + shown_path(file_name);
-  const std::string content = InputFile(file_name, name).read(kind);
+  const std::string content = content_of(file_name, name, kind);
   const std::string text = with_plain_lines(content);
   if (trimmed(text).empty())
     throw InputError(name + ": is empty; " + kind.if_empty);

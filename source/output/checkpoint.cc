@@ -4,8 +4,7 @@
 
 #include <orthocone/base/errors.h>
 #include <orthocone/base/text.h>
-#include <orthocone/body/shapes/gmsh_file.h>
-#include <orthocone/scene/gap_file.h>
+#include <orthocone/entries/text_file.h>
 #include <orthocone/scene/parameters.h>
 
 #include <boost/crc.hpp>
@@ -21,14 +20,14 @@ namespace
 {
 constexpr const char *file_name = "checkpoint/state";
 
-/// Entries and paths of the meshes that a run reads.
-std::vector<std::pair<std::string, std::string>> mesh_files(const Parameters &parameters)
+/// Entries and paths of the files that a run reads besides its parameters.
+std::vector<std::pair<std::string, std::string>> input_files(const Parameters &parameters)
 {
   std::vector<std::pair<std::string, std::string>> files;
-  if (parameters.geometry.is_from_file())
-    files.emplace_back("Geometry/Mesh file", parameters.geometry.mesh_file);
-  if (parameters.obstacle.kind == ObstacleKind::body && parameters.lower.geometry.is_from_file())
-    files.emplace_back("Lower geometry/Mesh file", parameters.lower.geometry.mesh_file);
+  const DeclaredParameters declared(parameters);
+  for (const Entry &entry : declared.list.entries())
+    if (entry.is_path() && !entry.text().empty() && entry.why_ignored().empty())
+      files.emplace_back(entry.name(), entry.text());
   return files;
 }
 
@@ -36,12 +35,8 @@ std::vector<std::pair<std::string, std::string>> mesh_files(const Parameters &pa
 std::string other_files(const Parameters &parameters)
 {
   std::string text;
-  const auto add = [&](const std::string &entry, const std::string &path, const std::string &what)
-  { text += (text.empty() ? "" : ", or ") + entry + " = " + shown_path(path) + ": has " + what; };
-  if (!parameters.obstacle.gap_file.empty())
-    add("Obstacle/Gap file", parameters.obstacle.gap_file, "other gaps");
-  for (const auto &[entry, path] : mesh_files(parameters))
-    add(entry, path, "another mesh");
+  for (const auto &[entry, path] : input_files(parameters))
+    text += (text.empty() ? "" : ", or ") + entry + " = " + shown_path(path) + ": has another content";
   return text;
 }
 
@@ -103,18 +98,13 @@ void require_nothing_to_lose(const RunFolder &folder, const Parameters &paramete
 
 std::uint32_t input_files_checksum(const Parameters &parameters)
 {
+  constexpr TextFileKind kind{"a text file", 4000, "it had content"};
   boost::crc_32_type crc;
-  for (const auto &[entry, path] : mesh_files(parameters))
+  for (const auto &[entry, path] : input_files(parameters))
   {
-    const std::string mesh = read_gmsh_file(path).text;
-    crc.process_bytes(mesh.data(), mesh.size());
+    const std::string text = with_plain_lines(read_text_file(path, "", kind));
+    crc.process_bytes(text.data(), text.size());
   }
-  if (parameters.obstacle.gap_file.empty())
-    return crc.checksum();
-  const GapGrid grid = read_gap_file(parameters.obstacle.gap_file);
-  for (const double number : {grid.first_x, grid.spacing_x, grid.first_y, grid.spacing_y})
-    crc.process_bytes(&number, sizeof number);
-  crc.process_bytes(grid.gap.data(), grid.gap.size() * sizeof(double));
   return crc.checksum();
 }
 

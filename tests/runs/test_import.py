@@ -131,7 +131,7 @@ class ImportTest(program.RunTest):
         mesh.write_text(text.replace("\n10 0 10\n", "\n10 0 10.5\n"), encoding="ascii")
         result = self.run_program("run", "--resume", settings=settings)
         self.assertEqual(result.returncode, WRONG_INPUT)
-        self.assertRegex(result.stderr, r"Geometry/Mesh file = \S+own\.msh: has another mesh than when the run in ")
+        self.assertRegex(result.stderr, r"Geometry/Mesh file = \S+own\.msh: has another content than when the run in ")
 
 
 if __name__ == "__main__":

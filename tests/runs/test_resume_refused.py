@@ -48,7 +48,7 @@ class RefusalTest(ResumeTest):
         gaps.write_text("-20 40 2 -20 40 2\n0 0\n0 0.001\n")
         result = self.run_program("gap", "--resume", settings=settings)
         self.assertEqual(result.returncode, WRONG_INPUT)
-        self.assertRegex(result.stderr, r"^orthocone: .*: Obstacle/Gap file = .*gap\.txt: has other gaps than when the run in "
+        self.assertRegex(result.stderr, r"^orthocone: .*: Obstacle/Gap file = .*gap\.txt: has another content than when the run in "
                                         r".*gap was started; allowed for --resume are the same \(or start anew.*\)\n$")
 
     def test_damaged_checkpoint(self):

@@ -38,10 +38,9 @@ struct CheckpointError : std::runtime_error
 };
 
 /// Version of the bytes; another one is refused.
-constexpr unsigned int checkpoint_format = 13;
+constexpr unsigned int checkpoint_format = 14;
 
-/// Checksum of the gaps and of the mesh in the files that the parameters name; 0 if they name none. Throws as
-/// read_gap_file() and read_gmsh_file() do.
+/// Checksum of the files that entries name and that count; 0 if there is none. Throws as read_text_file().
 std::uint32_t input_files_checksum(const Parameters &parameters);
 
 /// The bytes of a checkpoint: a line with format version, length and checksum, then CBOR.
