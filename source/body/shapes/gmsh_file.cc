@@ -197,8 +197,8 @@ GmshFile collect_gmsh_file(const std::string &file_name)
                               500, "a mesh is wanted"};
   GmshFile file;
   file.path = shown_path(file_name);
-  file.text = with_plain_lines(read_text_file(file_name, "", kind));
-  const Sections sections = sections_of(file.path, file.text);
+  const std::string text = with_plain_lines(read_text_file(file_name, "", kind));
+  const Sections sections = sections_of(file.path, text);
   const bool in_blocks = is_in_blocks(file.path, sections);
   read_names(sections, file);
   const NodeNumbers nodes = read_nodes(sections, in_blocks, file);

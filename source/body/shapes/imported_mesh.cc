@@ -80,7 +80,7 @@ ImportedMesh::ImportedMesh(const GeometryOptions &geometry)
       triangulation_(dealii::Triangulation<3>::limit_level_difference_at_vertices)
 {
   faces_of_group_ = make_imported_cells(file_, triangulation_);
-  file_ = GmshFile{file_.path, "", file_.groups, {}, {}, {}, {}};
+  file_ = GmshFile{file_.path, file_.groups, {}, {}, {}, {}};
   const auto &vertices = triangulation_.get_vertices();
   lowest_ = highest_ = vertices[0];
   for (const Point<3> &vertex : vertices)

@@ -32,7 +32,6 @@ struct GmshFile
   };
 
   std::string path;                         ///< as messages show it
-  std::string text;                         ///< with '\n' at the end of lines
   std::vector<PhysicalGroup> groups;        ///< of surfaces and volumes, in the order of their numbers
   std::vector<std::array<double, 3>> nodes; ///< in the order of the file
   std::vector<Element<8>> hexahedra;
