@@ -13,8 +13,6 @@
 
 namespace orthocone
 {
-using Nodes = std::vector<Eigen::Index>;
-
 namespace
 {
 using Eigen::Index;
@@ -24,8 +22,8 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 /// The conditions of changes that are due to one force, and to nothing else. `nodes` take no other forces.
-ContactConditions conditions_of_force(ContactConditions conditions, const Nodes &nodes, const Index node,
-                                      const Vector3d &force)
+ContactConditions conditions_of_force(ContactConditions conditions, const std::vector<Index> &nodes,
+                                      const Index node, const Vector3d &force)
 {
   for (NodeCondition &other : conditions.nodes)
   {
@@ -51,8 +49,8 @@ void add(ContactChange &change, const double factor, const ContactChange &other)
 
 /// Forces of one node (all directions of slip are tried) or of several, from `start` on. `free` is their
 /// displacement without forces (mm).
-std::optional<VectorXd> exact_forces(const ContactStep &step, const Nodes &nodes, const MatrixXd &compliance,
-                                     const VectorXd &free, const VectorXd &start)
+std::optional<VectorXd> exact_forces(const ContactStep &step, const std::vector<Index> &nodes,
+                                     const MatrixXd &compliance, const VectorXd &free, const VectorXd &start)
 {
   if (nodes.size() == 1)
   {
@@ -83,10 +81,10 @@ std::optional<ContactChange> with_exact_nodes(const ContactStep &step, const Vec
                                               const NodeVector &displacement,
                                               const ContactConditions &conditions,
                                               const ConditionSolver &solver, ContactChange change,
-                                              const Nodes &nodes)
+                                              const std::vector<Index> &nodes)
 {
   constexpr double accuracy = 1e-2; // Newton's next steps mend what it leaves
-  const Nodes entries = entries_of(nodes);
+  const std::vector<Index> entries = entries_of(nodes);
   const auto n = static_cast<Index>(entries.size());
   std::vector<ContactChange> of_force;
   MatrixXd compliance(n, n);
