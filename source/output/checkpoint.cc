@@ -106,7 +106,7 @@ std::uint32_t input_files_checksum(const Parameters &parameters)
   boost::crc_32_type crc;
   for (const auto &[entry, path] : mesh_files(parameters))
   {
-    const std::string mesh = read_gmsh_file(path).text;
+    const std::string mesh = collect_gmsh_file(path).text;
     crc.process_bytes(mesh.data(), mesh.size());
   }
   if (parameters.obstacle.gap_file.empty())

@@ -67,8 +67,15 @@ void check_pair(const FrictionOptions &options, const std::string &entry, const 
                    (may_be_none ? ", or both 0 (no friction)" : ""));
 }
 
-/// Friction along radius and hoop of a section, which are the axes of its ellipses.
-OrthotropicFriction law_of_ring(FrictionOptions there)
+/// Whether the axes of friction are those of a section without a third component: radius and hoop, or x and
+/// y.
+bool lies_in_section(const ModelSymmetry &symmetry)
+{
+  return symmetry.is_section() && !symmetry.has_third();
+}
+
+/// Friction along the axes of such a section.
+OrthotropicFriction law_in_section(FrictionOptions there)
 {
   if (std::abs(std::remainder(there.angle, 2 * right_angle)) > right_angle / 2)
   {
@@ -104,14 +111,15 @@ std::vector<OrthotropicFriction> FrictionField::laws(const ContactSurface &surfa
   for (const ContactNode &node : surface.nodes)
   {
     const FrictionOptions there = options_.at(node.position[0], node.position[1]);
-    laws.push_back(symmetry.is_axisymmetric() ? law_of_ring(there) : law_of(there));
+    laws.push_back(lies_in_section(symmetry) ? law_in_section(there) : law_of(there));
   }
   return laws;
 }
 
 LocalAxes FrictionField::axes(const ContactSurface &surface, const ModelSymmetry &symmetry) const
 {
-  if (symmetry.is_axisymmetric())
+  // Friction that is the same all around is isotropic where it does not vary.
+  if ((symmetry.is_axisymmetric() && !varies()) || (lies_in_section(symmetry) && varies()))
     return LocalAxes(0);
   if (!options_.varying_angle)
     return LocalAxes(options_.angle);
@@ -132,7 +140,8 @@ std::string FrictionField::constant_asymmetry(const ModelSymmetry &symmetry) con
            : !has_equal_p
                ? "Friction/Slip potential = " + pair(options_.p()) + " differ, which makes slip orthotropic"
                : "";
-  if ((has_equal_mu && has_equal_p) || std::remainder(options_.angle, right_angle) == 0)
+  const bool is_mirrored = !symmetry.is_section() || !symmetry.has_third() || symmetry.planes().normal_to_x;
+  if (!is_mirrored || (has_equal_mu && has_equal_p) || std::remainder(options_.angle, right_angle) == 0)
     return {};
   return "Friction/Orthotropy angle = " + to_text(options_.angle) + " turns the axes of friction";
 }
@@ -146,12 +155,13 @@ std::string FrictionField::asymmetry(const ModelSymmetry &symmetry, const Surfac
     if (symmetry.is_axisymmetric() && place[0] == 0)
       continue; // nothing slips on the axis
     const auto [friction, slip] = ellipses(options_.at(place[0], place[1]));
-    for (const Matrix2d &map : symmetry_maps(symmetry))
+    for (const Eigen::Affine2d &map : symmetry_maps(symmetry))
     {
       const Vector2d image = map * place;
+      const Matrix2d turn = map.linear();
       const auto [friction_there, slip_there] = ellipses(options_.at(image[0], image[1]));
-      if (!are_alike(friction_there, map * friction * map.transpose()) ||
-          !are_alike(slip_there, map * slip * map.transpose()))
+      if (!are_alike(friction_there, turn * friction * turn.transpose()) ||
+          !are_alike(slip_there, turn * slip * turn.transpose()))
         return "friction at " + place_text(image) + " is no image of that at " + place_text(place);
     }
   }

@@ -222,6 +222,12 @@ TEST(ModelChoice, RevolvesOnlyWhatIsTheSameAllAround)
       complaint([](Parameters &p) { p.load.legs[0].targets[1]->value = 0.1; }),
       "Mesh/Model = axisymmetric is not possible: the load program moves the top along y; possible models "
       "are full, half");
+  EXPECT_EQ(complaint(
+                [](Parameters &p) {
+                  p.load.legs[0].targets[5] = Drive{false, 0.1};
+                }),
+            "axisymmetric")
+      << "with the twist";
   EXPECT_EQ(complaint([](Parameters &p) { p.mesh.model = ModelKind::quarter; }),
             "Mesh/Degree = 4 with the quarter model: allowed is a whole number from 1 to 3, or Mesh/Model = "
             "axisymmetric");
