@@ -222,15 +222,23 @@ TEST(ModelChoice, RevolvesOnlyWhatIsTheSameAllAround)
       complaint([](Parameters &p) { p.load.legs[0].targets[1]->value = 0.1; }),
       "Mesh/Model = axisymmetric is not possible: the load program moves the top along y; possible models "
       "are full, half");
-  EXPECT_EQ(complaint(
-                [](Parameters &p) {
-                  p.load.legs[0].targets[5] = Drive{false, 0.1};
-                }),
-            "axisymmetric")
-      << "with the twist";
   EXPECT_EQ(complaint([](Parameters &p) { p.mesh.model = ModelKind::quarter; }),
             "Mesh/Degree = 4 with the quarter model: allowed is a whole number from 1 to 3, or Mesh/Model = "
             "axisymmetric");
+}
+
+TEST(ModelChoice, TakesTheTwistForARoundBodyThatTurns)
+{
+  Parameters parameters = scene();
+  parameters.friction.mu = {{0.2, 0.2}};
+  parameters.load.legs[0].targets[5] = Drive{false, 0.1};
+  const ModelChoice choice = choose_model(parameters);
+  EXPECT_EQ(choice.symmetry.full_name(), "axisymmetric with twist");
+  EXPECT_NE(choice.reason.find("with the twist, because the load program turns the top about z"),
+            std::string::npos)
+      << choice.reason;
+  parameters.mesh.backend = BodyBackend::multigrid; // which has no sections
+  EXPECT_EQ(chosen(parameters), "full");
 }
 
 TEST(LoadProgram, KeepsComponentsThatALegDoesNotName)
