@@ -48,6 +48,9 @@ void make_slice(dealii::Triangulation<3> &mesh)
   dealii::GridTools::transform([](const dealii::Point<3> &place)
                                { return dealii::Point<3>(place[0], slice_thickness - place[2], place[1]); },
                                mesh);
+  for (const auto &face : mesh.active_face_iterators())
+    if (face->at_boundary())
+      face->set_boundary_id(0); // neither held nor in contact
 }
 
 /// Ones where a degree of freedom of the slice moves with one of the section: (solid) x (section).
