@@ -64,9 +64,9 @@ MatrixXd compliance_of_slice(const Parameters &parameters, const ContactSurface 
 }
 
 /// The forces after one step from rest to q, N.
-Eigen::VectorXd solved(const Compliance &compliance, const OrthotropicFriction &law, const NodeVector &q)
+Eigen::VectorXd solved(const Compliance &compliance, const FrictionLaw &law, const NodeVector &q)
 {
-  const ContactSystem system(compliance, std::vector<OrthotropicFriction>(compliance.n_nodes(), law));
+  const ContactSystem system(compliance, FrictionLaws(compliance.n_nodes(), law));
   ContactSolverOptions options;
   options.tolerance = 1e-13;
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(q.size());
