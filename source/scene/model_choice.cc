@@ -147,7 +147,9 @@ ModelChoice choice_of_plane_strain(const Parameters &parameters, const Asymmetry
                            ? "u_y is modelled because " + asymmetry.about_section
                            : "u_y is 0: friction and load are symmetric about the section y = 0";
   if (model == ModelKind::automatic)
-    reason += is_half ? "; the scene is symmetric about x = 0" : "; " + asymmetry.about_planes[0];
+    reason += is_half                                                ? "; the scene is symmetric about x = 0"
+              : asymmetry.about_planes[0] == asymmetry.about_section ? ""
+                                                                     : "; " + asymmetry.about_planes[0];
   return {plane_strain(parameters, asymmetry.needs_third(), is_half), reason};
 }
 

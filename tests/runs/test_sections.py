@@ -89,7 +89,7 @@ class LineContactTest(SectionTest):
                 exact -= stick / HALF_WIDTH * np.sqrt(np.maximum(0, 1 - (x / stick) ** 2))
                 traction = sign * fields["friction_traction"][:, 1]
                 self.assertLess(np.abs(traction - 0.3 * LARGEST * exact)[inside].max(), 0.02 * 0.3 * LARGEST)
-            self.assertEqual(rows[5]["n_stick"], 0)  # what does not slip along the axis slips across it
+            self.assertLessEqual(rows[5]["n_stick"], 1)  # at x = 0; what does not slip along the axis slips across it
 
 
 if __name__ == "__main__":
