@@ -51,6 +51,7 @@ void declare_kind(GeometryOptions &geometry, Section &section)
   section
       .add("Thickness", geometry.thickness, number_codec(positive),
            "Of a file in plane strain: length of the body along y in mm.")
+      .unit("mm")
       .only_if({[&geometry] { return geometry.is_plane_strain() && geometry.is_from_file(); },
                 [&geometry]
                 {
