@@ -18,7 +18,11 @@ constexpr double best_ratio = 0.5; // of first order: docs/accuracy.md, "A numbe
 constexpr double worst_ratio = 0.6;
 constexpr double least_share = 1. / 3; // of the difference before: docs/accuracy.md, "Load steps"
 
-/// The likely sum of all differences behind the last one. `before` is the difference before it, or 0.
+/// Extrapolation without a known order: levels halve the cells, so that differences d_k of a quantity fall in
+/// proportion, d_(k+1) = q d_k, and all behind the last one make d q/(1 - q). q is measured by the last two
+/// differences, and bounded: singular edges let no quantity fall faster than to a half in the long run, and a
+/// difference that is small by chance must not promise digits. The likely sum of all differences behind the
+/// last one. `before` is the difference before it, or 0.
 double remaining_change(const double last, const double before)
 {
   const double difference = std::max(last, least_share * before);

@@ -32,7 +32,9 @@ bool is_fine_enough(AccuracyEstimate accuracy, const double most_steps_share)
   return accuracy.is_reached();
 }
 
-/// The meshes of a search, each finer than the one before: levels of the ladder. For a solid, levels from 2
+/// The meshes of a search. A ladder of graded meshes comes first, since gradings towards the edge take most
+/// of the error away at once; then cells are halved where the solution asks for it, which no grading knows
+/// beforehand. Each mesh is finer than the one before: levels of the ladder. For a solid, levels from 2
 /// on are level 1 with rounds of refinement of single cells.
 class MeshLevels
 {

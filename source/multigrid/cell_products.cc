@@ -74,6 +74,9 @@ struct Workspace
   std::vector<Lanes<Number>> first, second, gradients;
 };
 
+/// The law at a Gauss point: with the gradient H in space, sigma = lambda tr(H) I + mu (H + H^T), times the
+/// weight of the point. Where the divergence is projected, tr(H) is replaced by its projection in the cell to
+/// complete polynomials: moments of all points first, then coefficients, then values (Projection).
 /// Gradients with respect to the unit cell become those of the forces, at all points. The divergence is
 /// projected to m polynomials.
 template<typename Number>
@@ -97,6 +100,11 @@ ORTHOCONE_INLINE void apply_laws(const CellBatches<Number> &cells, const unsigne
   }
 }
 
+/// K u of a cell without its matrix, by sums over one direction after the other: with n nodes and q points a
+/// direction a product takes some 12 q^4 multiplications for each component in place of the 3 n^6 of the
+/// cell's matrix (Kronbichler and Kormann, Comput. Fluids 63 (2012) 135-147). Values are interpolated to the
+/// points first, and differentiated there among the points: that takes six sums a component where derivatives
+/// of the shape functions would take nine. Behind the law the same goes back, transposed.
 template<typename Number>
 ORTHOCONE_INLINE void multiply(const CellBatches<Number> &cells, const unsigned int n, const unsigned int q,
                                const unsigned int m, const Lanes<Number> *geometry,

@@ -95,6 +95,8 @@ private:
   Eigen::PartialPivLU<MatrixXd> system_;
 };
 
+/// With W the compliance of the contact unknowns and u_0 their displacement without contact, contact reacts
+/// with f = -(A + B W)^-1 B u_0, where A f + B u = 0 are the relations: u = u_0 + W f.
 /// Sets of_displacement_ and returns of_force. In held directions the displacement is zero, in units of
 /// force, so that all equations have one size. In the others friction resists: f_t + coupling f_z + robin u_t
 /// = 0.
@@ -180,6 +182,9 @@ private:
   bool is_held_ = false;
 };
 
+/// Smoothed aggregation (Vanek, Mandel, Brezina, Computing 56 (1996) 179-196): nodes that are strongly
+/// coupled become one, with six unknowns, so that each aggregate moves as a rigid body; interpolation is
+/// smoothed once. Threshold 0 takes all couplings for strong, because cells of o-grids are far from cubes.
 /// Returns whether ML found a hierarchy. The random numbers are the same every time, because a resumed run
 /// must find the same hierarchy.
 bool AlgebraicCoarse::aggregate(Hierarchy &hierarchy, const NodeStiffness::Matrix &matrix) const
@@ -266,6 +271,8 @@ void ReplicatedCoarse::number(const Discretization &shared)
 }
 } // namespace
 
+// Small coarsest meshes are factorized, because an exact solver makes a cycle as good as its smoother. With
+// many contact nodes its dense compliance is the dearest part of a cycle, so that aggregates take over.
 std::unique_ptr<CoarseSolver> make_coarse_solver(const Discretization &space, const MaterialOptions &material,
                                                  const CoarseMethod method)
 {

@@ -20,6 +20,10 @@ ElasticSolver::ElasticSolver(const MatrixFreeStiffness<double> &stiffness, VCycl
 {
 }
 
+/// Forces of a march resemble each other, so that a good start is worth more than a good preconditioner: the
+/// combination of known solutions u_i (with forces f_i) that is nearest to the solution in energy,
+///   min over c of |u - sum c_i u_i|_K,   which is   (u_i . f_j) c = (u_i . f)
+/// (Fischer, Comput. Methods Appl. Mech. Engrg. 163 (1998) 193-204). It needs no product with K.
 /// Takes the multiple of one known solution whose forces are nearest to these in energy, then the combination
 /// of all that is nearest to the rest. The combination alone would not find this one among almost equal ones.
 ElasticSolver::Vector ElasticSolver::best_start(const Vector &forces) const
@@ -70,6 +74,8 @@ ApproximateSolution ElasticSolver::approximate(const Vector &forces) const
   return approximate;
 }
 
+// Conjugate gradients from the best start, on what the start leaves. The bound is relative to the forces that
+// are asked for and not to that rest, so that a good start saves iterations in proportion to its digits.
 ElasticSolver::Vector ElasticSolver::solve(const Vector &forces, const double accuracy)
 {
   constexpr unsigned int most_iterations = 200;
@@ -142,6 +148,9 @@ void ElasticSolver::restore(const std::vector<Eigen::VectorXd> &accepted)
   }
 }
 
+// Keeps the matrix of works u_i . f_j beside the solutions: a row a time, since no other entry changes. A
+// solution that is nearly a multiple of a known one takes its place, because both would make the matrix
+// singular; else the oldest one goes.
 void ElasticSolver::remember(const Vector &displacement, const Vector &forces)
 {
   constexpr double same = 1e-10;

@@ -27,6 +27,7 @@ std::vector<Sum> sums_of_hanging(const HangingDofs &hanging)
   return sums;
 }
 
+/// The same weights by columns: all hanging ones that a degree of freedom moves.
 std::vector<Sum> sums_of_moving(const HangingDofs &hanging)
 {
   std::map<unsigned int, HangingDofs::Terms> terms;
@@ -39,6 +40,11 @@ std::vector<Sum> sums_of_moving(const HangingDofs &hanging)
   return sums;
 }
 
+/// A node that hangs on an edge or a face of a larger cell moves as the nodes of that face let it:
+///   u_hanging = sum of w_i u_i,   and forces on it go to them with the same weights, f_i += w_i f_hanging,
+/// which does the same work. Both are sums of terms of different numbers, one a degree of freedom. A lane of
+/// the processor takes one sum, and lanes of one batch go on until the longest of its sums is done, with the
+/// weight 0 where one is shorter.
 /// Sums of similar length share a batch.
 template<typename Number>
 LaneSums<Number> in_lanes(std::vector<Sum> sums)

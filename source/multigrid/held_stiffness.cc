@@ -15,6 +15,10 @@ void HeldStiffness::add_displacement(Vector &displacement, const Vector &free) c
   rows_.for_resisting(follow);
 }
 
+// The operator is T K F + R: F makes the displacement u of the free one y (u_z = -follows . y_t), K the
+// forces that the body asks of contact for it, R = robin the part of friction that grows with slip, and T the
+// left sides of the equations (f_t + coupling f_z, and nothing in held rows). What is held has a zero row and
+// no part in y.
 void HeldStiffness::vmult(Vector &result, const Vector &free) const
 {
   Vector displacement = stiffness_.make_vector();
@@ -42,6 +46,8 @@ void HeldStiffness::test(Vector &forces) const
   rows_.clear_held(forces);
 }
 
+// Newton's step gives held nodes displacements that are not zero: gaps are closed, and slip goes back to
+// where a node sticks. They are the inhomogeneous part of u, which stays out of the Krylov space.
 HeldStiffness::Vector HeldStiffness::given() const
 {
   Vector displacement = stiffness_.make_vector();
@@ -54,6 +60,8 @@ HeldStiffness::Vector HeldStiffness::given() const
   return displacement;
 }
 
+// What the operator must give: the known part of friction less T of the forces that the given displacement
+// asks for already, with what the body lacks of its equilibrium.
 HeldStiffness::Vector HeldStiffness::right_side(const Vector &forces, const Eigen::VectorXd &residual) const
 {
   Vector right_side = forces;

@@ -8,6 +8,12 @@
 
 namespace orthocone
 {
+// Chebyshev's polynomials in D^-1 K smooth what lies in the upper part of the spectrum, from a
+// `smoothing_range`-th of the largest eigenvalue on (Adams, Brezina, Hu, Tuminaro, J. Comput. Phys. 188
+// (2003) 593-610). They need products only, so that their result does not depend on the number of processes,
+// as that of Gauss and Seidel's method would. Contact changes the blocks D of its nodes with every Newton
+// step. The eigenvalues stay those of the free body: friction adds to K and to D alike, and holding only
+// takes rows away.
 Level::Level(const Discretization &space, const MaterialOptions &material)
     : space_(space),
       stiffness_(space, material),
@@ -31,6 +37,9 @@ void Level::hold(std::vector<NodeRelation> relations)
   invert_blocks();
 }
 
+/// D of a node that is held along its normal is the diagonal of K with the 2 x 2 block of friction. This
+/// block is bounded by the stiffness (bounded_robin()), since a ray that friction hardly bends makes it as
+/// large as one likes, and with it the eigenvalues that the smoother has been told.
 void Level::invert_blocks()
 {
   blocks_.assign(relations_.size(), Eigen::Matrix2f::Zero());
@@ -54,6 +63,8 @@ void Level::clear_held(Vector &vector) const
   RelationRows{nodes(), relations_}.clear_held(vector);
 }
 
+// K u, then for nodes that are held along their normal f_t + coupling f_z + robin u_t in place of f_t, where
+// f = K u is what the body asks of contact: NodeRelation.
 void Level::vmult(Vector &result, const Vector &vector) const
 {
   stiffness_.vmult(result, vector);
@@ -81,11 +92,13 @@ void Level::Jacobi::vmult(Vector &result, const Vector &vector) const
   level_.clear_held(result);
 }
 
+// From zero the first of the smoother's products is saved: K u is known to vanish.
 void Level::smooth_from_zero(Vector &solution, const Vector &right_side) const
 {
   smoother_.vmult(solution, right_side);
 }
 
+// Behind the correction the smoother goes on from where the cycle is, with the same polynomial.
 void Level::smooth(Vector &solution, const Vector &right_side) const
 {
   smoother_.step(solution, right_side);

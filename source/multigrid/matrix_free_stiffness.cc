@@ -58,7 +58,10 @@ CellBatches<Number> empty_batches(const Discretization &space, const MaterialOpt
           n_polynomials(space)};
 }
 
-/// Puts cells into the lanes of batches.
+/// A batch has as many cells as a register has numbers, and each lane computes one of them. So a product
+/// reads its geometry once, in order, and no cell depends on another one of its batch until forces are added.
+/// Lanes that no cell is left for have no volume: their forces vanish. The
+/// writer puts cells into these lanes.
 template<typename Number>
 class BatchWriter
 {

@@ -10,6 +10,8 @@ constexpr unsigned int most_monomials = 20; // of degree 3, for displacements of
 
 /// The first n monomials of three coordinates, by degree: 1, x, y, z, xx, xy, ... Here n is the number of
 /// all of some degree and below: 1, 4, 10 or 20. A value may be a number for each of several cells.
+/// Those of a degree are x times all of the degree before, y times those of these without x, and z times the
+/// last one: one product each, and none twice.
 template<typename Value>
 ORTHOCONE_INLINE void make_monomials(const Value *const coordinates, const unsigned int n,
                                      Value *const monomials)

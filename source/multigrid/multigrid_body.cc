@@ -77,6 +77,9 @@ private:
   MultigridCompliance compliance_;
 };
 
+// The check of a step asks for what no solver owns: a solution of the whole body under the final contact
+// forces, whose equilibrium K u = f is looked at with a product of its own, and whose displacement at the
+// contact nodes is compared with that of the step.
 BodyMismatch MultigridBody::mismatch(const NodeVector &force, const NodeVector &elastic, double) const
 {
   const VectorXd forces = frame_.on_free_unknowns(force);

@@ -69,6 +69,8 @@ VectorXd MultigridCompliance::body_displacement(const NodeVector &force) const
   return entries(displacement, frame_.n_free());
 }
 
+// A line search asks for displacements of forces that no one will ask for again. What known solutions make of
+// them, with what the body lacks then, is enough to judge a step, and costs one product with K.
 ContactChange MultigridCompliance::approximate(const NodeVector &force) const
 {
   if (const ContactChange &last = memory_->last; force.size() == last.force.size() && force == last.force)
@@ -82,6 +84,8 @@ ContactChange MultigridCompliance::approximate(const NodeVector &force) const
   return answer;
 }
 
+// K u, and no solution: the contact forces are what the given displacement asks of its contact nodes, and
+// what K u has elsewhere is what the body lacks of its equilibrium.
 ContactChange MultigridCompliance::held_at(const VectorXd &displacement) const
 {
   BodyVector<double> all = stiffness_.make_vector(), forces = stiffness_.make_vector();
@@ -110,6 +114,7 @@ NodeVector MultigridCompliance::of_nodes(const BodyVector<double> &body, const N
   return displacement;
 }
 
+// A product with W is a solution of the body: one sparse system, to the accuracy that the compliance has.
 void MultigridCompliance::vmult(NodeVector &displacement, const NodeVector &force) const
 {
   displacement = of_nodes(solution(force), force);
@@ -130,6 +135,7 @@ double MultigridCompliance::norm(const VectorXd &residual) const
   return std::sqrt(sum_over_ranks(residual.squaredNorm()));
 }
 
+/// The largest eigenvalue of W by Lanczos' method, with a V-cycle in place of each solution.
 /// This is a scale that need not be accurate, and solutions are expensive: one V-cycle is close to a
 /// solution.
 double MultigridCompliance::softness() const

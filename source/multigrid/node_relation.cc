@@ -11,8 +11,12 @@ namespace
 using Eigen::Vector2d;
 using Eigen::Vector3d;
 
-/// With x_0 along the ray and x_1 across it, f = fixed + ray x_0 + side x_1. The first equation gives u_z,
-/// the second one x_1. x_0 is the reaction of the plane, and drops out of f_t + coupling f_z.
+/// A node that slips has two unknowns, x_0 along the generator of the cone and x_1 across it; the third
+/// direction of the force is fixed. Its two equations, linearized by Newton's method, are
+///   along . u = right_side_0   and   across . u + softness x_1 = right_side_1:
+/// the cone gives way across the ray only. With x_0 along the ray and
+/// x_1 across it, f = fixed + ray x_0 + side x_1. The first equation gives u_z, the second one x_1. x_0 is
+/// the reaction of the plane, and drops out of f_t + coupling f_z.
 NodeRelation mixed_relation(const NodeCondition &condition, const Eigen::Matrix3d &global_in_local)
 {
   constexpr double least_softness = 1e-9; // of the natural map across the ray, relative to 1
@@ -58,6 +62,8 @@ NodeRelation relation_of(const NodeCondition &condition, const Eigen::Matrix3d &
   return relation;
 }
 
+// A level in single precision must not add numbers to K that leave none of its digits: next to 10^7 times the
+// stiffness the body would vanish. A bounded one holds the node nearly as well, and only preconditions.
 Eigen::Matrix2d bounded_robin(const NodeRelation &relation, const double stiffness)
 {
   constexpr double most = 1e4; // single precision has seven digits

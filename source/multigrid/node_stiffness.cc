@@ -14,6 +14,9 @@ namespace orthocone
 {
 namespace
 {
+// Smoothed aggregation takes the rows of a node for one block, and so they must follow each other; the space
+// numbers its free degrees of freedom first, and those of contact last.
+
 /// The row of every degree of freedom, in the order of cells.
 std::vector<unsigned int> rows_by_node(const Discretization &space)
 {
@@ -27,7 +30,8 @@ std::vector<unsigned int> rows_by_node(const Discretization &space)
   return row_of_dof;
 }
 
-/// Rows with both triangles of the stiffness. Directions that do not move are as stiff as those that move.
+/// Rows with both triangles of the stiffness, which is stored by its lower one; ML wants whole rows.
+/// Directions that do not move are as stiff as those that move.
 std::vector<MatrixRow> both_triangles(const dealii::SparseMatrix<double> &lower,
                                       const std::vector<unsigned int> &row_of_dof)
 {
@@ -48,6 +52,7 @@ std::vector<MatrixRow> both_triangles(const dealii::SparseMatrix<double> &lower,
   return rows;
 }
 
+/// ML takes no other matrix. The lengths of all rows are known, so that nothing is allocated twice.
 NodeStiffness::Matrix matrix_of(const std::vector<MatrixRow> &rows)
 {
   std::vector<unsigned int> lengths;

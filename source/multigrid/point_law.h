@@ -33,8 +33,11 @@ ORTHOCONE_INLINE PointGradient<Number> in_space(const Lanes<Number> *geometry, c
   return result;
 }
 
-/// Writes the forces on the derivatives by the unit cell's coordinates. `pressure` is the volumetric stress
-/// times the weight of the point.
+/// The principle of virtual work at the point: sigma : grad(v) weight = g : grad_unit(v) for every v, so that
+/// g = sigma J^-T weight with the Jacobian J of the cell. The stress is symmetric, which is not made use of:
+/// nine products in a register are cheaper than six that have to be put into place. Writes the forces on the
+/// derivatives by the unit cell's coordinates. `pressure` is the volumetric stress times the weight of the
+/// point.
 template<typename Number>
 ORTHOCONE_INLINE void
 apply_law(const Number mu, const Lanes<Number> *geometry, const PointGradient<Number> &strain,

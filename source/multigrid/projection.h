@@ -7,7 +7,11 @@
 
 namespace orthocone
 {
-/// ProjectedDivergence of a displacement, in several cells.
+/// ProjectedDivergence of a displacement, in several cells. With monomials m_k of the coordinates, the
+/// projection is sum of c_k m_k with M c = b: moments b_k = sum over points of weight m_k div(u), and the
+/// mass matrix M of the cell, whose inverse is stored. So a cell is passed twice: add() at all points,
+/// solve(), and at() at all points. This is the element Q_k / P_(k-1) with discontinuous pressures, without
+/// the pressures (docs/theory.md, section 2).
 template<typename Number>
 class Projection
 {

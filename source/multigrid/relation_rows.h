@@ -9,7 +9,8 @@
 
 namespace orthocone
 {
-/// The relations of contact nodes on vectors of a body, for operators that know K by its products alone.
+/// The relations of contact nodes on vectors of a body, for operators that know K by its products alone: an
+/// assembled matrix would have its rows changed, and here a product with K is followed by what they become.
 struct RelationRows
 {
   const std::vector<ContactNode> &nodes;

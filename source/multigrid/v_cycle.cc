@@ -93,6 +93,9 @@ struct VCycle::Mesh
   Discretization space;
 };
 
+// Levels, from the finest one: the mesh as it is; the meshes before its refinements, with the same degree;
+// and the coarsest of these with trilinear elements, because an exact solver on it is cheap and its error is
+// of the kind that the levels above smooth. space_of(0) is that one.
 VCycle::VCycle(const Discretization &space, const MeshOptions &mesh, const GeometryOptions &geometry,
                const MaterialOptions &whole_material, const CoarseMethod on_coarsest)
     : finest_(space)
@@ -157,6 +160,8 @@ std::vector<NodeRelation> VCycle::coarser(const std::size_t level,
   return relations;
 }
 
+// A coarser node takes the relation of the nearest finer one as it is. A mean of several would hold a node
+// half, which none of them does, and would smear the border between stick and slip over the coarse cells.
 void VCycle::hold(const std::vector<NodeRelation> &relations)
 {
   std::vector<NodeRelation> held = relations;
@@ -176,6 +181,13 @@ void VCycle::solve_coarsest(Vector &displacement, const Vector &forces) const
   entries(displacement, n) = solution.cast<float>();
 }
 
+/// One V-cycle for K u = f from u = 0 (Brandt, Math. Comput. 31 (1977) 333-390), with the smoother S of a
+/// level, the interpolation P from the level below and its transpose as the restriction:
+///   u <- S(0, f);   r = f - K u;   u <- u + P solve_coarser(P^T r);   u <- S(u, f).
+/// The same smoother before and behind the correction makes the cycle symmetric without contact, as conjugate
+/// gradients need it. With the relations of contact it is not symmetric, and GMRES is around it.
+/// Held directions are cleared where a vector has come from another level: there they belong to nodes that
+/// hold something else.
 void VCycle::solve(const std::size_t level, Vector &displacement, const Vector &forces) const
 {
   if (level == 0)
@@ -198,6 +210,7 @@ void VCycle::solve(const std::size_t level, Vector &displacement, const Vector &
   fine.smooth(displacement, forces);
 }
 
+// Scaled to the largest entry, since displacements in mm may be too small for single precision.
 Eigen::VectorXd VCycle::prolonged(const Eigen::VectorXd &coarser) const
 {
   Vector &coarse = work_[levels_.size() - 1].displacement, &fine = work_.back().residual;

@@ -104,6 +104,16 @@ static std::vector<NodeCondition> conditions_of_column(const ContactConditions &
   return nodes;
 }
 
+/// The conditions of a Newton step on the whole body: K u = residual + contact forces, where each contact
+/// node gives three equations between its force and its displacement. An open node gives its force, a node
+/// that sticks its displacement. One that slips gives one of each: u_z follows u_t, and f_t + coupling f_z +
+/// robin u_t is known (NodeRelation). The forces are eliminated by these, so that displacements alone are
+/// unknown:
+///   T K (u_given + F y) + R y = b,
+/// where F makes u of the free displacements y and T makes left sides of forces (HeldStiffness). F and T^T
+/// differ wherever slip is not associated, so that the operator is not symmetric. Flexible GMRES (Saad, SIAM
+/// J. Sci. Comput. 14 (1993) 461-469) allows for a preconditioner in single precision, whose rounding is
+/// another one in every iteration.
 ContactChange WholeBodyConditions::solve_nodes(const std::vector<NodeRelation> &relations,
                                                const VectorXd &residual, const double bound) const
 {
@@ -124,6 +134,8 @@ ContactChange WholeBodyConditions::solve_nodes(const std::vector<NodeRelation> &
   return contact_change(frame_, displacement, forces, residual);
 }
 
+/// With a face that forces drive, its motion y obeys C^T r = g. r is linear in y, r = r_0 + R y, where each
+/// column of R is the answer to a motion of 1. So y solves the small system (C^T R) y = g - C^T r_0.
 /// Eliminates the face, which takes one more solution for each of its columns.
 ContactChange WholeBodyConditions::solve(const ContactConditions &conditions, const double accuracy) const
 {

@@ -31,6 +31,17 @@ std::vector<std::pair<std::string, std::string>> input_files(const Parameters &p
   return files;
 }
 
+/// Adds what a line says: its numbers, however they are written, and its words, but no comment.
+void add_content(const std::string &line, boost::crc_32_type &crc)
+{
+  std::istringstream words(line.substr(0, line.find('#')));
+  for (std::string word; words >> word;)
+    if (const auto number = parse_number(word))
+      crc.process_bytes(&*number, sizeof *number);
+    else
+      crc.process_bytes(word.data(), word.size());
+}
+
 /// Which file may have changed: one number stands for all.
 std::string other_files(const Parameters &parameters)
 {
@@ -102,8 +113,9 @@ std::uint32_t input_files_checksum(const Parameters &parameters)
   boost::crc_32_type crc;
   for (const auto &[entry, path] : input_files(parameters))
   {
-    const std::string text = with_plain_lines(read_text_file(path, "", kind));
-    crc.process_bytes(text.data(), text.size());
+    std::istringstream lines(with_plain_lines(read_text_file(path, "", kind)));
+    for (std::string line; std::getline(lines, line);)
+      add_content(line, crc);
   }
   return crc.checksum();
 }

@@ -76,7 +76,8 @@ std::string describe(const CriticalFrictionRecord &critical)
   std::ostringstream text;
   text << std::setprecision(3) << "critical friction ";
   if (std::isnan(critical.factor))
-    text << "not known: multigrid has no compliance of single nodes";
+    text << "not known: it takes the compliance of single nodes, which multigrid does not have, and a law of "
+            "friction ellipses";
   else if (!std::isfinite(critical.factor))
     text << "none: there is no friction, or normal and tangential directions are not coupled";
   else
@@ -250,10 +251,10 @@ std::string describe_friction(const Parameters &parameters)
   if (friction.varies() || !friction.has_ellipses())
   {
     std::string entries;
-    for (const auto &[entry, value] : entry_values(parameters))
-      if (entry.rfind("Friction/", 0) == 0)
-        entries +=
-            (entries.empty() ? "" : "; ") + entry.substr(std::string("Friction/").size()) + " = " + value;
+    const DeclaredParameters declared(parameters);
+    for (const Entry &entry : declared.list.entries())
+      if (entry.section() == "Friction" && entry.why_ignored().empty())
+        entries += (entries.empty() ? "" : "; ") + entry.own_name() + " = " + entry.text();
     return line + (friction.varies() ? "varies: " : "") + entries + "\n";
   }
   const std::array<double, 2> p = friction.p();

@@ -12,7 +12,10 @@
 
 namespace orthocone
 {
+// Each in a file of its name, which may be compiled together with this one.
+// NOLINTBEGIN(readability-redundant-declaration)
 Kind<StopRule> periodic_stop();
+// NOLINTEND(readability-redundant-declaration)
 
 template<>
 std::vector<Kind<StopRule>> &kinds_of<StopRule>()

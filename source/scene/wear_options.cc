@@ -18,9 +18,11 @@ public:
 };
 } // namespace
 
-// Each in a file of its name.
+// Each in a file of its name, which may be compiled together with this one.
+// NOLINTBEGIN(readability-redundant-declaration)
 Kind<WearKindOptions> archard_wear();
 Kind<WearKindOptions> energy_wear();
+// NOLINTEND(readability-redundant-declaration)
 
 template<>
 std::vector<Kind<WearKindOptions>> &kinds_of<WearKindOptions>()

@@ -110,6 +110,14 @@ class OutsideTest(unittest.TestCase):
         self.assertGreater(n_slipping, 5)
         self.assertGreater(n_stuck, 2)
 
+    def test_superellipse_is_described_by_what_counts(self):
+        """Entries of ellipses do not count, and a formula that asks for ellipses gives no number."""
+        self.table("superellipse", "described")
+        log = (self.folder / "described/log.txt").read_text(encoding="utf-8")
+        self.assertIn("friction       Law = superellipse; First friction = 0.2; Second friction = 0.15; Exponent = 5; "
+                      "Orthotropy angle = 0\n", log)
+        self.assertRegex(log, "critical friction not known: it takes .* friction ellipses\n")
+
     def test_superellipse_has_the_mirrors_that_its_forces_have(self):
         """About the axes of a pressed body, unless its own are turned."""
         for angle, model in (("0", "quarter"), ("90", "quarter"), ("30", "full")):

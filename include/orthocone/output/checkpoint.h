@@ -40,7 +40,8 @@ struct CheckpointError : std::runtime_error
 /// Version of the bytes; another one is refused.
 constexpr unsigned int checkpoint_format = 14;
 
-/// Checksum of the files that entries name and that count; 0 if there is none. Throws as read_text_file().
+/// Checksum of the files that entries name and that count: of their numbers and words, however they are
+/// written, without comments; 0 if there is no file. Throws as read_text_file().
 std::uint32_t input_files_checksum(const Parameters &parameters);
 
 /// The bytes of a checkpoint: a line with format version, length and checksum, then CBOR.

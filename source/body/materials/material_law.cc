@@ -9,9 +9,11 @@
 
 namespace orthocone
 {
-// Each in a file of its name.
+// Each in a file of its name, which may be compiled together with this one.
+// NOLINTBEGIN(readability-redundant-declaration)
 Kind<MaterialLaw> isotropic_law();
 Kind<MaterialLaw> orthotropic_law();
+// NOLINTEND(readability-redundant-declaration)
 
 template<>
 std::vector<Kind<MaterialLaw>> &kinds_of<MaterialLaw>()

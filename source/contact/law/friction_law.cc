@@ -7,12 +7,28 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
+#include <string>
 #include <utility>
 
 namespace orthocone
 {
 using Eigen::Matrix2d;
 using Eigen::Vector2d;
+
+namespace
+{
+/// Throws std::invalid_argument unless a map and its inverse have brought a direction back to itself.
+void require_inverse(const std::string &of, const Vector2d &image, const Vector2d &direction)
+{
+  constexpr double close = 1e-8;           // maps without formulas are inverted by iterations
+  if ((image - direction).norm() <= close) // not for NaN
+    return;
+  throw std::invalid_argument("friction law: the maps of " + of +
+                              " are not inverse to each other at the reduced " + of + " (" +
+                              std::to_string(direction[0]) + ", " + std::to_string(direction[1]) + ")");
+}
+} // namespace
 
 FrictionLaw::FrictionLaw(const OrthotropicFriction &ellipse)
     : ellipse_(ellipse)
@@ -44,6 +60,8 @@ FrictionLaw::FrictionLaw(std::shared_ptr<const TangentMaps> maps)
     const Vector2d e(std::cos(angle), std::sin(angle));
     const double friction = maps_->force(e).norm();
     const double weight = maps_->reduced_force(maps_->reduced_slip(e)).norm();
+    require_inverse("force", maps_->reduced_force(maps_->force(e)), e);
+    require_inverse("slip", maps_->reduced_slip(maps_->slip(e)), e);
     sum += std::log(friction);
     least_friction_ = std::min(least_friction_, friction);
     largest_friction_ = std::max(largest_friction_, friction);

@@ -46,6 +46,8 @@ class FrictionLaw
 {
 public:
   FrictionLaw(const OrthotropicFriction &ellipse); // NOLINT(google-explicit-constructor): it is that law
+  /// Throws std::invalid_argument unless the inverse maps are those of the others, which is looked at in many
+  /// directions.
   explicit FrictionLaw(std::shared_ptr<const TangentMaps> maps);
 
   /// The two ellipses if the law consists of them, else nullptr: for formats and formulas of ellipses.

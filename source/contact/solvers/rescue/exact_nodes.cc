@@ -13,7 +13,6 @@
 
 namespace orthocone
 {
-using Nodes = std::vector<Eigen::Index>;
 
 namespace
 {
@@ -24,7 +23,7 @@ using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 /// The conditions of changes that are due to one force, and to nothing else. `nodes` take no other forces.
-ContactConditions conditions_of_force(ContactConditions conditions, const Nodes &nodes, const Index node,
+ContactConditions conditions_of_force(ContactConditions conditions, const std::vector<Index> &nodes, const Index node,
                                       const Vector3d &force)
 {
   for (NodeCondition &other : conditions.nodes)
@@ -51,7 +50,7 @@ void add(ContactChange &change, const double factor, const ContactChange &other)
 
 /// Forces of one node (all directions of slip are tried) or of several, from `start` on. `free` is their
 /// displacement without forces (mm).
-std::optional<VectorXd> exact_forces(const ContactStep &step, const Nodes &nodes, const MatrixXd &compliance,
+std::optional<VectorXd> exact_forces(const ContactStep &step, const std::vector<Index> &nodes, const MatrixXd &compliance,
                                      const VectorXd &free, const VectorXd &start)
 {
   if (nodes.size() == 1)
@@ -83,10 +82,10 @@ std::optional<ContactChange> with_exact_nodes(const ContactStep &step, const Vec
                                               const NodeVector &displacement,
                                               const ContactConditions &conditions,
                                               const ConditionSolver &solver, ContactChange change,
-                                              const Nodes &nodes)
+                                              const std::vector<Index> &nodes)
 {
   constexpr double accuracy = 1e-2; // Newton's next steps mend what it leaves
-  const Nodes entries = entries_of(nodes);
+  const std::vector<Index> entries = entries_of(nodes);
   const auto n = static_cast<Index>(entries.size());
   std::vector<ContactChange> of_force;
   MatrixXd compliance(n, n);

@@ -10,7 +10,6 @@ namespace orthocone
 {
 using Eigen::Index;
 using Eigen::VectorXd;
-using Nodes = std::vector<Index>;
 
 Index worst_node(const VectorXd &map, const Index n_nodes)
 {
@@ -35,13 +34,13 @@ std::optional<Index> dominant_node(const ContactStep &step, const VectorXd &unkn
                                                                                     : std::nullopt;
 }
 
-Nodes worst_nodes(const ContactStep &step, const VectorXd &unknowns, const NodeVector &displacement,
+std::vector<Index> worst_nodes(const ContactStep &step, const VectorXd &unknowns, const NodeVector &displacement,
                   const std::size_t most)
 {
   constexpr double remaining = 0.01; // of the squared map
   const VectorXd map = step.natural_map(unknowns, displacement);
   const auto part = [&](const Index node) { return map.segment<3>(3 * node).squaredNorm(); };
-  Nodes nodes(step.n_nodes());
+  std::vector<Index> nodes(step.n_nodes());
   std::iota(nodes.begin(), nodes.end(), 0);
   const auto n = std::min(most, nodes.size());
   std::partial_sort(nodes.begin(), nodes.begin() + static_cast<Index>(n), nodes.end(),
@@ -61,9 +60,9 @@ Nodes worst_nodes(const ContactStep &step, const VectorXd &unknowns, const NodeV
   return nodes;
 }
 
-Nodes entries_of(const Nodes &nodes)
+std::vector<Index> entries_of(const std::vector<Index> &nodes)
 {
-  Nodes entries;
+  std::vector<Index> entries;
   for (const Index node : nodes)
     entries.insert(entries.end(), {3 * node, 3 * node + 1, 3 * node + 2});
   return entries;

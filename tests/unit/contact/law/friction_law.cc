@@ -161,6 +161,20 @@ void expect_law(const FrictionLaw &law, const Vector3d &r, const Vector3d &d, co
 }
 } // namespace
 
+/// A mistake that is easily made: the force per unit normal force in place of the force of a reduced one.
+TEST(FrictionLaw, RefusesMapsThatAreNotInverse)
+{
+  struct Wrong : Measured
+  {
+    Vector2d force(const Vector2d &reduced) const override
+    {
+      return Measured::force(reduced.normalized() / 2);
+    }
+  };
+  EXPECT_THROW(FrictionLaw(std::make_shared<const Wrong>()), std::invalid_argument);
+  EXPECT_NO_THROW(FrictionLaw(std::make_shared<const Measured>()));
+}
+
 TEST(FrictionLaw, MapsHaveTheirInversesAndDerivatives)
 {
   constexpr double step = 1e-6;
