@@ -70,13 +70,13 @@ std::string if_one_is_faster(const Parameters &parameters, const ModelSymmetry &
 
 bool multigrid_can(const Parameters &parameters, const ModelSymmetry &symmetry)
 {
-  return !symmetry.is_axisymmetric() && what_multigrid_cannot(parameters).empty();
+  return !symmetry.is_section() && what_multigrid_cannot(parameters).empty();
 }
 
 BackendChoice choose_backend(const Parameters &parameters, const ModelSymmetry &symmetry,
                              const double gigabytes)
 {
-  if (parameters.mesh.backend != BodyBackend::automatic || (symmetry.is_axisymmetric() && n_ranks() == 1))
+  if (parameters.mesh.backend != BodyBackend::automatic || (symmetry.is_section() && n_ranks() == 1))
     return {parameters.mesh.backend};
   const std::string line = "backend        ";
   if (n_ranks() > 1)

@@ -190,8 +190,9 @@ Estimate CostModel::of_factorization(const FactorizationCost &factor, const doub
     result.gigabytes += dense(cost::of_counterbody) * cost::bytes_per_number / cost::gigabyte;
   if (parameters_.wear.wears() && parameters_.wear.deep_steps == DeepWear::implicitly)
     result.gigabytes += dense(cost::of_deep_wear) * cost::bytes_per_number / cost::gigabyte;
-  const unsigned int dim = symmetry_.is_axisymmetric() ? 2 : 3;
-  const double n_cell = dim * std::pow(parameters_.mesh.degree + 1, dim);
+  const unsigned int dim = symmetry_.is_section() ? 2 : 3;
+  const double n_components = symmetry_.is_section() ? symmetry_.section()->n_components() : 3;
+  const double n_cell = n_components * std::pow(parameters_.mesh.degree + 1, dim);
   const double products =
       size_.cells * std::pow(parameters_.mesh.n_quadrature_points(), dim) * 2 * n_cell * n_cell;
   result.set_up_seconds = cost::start_up + cost::assembly * products / rate +

@@ -87,6 +87,8 @@ void require_shareable(const Parameters &parameters, const ModelChoice &model)
     refuse("Load program/Accuracy", to_text(parameters.load.accuracy), "0" + found);
   if (parameters.mesh.backend == BodyBackend::condensed)
     refuse("Mesh/Backend", "condensed", "multigrid");
+  if (model.symmetry.is_plane_strain())
+    refuse("Geometry/Kind", "plane strain", "solid: only multigrid is shared, and has no sections");
   if (model.symmetry.is_axisymmetric())
     refuse("Mesh/Model", model.symmetry.name(),
            "full, half or quarter: only multigrid is shared, and has no sections");

@@ -6,9 +6,9 @@ namespace orthocone
 {
 Body::Shape Body::shape_of(const BodyOptions &options, const ModelSymmetry &symmetry)
 {
-  if (symmetry.is_axisymmetric())
-    return Shape(std::in_place_type<Section>, options);
-  return Shape(std::in_place_type<Solid>, options, symmetry.planes());
+  if (symmetry.is_section())
+    return Shape(std::in_place_type<Section>, options, symmetry);
+  return Shape(std::in_place_type<Solid>, options, symmetry);
 }
 
 Body::Body(const BodyOptions &options, const ModelSymmetry &symmetry)

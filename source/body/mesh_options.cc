@@ -156,7 +156,7 @@ void declare_cells(MeshOptions &mesh, const GeometryOptions &geometry, Section &
       .only_if(of_shapes({BodyShape::cylinder, BodyShape::box}));
   section
       .add("Degree", mesh.degree, count_codec(1, 4),
-           "Polynomial degree of the elements; 4 in the axisymmetric model only.")
+           "Polynomial degree of the elements; 4 in the axisymmetric model and in plane strain only.")
       .also_called({"order"});
   section.add("Quadrature points", mesh.quadrature_points, count_codec(0, 10),
               "Gauss points per direction, more than the degree; 0 = degree + 1.");

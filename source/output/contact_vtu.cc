@@ -8,8 +8,6 @@ namespace orthocone
 {
 namespace
 {
-using Eigen::Vector2d;
-
 std::vector<QuadrilateralSurface::Field> empty_fields(const Eigen::Index n_points)
 {
   std::vector<QuadrilateralSurface::Field> all;
@@ -47,7 +45,7 @@ std::string contact_vtu(const ContactFieldEvaluator &evaluator, const ContactSta
   {
     const auto &[node, image] = whole.nodes[point];
     const auto &place = surface.place(node).position;
-    drawn.points.col(point).head<2>() = (whole.images[image] * Vector2d(place[0], place[1])).cast<float>();
+    drawn.points.col(point).head<2>() = whole.place(whole.nodes[point], place).cast<float>();
     const ContactFields seen = mapped(fields[node], whole.images[image]);
     for (std::size_t i = 0; i < drawn.fields.size(); ++i)
     {

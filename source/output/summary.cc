@@ -239,7 +239,7 @@ std::string describe_steps(const LoadOptions &load)
 
 std::string describe_model(const ModelChoice &model)
 {
-  return "model          " + model.symmetry.name() + " (" + model.reason + ")\n";
+  return "model          " + model.symmetry.full_name() + " (" + model.reason + ")\n";
 }
 
 std::string describe_friction(const Parameters &parameters)
@@ -272,7 +272,7 @@ std::string describe_model(const Parameters &parameters, const ModelChoice &mode
   const ContactSolverOptions &solver = parameters.contact_solver;
   std::ostringstream text;
   text << describe_model(model) << "mesh           " << unknowns.size().cells
-       << (model.symmetry.is_axisymmetric() ? " quadrilaterals" : " hexahedra") << " of degree "
+       << (model.symmetry.is_section() ? " quadrilaterals" : " hexahedra") << " of degree "
        << parameters.mesh.degree << ", " << parameters.mesh.n_quadrature_points()
        << " Gauss points per direction"
        << (parameters.mesh.resolved_volumetric_quadrature() == VolumetricQuadrature::projected
@@ -281,7 +281,10 @@ std::string describe_model(const Parameters &parameters, const ModelChoice &mode
        << "unknowns       " << unknowns.size().free_dofs << " of " << unknowns.size().dofs
        << " degrees of freedom\n"
        << describe_obstacle(parameters) << "contact nodes  " << unknowns.contact_surface().nodes.size()
-       << (model.symmetry.is_axisymmetric() ? " (rings)" : "") << "\n"
+       << (model.symmetry.is_axisymmetric()   ? " (rings)"
+           : model.symmetry.is_plane_strain() ? " (lines)"
+                                              : "")
+       << "\n"
        << describe_friction(parameters) << describe_steps(parameters.load)
        << (parameters.mesh.backend == BodyBackend::multigrid ? "elastic body   multigrid\n" : "")
        << "contact solver " << solver.method << ", tolerance " << to_text(solver.tolerance);

@@ -27,11 +27,12 @@ OrderedJson model_json(const Summary &summary)
 {
   const BodyUnknowns &unknowns = summary.unknowns;
   OrderedJson planes = OrderedJson::array();
-  if (summary.model.symmetry.planes().normal_to_x)
+  const ModelSymmetry &symmetry = summary.model.symmetry;
+  if (symmetry.planes().normal_to_x)
     planes.push_back("x = 0");
-  if (summary.model.symmetry.planes().normal_to_y)
+  if (symmetry.planes().normal_to_y)
     planes.push_back("y = 0");
-  return {{"kind", summary.model.symmetry.name()},
+  return {{"kind", symmetry.is_plane_strain() ? "plane strain" : symmetry.name()},
           {"reason", summary.model.reason},
           {"symmetry_planes", planes},
           {"backend", summary.parameters.mesh.backend == BodyBackend::multigrid ? "multigrid" : "condensed"},

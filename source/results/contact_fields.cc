@@ -133,7 +133,7 @@ ContactFieldEvaluator::ContactFieldEvaluator(const Scene &scene)
       shares_(symmetry_.force_shares(surface_)),
       compliances_(node_compliance(surface_, symmetry_, scene.contact_material())),
       tolerance_(scene.parameters().contact_solver.tolerance),
-      stick_area_(surface_, scene.contact_material()),
+      stick_area_(surface_, scene.contact_material(), symmetry_.section().value_or(SectionModel())),
       zones_(surface_)
 {
 }
@@ -192,7 +192,7 @@ double ContactFieldEvaluator::load_width(const ContactState &state) const
   if (force <= 0)
     return 0;
   const double area = force * force / squares;
-  return symmetry_.is_axisymmetric() || area > most_of_contact * contact
+  return symmetry_.is_section() || area > most_of_contact * contact
              ? std::numeric_limits<double>::infinity()
              : std::sqrt(symmetry_.n_copies() * area * force / of_nodes);
 }

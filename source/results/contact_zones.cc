@@ -14,13 +14,13 @@ namespace
 {
 using Side = std::pair<unsigned int, unsigned int>;
 
-/// Sides of a face between neighbouring nodes on its outline; the last node of a section's face.
+/// Sides of a face between neighbouring nodes on its outline; both end nodes of a section's face.
 std::vector<Side> outline(const std::vector<unsigned int> &face, const unsigned int degree)
 {
   const unsigned int n = degree + 1;
   std::vector<Side> sides;
   if (face.size() == n)
-    return {{face.back(), face.back()}};
+    return {{face.front(), face.front()}, {face.back(), face.back()}};
   for (unsigned int i = 0; i < degree; ++i)
   {
     sides.emplace_back(face[i], face[i + 1]);
@@ -81,7 +81,7 @@ void ContactZones::find_rim(const ContactSurface &surface)
   for (const auto &[side, n] : n_faces)
   {
     const auto &[a, b] = side;
-    if (is_section ? neighbours_[a].size() == 1
+    if (is_section ? neighbours_[a].size() == 1 && surface.place(a).is_free[0] // not on axis or plane
                    : n == 1 && !is_beside_smaller(a) && !is_beside_smaller(b) &&
                          !is_mirrored(surface.place(a), surface.place(b)))
       is_at_rim_[a] = is_at_rim_[b] = true;

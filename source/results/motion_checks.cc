@@ -4,6 +4,7 @@
 
 #include <orthocone/base/numbers.h>
 #include <orthocone/base/text.h>
+#include <orthocone/surface/strip.h>
 
 #include <algorithm>
 #include <cmath>
@@ -58,13 +59,14 @@ double mean_pressure(const ContactSurface &surface, const ContactState &state)
   return relative(force, area);
 }
 
-/// Mean size of the faces of a contact surface, mm.
-double mean_size(const ContactSurface &surface)
+/// Mean size of the faces of a contact surface, mm; of lines, their length.
+double mean_size(const ContactSurface &surface, const ModelSymmetry &symmetry)
 {
   double area = 0;
   for (const ContactNode &node : surface.nodes)
     area += node.area;
-  return std::sqrt(area / static_cast<double>(surface.faces.size()));
+  const double of_face = area / static_cast<double>(surface.faces.size());
+  return symmetry.is_plane_strain() ? of_face / symmetry.section()->thickness : std::sqrt(of_face);
 }
 
 /// The faces of the surface that touch, where the slip of their nodes has brought them.
@@ -92,9 +94,10 @@ ContactSurface touching_part(const Scene &scene, const ContactState &state)
 void check_slide(const Scene &scene, const ContactState &state, MotionChecks &checks)
 {
   const ContactSurface &own = scene.lower()->body().surface();
-  checks.slide_of_face = largest_slip_in_contact(state) / mean_size(own);
+  checks.slide_of_face = largest_slip_in_contact(state) / mean_size(own, scene.symmetry());
   if (checks.slide_of_face > 1)
-    checks.cover = covered_share(touching_part(scene, state), own);
+    checks.cover = covered_share(as_faces(touching_part(scene, state), scene.symmetry()),
+                                 as_faces(own, scene.symmetry()));
 }
 } // namespace
 

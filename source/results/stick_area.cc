@@ -112,9 +112,11 @@ double stick_share(const double reserve, const double slip, const double edge_co
   return std::min(1., std::max(0., 1 - a / (y * length)));
 }
 
-StickArea::StickArea(const ContactSurface &surface, const MaterialOptions &material)
+StickArea::StickArea(const ContactSurface &surface, const MaterialOptions &material,
+                     const SectionModel &section)
     : poisson_ratio_(material.isotropic().poisson_ratio),
-      edge_compliance_(4. / 3 * (1 - std::pow(poisson_ratio_, 2)) / material.isotropic().young_modulus)
+      edge_compliance_(4. / 3 * (1 - std::pow(poisson_ratio_, 2)) / material.isotropic().young_modulus),
+      section_(section)
 {
   const bool is_section = !surface.faces.empty() && surface.faces.front().size() == surface.degree + 1;
   for (const auto &face : surface.faces)
@@ -280,11 +282,11 @@ double StickArea::area(const Ring &ring, const std::vector<StickSample> &samples
   const bool outer_sticks = outer.status == NodeStatus::stick;
   if (!inner_sticks && !outer_sticks)
     return 0;
-  std::array<double, 2> radii = ring.radii;
+  std::array<double, 2> places = ring.places;
   if (inner_sticks != outer_sticks)
-    radii[inner_sticks ? 1 : 0] +=
-        (ring.radii[1] - ring.radii[0]) *
-        (border(inner, outer, ring.radii[1] - ring.radii[0], {{1, 0}}) - (inner_sticks ? 1 : 0));
-  return pi * (radii[1] * radii[1] - radii[0] * radii[0]);
+    places[inner_sticks ? 1 : 0] +=
+        (ring.places[1] - ring.places[0]) *
+        (border(inner, outer, ring.places[1] - ring.places[0], {{1, 0}}) - (inner_sticks ? 1 : 0));
+  return section_.length_at((places[0] + places[1]) / 2) * (places[1] - places[0]);
 }
 } // namespace orthocone

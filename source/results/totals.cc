@@ -28,13 +28,19 @@ void count_status(const NodeStatus status, const unsigned int n, Totals &totals)
   }
 }
 
-/// Sets to zero what cancels: forces across a plane of symmetry cancel between the copies, radial ones around
-/// a ring, and so do moments, except the one about the normal of a plane.
+/// Sets to zero what cancels: forces across a plane of symmetry cancel between the copies, and so do moments,
+/// except the one about the normal of a plane. Around a ring all cancels but what is along or about its axis.
 void leave_out_what_cancels(const ModelSymmetry &symmetry, Totals &totals)
 {
-  const bool is_ring = symmetry.is_axisymmetric();
-  const std::array<bool, 2> mirrored{
-      {is_ring || symmetry.planes().normal_to_x, is_ring || symmetry.planes().normal_to_y}};
+  if (symmetry.is_axisymmetric())
+  {
+    totals.force.head<2>().setZero();
+    totals.moment.head<2>().setZero();
+    if (!symmetry.has_third())
+      totals.moment[2] = 0;
+    return;
+  }
+  const std::array<bool, 2> mirrored{{symmetry.planes().normal_to_x, symmetry.planes().normal_to_y}};
   for (unsigned int normal = 0; normal < 2; ++normal)
     if (mirrored[normal])
     {

@@ -72,9 +72,21 @@ Asymmetry asymmetry_of(const Parameters &parameters)
                      friction.asymmetry(symmetry, sample), obstacle->asymmetry(symmetry, sample),
                      program.asymmetry(symmetry)});
   };
+  const SymmetryPlanes of_file = shape->own_planes(),
+                       of_lower_file = lower ? lower->own_planes() : SymmetryPlanes();
+  if (parameters.geometry.is_plane_strain())
+    return {{{why(plane_strain(parameters, true, true)), ""}},
+            "Geometry/Kind = plane strain",
+            why(plane_strain(parameters, true)),
+            why(plane_strain(parameters, false)),
+            of_file,
+            of_lower_file};
+  const bool is_clamped = parameters.geometry.top_face == TopFace::clamped; // a guided top holds no twist
   return {{{why(SymmetryPlanes{true, false}), why(SymmetryPlanes{false, true})}},
+          why(ModelSymmetry::of_revolution(is_clamped)),
+          "Geometry/Kind = solid",
           why(ModelSymmetry::of_revolution()),
-          shape->own_planes(),
-          lower ? lower->own_planes() : SymmetryPlanes()};
+          of_file,
+          of_lower_file};
 }
 } // namespace orthocone

@@ -93,6 +93,33 @@ void check_lower_body(const Parameters &parameters)
   check_body(lower);
 }
 
+/// Refuses a lower body in plane strain that is no section of the same thickness.
+void check_lower_section(const Parameters &parameters, const std::string &with)
+{
+  constexpr unsigned int most_of_faces = 3;
+  const GeometryOptions &upper = parameters.geometry, &lower = parameters.lower.geometry;
+  if (lower.shape == BodyShape::cylinder)
+    throw InputError(lower.shape_entry() + with + "box or file");
+  if (lower.shape == BodyShape::box && lower.sizes[1] != upper.section_thickness())
+    throw InputError(lower.section + "/Sizes: l_y = " + to_text(lower.sizes[1]) + " mm" + with +
+                     "the thickness of the upper body, " + to_text(upper.section_thickness()) + " mm");
+  if (parameters.mesh.degree > most_of_faces)
+    throw InputError(parameters.mesh.section + "/Degree = " + std::to_string(parameters.mesh.degree) +
+                     " with Obstacle/Kind = body: allowed is a whole number from 1 to 3");
+}
+
+/// Refuses what has no plane strain.
+void check_plane_strain(const Parameters &parameters)
+{
+  if (!parameters.geometry.is_plane_strain())
+    return;
+  const std::string with = " with Geometry/Kind = plane strain: allowed is ";
+  if (parameters.geometry.shape == BodyShape::cylinder)
+    throw InputError(parameters.geometry.shape_entry() + with + "box or file");
+  if (parameters.obstacle.kind == ObstacleKind::body)
+    return check_lower_section(parameters, with);
+}
+
 void check_obstacle(const ObstacleOptions &obstacle)
 {
   if (!obstacle.gap_file.empty())
@@ -102,6 +129,7 @@ void check_obstacle(const ObstacleOptions &obstacle)
 
 void check_parameters(const Parameters &parameters)
 {
+  check_plane_strain(parameters);
   check_mesh_choice(parameters);
   check_backend(parameters);
   check_law(parameters);

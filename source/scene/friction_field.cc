@@ -63,8 +63,15 @@ private:
   VectorXd forces_{2 * n_directions};
 };
 
-/// Friction along radius and hoop of a section, which are the axes of its ellipses.
-FrictionLaw law_of_ring(const FrictionLaw &law, const double angle)
+/// Whether the axes of friction are those of a section without a third component: radius and hoop, or x and
+/// y.
+bool lies_in_section(const ModelSymmetry &symmetry)
+{
+  return symmetry.is_section() && !symmetry.has_third();
+}
+
+/// Friction along the axes of such a section, which are those of its ellipses.
+FrictionLaw law_in_section(const FrictionLaw &law, const double angle)
 {
   const OrthotropicFriction *const ellipse = law.ellipse();
   if (ellipse == nullptr || std::abs(std::remainder(angle, 2 * right_angle)) <= right_angle / 2)
@@ -105,13 +112,14 @@ std::vector<FrictionLaw> FrictionField::laws(const ContactSurface &surface,
     return std::vector<FrictionLaw>(surface.nodes.size(), law(Vector2d::Zero()));
   std::vector<FrictionLaw> laws;
   for (const Vector2d &place : places_of(surface))
-    laws.push_back(symmetry.is_axisymmetric() ? law_of_ring(law(place), angle(place)) : law(place));
+    laws.push_back(lies_in_section(symmetry) ? law_in_section(law(place), angle(place)) : law(place));
   return laws;
 }
 
 LocalAxes FrictionField::axes(const ContactSurface &surface, const ModelSymmetry &symmetry) const
 {
-  if (symmetry.is_axisymmetric())
+  // Friction that is the same all around is isotropic where it does not vary.
+  if ((symmetry.is_axisymmetric() && !varies()) || (lies_in_section(symmetry) && varies()))
     return LocalAxes(0);
   if (!options_.varying_angle)
     return LocalAxes(options_.angle);
@@ -132,7 +140,8 @@ std::string FrictionField::constant_asymmetry(const ModelSymmetry &symmetry) con
            : !has_equal_p
                ? "Friction/Slip potential = " + pair(options_.p()) + " differ, which makes slip orthotropic"
                : "";
-  if ((has_equal_mu && has_equal_p) || std::remainder(options_.angle, right_angle) == 0)
+  const bool is_mirrored = !symmetry.is_section() || !symmetry.has_third() || symmetry.planes().normal_to_x;
+  if (!is_mirrored || (has_equal_mu && has_equal_p) || std::remainder(options_.angle, right_angle) == 0)
     return {};
   return "Friction/Orthotropy angle = " + to_text(options_.angle) + " turns the axes of friction";
 }
@@ -144,10 +153,10 @@ std::string FrictionField::asymmetry_of_maps(const ModelSymmetry &symmetry,
   {
     if (symmetry.is_axisymmetric() && place[0] == 0)
       continue; // nothing slips on the axis
-    for (const Matrix2d &map : symmetry_maps(symmetry))
+    for (const Eigen::Affine2d &map : symmetry_maps(symmetry))
     {
       const Vector2d image = map * place;
-      if (!ForcesAgainstSlip(law(image), angle(image), map)
+      if (!ForcesAgainstSlip(law(image), angle(image), map.linear())
                .is_like(ForcesAgainstSlip(law(place), angle(place))))
         return "friction at " + place_text(image) + " is no image of that at " + place_text(place);
     }

@@ -6,6 +6,7 @@
 #include <orthocone/base/stopwatch.h>
 #include <orthocone/base/text.h>
 #include <orthocone/scene/surface_sample.h>
+#include <orthocone/surface/strip.h>
 
 #include <cmath>
 
@@ -34,9 +35,9 @@ void require(const SurfaceCover &cover)
                      "lower body");
 }
 
-MortarMap checked_map(const ContactSurface &surface, const ContactSurface &own)
+MortarMap checked_map(const ContactSurface &surface, const ContactSurface &own, const ModelSymmetry &symmetry)
 {
-  MortarMap mortar = mortar_map(surface, own);
+  MortarMap mortar = mortar_map(surface, own, symmetry);
   require(mortar.cover);
   return mortar;
 }
@@ -84,9 +85,11 @@ LowerBody::LowerBody(const Parameters &parameters, const ModelSymmetry &symmetry
     : body_(
           parameters.lower, symmetry, [](const ContactSurface &) { return own_axes(); }, [](const Body &) {},
           seconds),
-      map_(timed(
-          seconds.condensation, [&]
-          { return with_axes(checked_map(surface, body_.surface()).map, surface, axes, body_.surface()); })),
+      map_(timed(seconds.condensation,
+                 [&] {
+                   return with_axes(checked_map(surface, body_.surface(), symmetry).map, surface, axes,
+                                    body_.surface());
+                 })),
       gaps_(parted(depths(body_.surface())))
 {
 }
@@ -102,6 +105,7 @@ void require_cover(const Parameters &parameters, const ModelSymmetry &symmetry)
     return;
   const Body upper(parameters, symmetry);
   const Body lower(parameters.lower, symmetry);
-  require(surface_cover(upper.unknowns().contact_surface(), lower.unknowns().contact_surface()));
+  require(surface_cover(as_faces(upper.unknowns().contact_surface(), symmetry),
+                        as_faces(lower.unknowns().contact_surface(), symmetry)));
 }
 } // namespace orthocone

@@ -3,8 +3,10 @@
 #include <orthocone/scene/model_choice.h>
 
 #include <orthocone/base/errors.h>
+#include <orthocone/base/ranks.h>
 #include <orthocone/base/text.h>
 #include <orthocone/scene/asymmetry.h>
+#include <orthocone/scene/load_path.h>
 #include <orthocone/scene/options.h>
 #include <orthocone/scene/surface_sample.h>
 
@@ -27,12 +29,24 @@ std::string possible_models(const Asymmetry &asymmetry)
                    "; possible models are " + possible_models(asymmetry));
 }
 
-/// Only two planes of symmetry, or its axis, hold a body whose top is free sideways.
+/// Only two planes of symmetry, or its axis, hold a body whose top is free sideways; in plane strain x = 0
+/// does.
 void check_guided_top(const Parameters &parameters, const Asymmetry &asymmetry, const ModelSymmetry &symmetry)
 {
+  const bool is_plane = symmetry.is_plane_strain();
   if (parameters.geometry.top_face != TopFace::guided || symmetry.is_axisymmetric() ||
-      symmetry.n_copies() == 4)
+      symmetry.n_copies() == (is_plane ? 2 : 4))
+  {
+    if (parameters.geometry.top_face == TopFace::guided && symmetry.has_third())
+      throw InputError("Geometry/Top face = guided is not possible: it does not hold the third component of "
+                       "displacement, which is there because " +
+                       asymmetry.about_section + "; allowed is clamped");
     return;
+  }
+  if (is_plane)
+    throw InputError("Geometry/Top face = guided needs the half model, which " +
+                     (asymmetry.has_plane(0) ? std::string("Mesh/Model = half and auto choose")
+                                             : "is not possible: " + asymmetry.about_planes[0]));
   const bool has_quarter = asymmetry.planes().n_copies() == 4;
   if (has_quarter || asymmetry.can_be_revolved())
     throw InputError("Geometry/Top face = guided with Mesh/Model = " + to_word(parameters.mesh.model) +
@@ -47,7 +61,7 @@ void check_guided_top(const Parameters &parameters, const Asymmetry &asymmetry, 
 void check_degree(const Parameters &parameters, const Asymmetry &asymmetry, const ModelSymmetry &symmetry)
 {
   constexpr unsigned int most_of_solids = 3;
-  if (parameters.mesh.degree > most_of_solids && !symmetry.is_axisymmetric())
+  if (parameters.mesh.degree > most_of_solids && !symmetry.is_section())
     throw InputError("Mesh/Degree = " + std::to_string(parameters.mesh.degree) + " with the " +
                      symmetry.name() + " model: allowed is a whole number from 1 to 3" +
                      (asymmetry.can_be_revolved() ? ", or Mesh/Model = axisymmetric" : ""));
@@ -56,16 +70,32 @@ void check_degree(const Parameters &parameters, const Asymmetry &asymmetry, cons
 /// Refuses multigrid for sections: they are small, so that a factorization serves them better.
 void check_backend(const Parameters &parameters, const ModelSymmetry &symmetry)
 {
-  if (parameters.mesh.backend == BodyBackend::multigrid && symmetry.is_axisymmetric())
-    throw InputError("Mesh/Backend = multigrid with the axisymmetric model: allowed is auto or condensed, or "
-                     "Mesh/Model = quarter");
+  if (parameters.mesh.backend != BodyBackend::multigrid || !symmetry.is_section())
+    return;
+  if (symmetry.is_plane_strain())
+    throw InputError("Mesh/Backend = multigrid with Geometry/Kind = plane strain: only solids have its "
+                     "levels; allowed is auto or "
+                     "condensed");
+  throw InputError("Mesh/Backend = multigrid with the axisymmetric model: allowed is auto or condensed, or "
+                   "Mesh/Model = quarter");
+}
+
+/// Whether entries ask for what only a solid has: a backend, processes, numbers of its cells, or problem
+/// files.
+bool asks_for_solid(const Parameters &parameters)
+{
+  return parameters.mesh.backend == BodyBackend::multigrid || n_ranks() > 1 ||
+         !parameters.mesh.refined_cells.empty() || parameters.output.problem_interval != 0;
 }
 
 ModelChoice smallest_choice(const Parameters &parameters, const Asymmetry &asymmetry)
 {
   const bool varies = varies_over_surface(parameters);
   const std::string compared = varies ? "; gap and friction were compared at all contact nodes" : "";
-  if (asymmetry.can_be_revolved())
+  if (asymmetry.can_be_revolved() && asymmetry.needs_third() && !asks_for_solid(parameters))
+    return {ModelSymmetry::of_revolution(true), "everything is the same all around" + compared +
+                                                    "; with the twist, because " + asymmetry.about_section};
+  if (asymmetry.can_be_revolved() && !asymmetry.needs_third())
     return {ModelSymmetry::of_revolution(),
             (varies ? "friction and gap are the same all around" : "friction is isotropic") +
                 (" and the top moves along the axis" + compared)};
@@ -73,6 +103,54 @@ ModelChoice smallest_choice(const Parameters &parameters, const Asymmetry &asymm
   return {planes, planes.n_copies() == 4 ? std::string("friction, ") + (varies ? "gap, " : "") +
                                                "load and mesh are symmetric about x = 0 and y = 0" + compared
                                          : asymmetry.of_planes()};
+}
+
+/// The displacement of a half-plane has no datum: what moves the body against it must be a force.
+void check_datum(const Parameters &parameters, const ModelSymmetry &symmetry)
+{
+  if (!symmetry.is_plane_strain() || parameters.obstacle.kind != ObstacleKind::half_space)
+    return;
+  constexpr unsigned int n_translations = 3;
+  for (const PathLeg &leg : load_path(parameters.load))
+    for (unsigned int i = 0; i < n_translations; ++i)
+      if (symmetry.leaves(i) && !leg.after[i].by_force)
+        throw InputError(leg.entry + ": u" + "xyz"[i] + " is a motion, or not named, in leg " +
+                         std::to_string(leg.number) +
+                         ": allowed with Obstacle/Kind = half-space in plane strain is a force F" + "xyz"[i] +
+                         ", such as 0, because the displacement of a half-plane has no datum");
+}
+
+/// The section of a scene in plane strain, which is halved where it is symmetric.
+ModelChoice choice_of_plane_strain(const Parameters &parameters, const Asymmetry &asymmetry)
+{
+  if (!asymmetry.along_y.empty())
+    throw InputError("Geometry/Kind = plane strain is not possible: " + asymmetry.along_y +
+                     "; allowed is Kind = solid");
+  const ModelKind model = parameters.mesh.model;
+  const bool can_be_half = asymmetry.has_plane(0), must_be_half = asymmetry.of_file.normal_to_x;
+  if (must_be_half && !can_be_half)
+    throw InputError("Geometry/Symmetry surfaces: the mesh file ends at x = 0, about which the scene is not "
+                     "symmetric: " +
+                     asymmetry.about_planes[0] + "; allowed is a mesh of both sides");
+  if (must_be_half && model == ModelKind::full)
+    throw InputError(
+        "Mesh/Model = full is not possible: the mesh file has the half body; possible models are "
+        "half, auto");
+  if (model == ModelKind::quarter || model == ModelKind::axisymmetric ||
+      (model == ModelKind::half && !can_be_half))
+    throw InputError("Mesh/Model = " + to_word(model) + " is not possible: " +
+                     (model == ModelKind::half ? asymmetry.about_planes[0]
+                                               : "Geometry/Kind = plane strain has a section (x, z)") +
+                     "; possible models are full" + (can_be_half ? ", half" : "") + ", auto");
+  const bool is_half = model == ModelKind::half || (model == ModelKind::automatic && can_be_half);
+  std::string reason = asymmetry.needs_third()
+                           ? "u_y is modelled because " + asymmetry.about_section
+                           : "u_y is 0: friction and load are symmetric about the section y = 0";
+  if (model == ModelKind::automatic)
+    reason += is_half                                                ? "; the scene is symmetric about x = 0"
+              : asymmetry.about_planes[0] == asymmetry.about_section ? ""
+                                                                     : "; " + asymmetry.about_planes[0];
+  return {plane_strain(parameters, asymmetry.needs_third(), is_half), reason};
 }
 
 /// A file has one part of the body. The scene must have the symmetry of this part, and no other model can be
@@ -124,7 +202,7 @@ ModelSymmetry requested_symmetry(const Parameters &parameters, const Asymmetry &
   case ModelKind::axisymmetric:
     if (!asymmetry.can_be_revolved())
       reject(parameters, asymmetry, asymmetry.about_axis);
-    return ModelSymmetry::of_revolution();
+    return ModelSymmetry::of_revolution(asymmetry.needs_third());
   }
   return {};
 }
@@ -134,13 +212,15 @@ ModelChoice choose_model(const Parameters &parameters)
 {
   const Asymmetry asymmetry = asymmetry_of(parameters);
   const ModelChoice choice =
-      parameters.geometry.is_from_file() ? choice_of_file(parameters, asymmetry)
+      parameters.geometry.is_plane_strain() ? choice_of_plane_strain(parameters, asymmetry)
+      : parameters.geometry.is_from_file()  ? choice_of_file(parameters, asymmetry)
       : parameters.mesh.model == ModelKind::automatic
           ? smallest_choice(parameters, asymmetry)
           : ModelChoice{requested_symmetry(parameters, asymmetry), "as Mesh/Model says"};
   check_guided_top(parameters, asymmetry, choice.symmetry);
   check_degree(parameters, asymmetry, choice.symmetry);
   check_backend(parameters, choice.symmetry);
+  check_datum(parameters, choice.symmetry);
   check_lower_file(asymmetry, choice.symmetry);
   return choice;
 }

@@ -6,7 +6,7 @@
 #include <orthocone/base/text.h>
 #include <orthocone/entries/expression.h>
 #include <orthocone/scene/gap_file.h>
-#include <orthocone/surface/half_space.h>
+#include <orthocone/surface/half_plane.h>
 
 #include <algorithm>
 #include <cmath>
@@ -95,7 +95,9 @@ public:
   Eigen::MatrixXd compliance(const ContactSurface &surface, const ModelSymmetry &symmetry,
                              const LocalAxes &axes) const override
   {
-    return half_space_compliance({material_.young_modulus, material_.poisson_ratio}, surface, symmetry, axes);
+    const HalfSpace half_space{material_.young_modulus, material_.poisson_ratio};
+    return symmetry.is_plane_strain() ? half_plane_compliance(half_space, surface, symmetry, axes)
+                                      : half_space_compliance(half_space, surface, symmetry, axes);
   }
 
 private:
@@ -201,7 +203,7 @@ std::string Obstacle::asymmetry(const ModelSymmetry &symmetry, const SurfaceSamp
   double largest = 0;
   for (const Vector2d &place : sample.of(symmetry))
     largest = std::max(largest, std::abs(gap(place)));
-  for (const auto &map : symmetry_maps(symmetry))
+  for (const Eigen::Affine2d &map : symmetry_maps(symmetry))
     for (const Vector2d &place : sample.of(symmetry))
       if (const Vector2d image = map * place; !(std::abs(gap(image) - gap(place)) <= rounding * largest))
         return difference_text(*this, place, image);

@@ -13,6 +13,7 @@ void declare_parameters(Parameters &parameters, EntryList &list)
   };
   section("Geometry", declare_shape, parameters.geometry);
   section("Geometry", declare_top_face, parameters.geometry);
+  section("Geometry", declare_kind, parameters.geometry);
   section("Mesh", declare_mesh_choice, parameters.mesh);
   Section mesh(list, "Mesh");
   declare_cells(parameters.mesh, parameters.geometry, mesh);
@@ -45,6 +46,9 @@ ParameterFile read_parameter_file(const std::string &file_name, const std::vecto
   file.text = read_entries(file_name, list);
   for (const std::string &assignment : overrides)
     assign_entry(assignment, list);
+  // Both bodies are solids, or sections of one thickness.
+  file.parameters.lower.geometry.kind = file.parameters.geometry.kind;
+  file.parameters.lower.geometry.thickness = file.parameters.geometry.section_thickness();
   return file;
 }
 

@@ -23,14 +23,15 @@ void check_fields(const Obstacle &obstacle, const FrictionField &friction, const
   const std::vector<Eigen::Vector2d> places = places_of(surface);
   obstacle.check(places);
   friction.check(places);
-  if (symmetry.name() == ModelSymmetry().name())
+  if (symmetry.name() == ModelSymmetry().name() && !symmetry.is_section())
     return; // the whole body
   const SurfaceSample sample{places, places};
   for (const std::string &why : {friction.asymmetry(symmetry, sample), obstacle.asymmetry(symmetry, sample)})
     if (!why.empty())
       throw InputError(
           "Mesh/Model: on the nodes of a mesh with smaller cells the scene is not as symmetric as its " +
-          symmetry.name() + " model: " + why + "; allowed is Mesh/Model = full");
+          symmetry.full_name() + " model: " + why + "; allowed is " +
+          (symmetry.is_plane_strain() ? "Geometry/Kind = solid" : "Mesh/Model = full"));
 }
 
 /// Accuracy of solutions: well below the tolerance of the contact solver and the bound Checks/Equilibrium,
@@ -153,7 +154,7 @@ Wrench Scene::held_wrench(const NodeVector &force) const
   const Wrench contact = body_->wrench(force);
   Wrench held;
   for (unsigned int i = 0; i < n_rigid_components; ++i)
-    held[i] = symmetry().leaves(i) ? -static_cast<double>(symmetry().n_copies()) * contact[i] : 0;
+    held[i] = symmetry().carries(i) ? -static_cast<double>(symmetry().n_copies()) * contact[i] : 0;
   return held;
 }
 

@@ -16,22 +16,22 @@
 
 namespace orthocone
 {
-using Eigen::Matrix2d;
 using Eigen::Vector2d;
 
 namespace
 {
 /// A mesh with the same contact surface and the smallest body above it.
-MeshOptions flat_mesh(const Parameters &parameters, const bool is_axisymmetric)
+MeshOptions flat_mesh(const Parameters &parameters, const ModelSymmetry &symmetry)
 {
   constexpr unsigned int most_of_solids = 3;
+  const bool is_axisymmetric = symmetry.is_axisymmetric();
   MeshOptions mesh = parameters.mesh.accuracy != 0
                          ? ladder_mesh(parameters.geometry, parameters.mesh, is_axisymmetric,
                                        n_ladder_levels(is_axisymmetric) - 1)
                          : resolved_mesh(parameters.geometry, parameters.mesh, is_axisymmetric);
   mesh.layers = mesh.cells[2] = 1;
   mesh.refined_cells.clear(); // numbers of other cells
-  mesh.degree = is_axisymmetric ? mesh.degree : std::min(mesh.degree, most_of_solids);
+  mesh.degree = symmetry.is_section() ? mesh.degree : std::min(mesh.degree, most_of_solids);
   return mesh;
 }
 
@@ -39,7 +39,10 @@ MeshOptions flat_mesh(const Parameters &parameters, const bool is_axisymmetric)
 SurfaceSample sample_of_file(const Parameters &parameters)
 {
   const SymmetryPlanes planes = ImportedMesh(parameters.geometry).planes();
-  const Body body(parameters, planes);
+  const ModelSymmetry symmetry = parameters.geometry.is_plane_strain()
+                                     ? plane_strain(parameters, false, planes.normal_to_x)
+                                     : ModelSymmetry(planes);
+  const Body body(parameters, symmetry);
   SurfaceSample sample;
   for (const double x : {1., -1.})
     for (const double y : {1., -1.})
@@ -56,11 +59,17 @@ SurfaceSample sample_of_file(const Parameters &parameters)
 std::vector<Vector2d> contact_places(const Parameters &given, const ModelSymmetry &symmetry)
 {
   Parameters parameters = given;
-  parameters.mesh = flat_mesh(given, symmetry.is_axisymmetric());
+  parameters.mesh = flat_mesh(given, symmetry);
   parameters.geometry.top_face = TopFace::clamped;
   return places_of(Body(parameters, symmetry).unknowns().contact_surface());
 }
 } // namespace
+
+ModelSymmetry plane_strain(const Parameters &parameters, const bool has_third, const bool is_mirrored_about_x)
+{
+  return ModelSymmetry::of_plane_strain(parameters.geometry.section_thickness(), has_third,
+                                        is_mirrored_about_x);
+}
 
 std::vector<Vector2d> places_of(const ContactSurface &surface)
 {
@@ -74,7 +83,9 @@ SurfaceSample surface_sample(const Parameters &parameters)
 {
   if (parameters.geometry.is_from_file())
     return sample_of_file(parameters);
-  SurfaceSample sample{contact_places(parameters, {}), {}};
+  const ModelSymmetry whole =
+      parameters.geometry.is_plane_strain() ? plane_strain(parameters, false) : ModelSymmetry();
+  SurfaceSample sample{contact_places(parameters, whole), {}};
   sample.held_centre[2] = parameters.geometry.held_height();
   const auto shape = make_shape(parameters.geometry, parameters.mesh);
   if (const auto section = ModelSymmetry::of_revolution(); shape->asymmetry(section).empty())
@@ -82,21 +93,41 @@ SurfaceSample surface_sample(const Parameters &parameters)
   return sample;
 }
 
-std::vector<Matrix2d> symmetry_maps(const ModelSymmetry &symmetry)
+namespace
 {
-  const Matrix2d mirror_x = Vector2d(-1, 1).asDiagonal(), mirror_y = Vector2d(1, -1).asDiagonal();
-  std::vector<Matrix2d> maps;
+/// Of a section, without mirrors: turns by golden angles or shifts by golden parts of the thickness, under
+/// which no number of waves repeats (docs/theory.md, section 3, "Gaps and friction that varies").
+std::vector<Eigen::Affine2d> maps_of(const SectionModel &section)
+{
+  constexpr int n_maps = 16;
+  const double golden = (3 - std::sqrt(5)) / 2;
+  std::vector<Eigen::Affine2d> maps;
+  for (int i = 1; i <= n_maps; ++i)
+    if (section.is_revolved())
+      maps.emplace_back(Eigen::Rotation2Dd(i * golden * 2 * pi));
+    else
+      maps.emplace_back(
+          Eigen::Translation2d(0, section.thickness * (i * golden - std::floor(i * golden) - 0.5)));
+  return maps;
+}
+} // namespace
+
+std::vector<Eigen::Affine2d> symmetry_maps(const ModelSymmetry &symmetry)
+{
+  Eigen::Affine2d mirror_x = Eigen::Affine2d::Identity(), mirror_y = mirror_x;
+  mirror_x.linear()(0, 0) = -1;
+  mirror_y.linear()(1, 1) = -1;
+  std::vector<Eigen::Affine2d> maps;
   if (symmetry.planes().normal_to_x)
     maps.push_back(mirror_x);
   if (symmetry.planes().normal_to_y)
     maps.push_back(mirror_y);
-  if (!symmetry.is_axisymmetric())
+  if (!symmetry.is_section())
     return maps;
-  constexpr int n_turns = 16; // docs/theory.md, section 3, "Gaps and friction that varies"
-  const double golden_angle = pi * (3 - std::sqrt(5)); // no number of waves around the axis repeats under it
-  for (int i = 1; i <= n_turns; ++i)
-    maps.emplace_back(Eigen::Rotation2Dd(i * golden_angle).toRotationMatrix());
-  maps.push_back(mirror_y);
+  for (const Eigen::Affine2d &map : maps_of(*symmetry.section()))
+    maps.push_back(map);
+  if (!symmetry.has_third())
+    maps.push_back(mirror_y);
   return maps;
 }
 

@@ -202,8 +202,8 @@ void mirror(MatrixXd &matrix)
 MatrixXd half_space_compliance(const HalfSpace &half_space, const ContactSurface &surface,
                                const ModelSymmetry &symmetry, const LocalAxes &axes)
 {
-  if (symmetry.is_axisymmetric())
-    throw std::logic_error("a half-space has no compliance of rings");
+  if (symmetry.is_section())
+    throw std::logic_error("a half-space has no compliance of rings or strips");
   const Places places(surface, symmetry, half_space.n_points);
   MatrixXd matrix = between_places(half_space, places);
   if (!surface.hanging.empty())

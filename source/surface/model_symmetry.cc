@@ -92,29 +92,59 @@ std::string SymmetryPlanes::name() const
   return n == 1 ? "full" : n == 2 ? "half" : "quarter";
 }
 
-ModelSymmetry ModelSymmetry::of_revolution()
+ModelSymmetry ModelSymmetry::of_revolution(const bool with_twist)
 {
   ModelSymmetry symmetry;
-  symmetry.is_axisymmetric_ = true;
+  symmetry.section_ = SectionModel{SectionModel::Kind::revolved, with_twist};
   return symmetry;
+}
+
+ModelSymmetry ModelSymmetry::of_plane_strain(const double thickness, const bool has_third,
+                                             const bool is_mirrored_about_x)
+{
+  ModelSymmetry symmetry(SymmetryPlanes{is_mirrored_about_x, false});
+  symmetry.section_ = SectionModel{SectionModel::Kind::plane, has_third, thickness};
+  return symmetry;
+}
+
+std::string ModelSymmetry::full_name() const
+{
+  if (!section_)
+    return name();
+  if (section_->is_revolved())
+    return name() + (has_third() ? " with twist" : "");
+  return "plane strain, " + name() + (has_third() ? ", with u_y" : "");
 }
 
 // A mirror turns a motion along its normal, or a rotation about an axis in its plane, into the opposite
 // motion.
 bool ModelSymmetry::leaves(const unsigned int component) const
 {
-  constexpr unsigned int ux = 0, uy = 1, uz = 2, rx = 3, ry = 4;
-  if (is_axisymmetric_)
-    return component == uz;
+  constexpr unsigned int ux = 0, uy = 1, uz = 2, rx = 3, ry = 4, rz = 5;
+  if (is_axisymmetric())
+    return component == uz || (has_third() && component == rz);
+  // What turns a plane section about x or z moves it by a distance that grows with y.
+  if (is_plane_strain() && (component == rx || component == rz || (component == uy && !has_third())))
+    return false;
   const bool of_x = component == uy || component == uz || component == rx;
   const bool of_y = component == ux || component == uz || component == ry;
   return (!planes_.normal_to_x || of_x) && (!planes_.normal_to_y || of_y);
 }
 
+bool ModelSymmetry::carries(const unsigned int component) const
+{
+  constexpr unsigned int rx = 3, rz = 5;
+  if (!is_plane_strain() || !has_third() || (component != rx && component != rz))
+    return leaves(component);
+  return component == rx || !planes_.normal_to_x;
+}
+
 unsigned int ModelSymmetry::n_images(const ContactSurface &surface, const ContactNode &node) const
 {
-  if (is_axisymmetric_)
+  if (is_axisymmetric())
     return node.position[0] == 0 ? 1 : n_sectors * surface.degree;
+  if (is_plane_strain())
+    return (planes_.normal_to_x && node.is_free[0] ? 2 : 1) * n_across(surface);
   return (planes_.normal_to_x && node.is_free[0] ? 2 : 1) * (planes_.normal_to_y && node.is_free[1] ? 2 : 1);
 }
 
@@ -129,7 +159,7 @@ Eigen::VectorXd ModelSymmetry::force_shares(const ContactSurface &surface) const
 
 Matrix2d ModelSymmetry::map_to(const Vector2d &position) const
 {
-  if (is_axisymmetric_)
+  if (is_axisymmetric())
   {
     const double radius = std::hypot(position[0], position[1]);
     return radius == 0 ? Matrix2d::Identity() : turn(position[0] / radius, position[1] / radius);
@@ -169,8 +199,34 @@ WholeSurface ModelSymmetry::mirrored(const ContactSurface &surface) const
   return whole;
 }
 
+WholeSurface ModelSymmetry::extruded(const ContactSurface &surface) const
+{
+  const unsigned int n_side = surface.degree + 1;
+  WholeSurface whole;
+  for (unsigned int copy = 0; copy < n_copies(); ++copy)
+    for (unsigned int j = 0; j < n_side; ++j)
+    {
+      whole.images.emplace_back(Vector2d(copy == 1 ? -1 : 1, 1).asDiagonal());
+      whole.shifts.push_back(section_->thickness * (static_cast<double>(j) / surface.degree - 0.5));
+    }
+  NodeNumbers numbers(whole, surface.n_places());
+  for (unsigned int copy = 0; copy < n_copies(); ++copy)
+    for (const auto &line : surface.faces)
+    {
+      whole.faces.emplace_back();
+      for (unsigned int j = 0; j < n_side; ++j)
+        for (unsigned int i = 0; i < n_side; ++i)
+        {
+          const unsigned int node = line[copy == 1 ? surface.degree - i : i];
+          const unsigned int own_copy = surface.place(node).is_free[0] ? copy : 0;
+          whole.faces.back().push_back(numbers.of(node, own_copy * n_side + j));
+        }
+    }
+  return whole;
+}
+
 WholeSurface ModelSymmetry::whole(const ContactSurface &surface) const
 {
-  return is_axisymmetric_ ? revolved(surface) : mirrored(surface);
+  return is_axisymmetric() ? revolved(surface) : is_plane_strain() ? extruded(surface) : mirrored(surface);
 }
 } // namespace orthocone

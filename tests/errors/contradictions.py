@@ -2,6 +2,7 @@
 # Copyright (C) 2026 the orthocone authors
 """Entries that do not fit together: name of the file, its text without the message, the message."""
 FOLDER = "contradictions"
+PLANE = "subsection Geometry\n  set Kind = plane strain\n  set Shape = box\nend\n"
 ON_BODY = "subsection Obstacle\n  set Kind = body\nend\n"
 ROWS = [
     ("accuracy_and_resolution", "subsection Mesh\n  set Resolution = fine\n  set Accuracy   = 1 %\nend\n",
@@ -69,6 +70,30 @@ ROWS = [
     ("body_without_file", "subsection Lower geometry\n  set Shape = file\nend\n" + ON_BODY,
      "{file}: Lower geometry/Mesh file is empty with Lower geometry/Shape = file: allowed is the path of a mesh by "
      "Gmsh"),
+    ("plane_strain_cylinder", "subsection Geometry\n  set Kind = plane strain\nend\n",
+     "{file}: Geometry/Shape = cylinder with Geometry/Kind = plane strain: allowed is box or file"),
+    ("plane_strain_half_space",
+     PLANE + "subsection Obstacle\n  set Kind = half-space\nend\nsubsection Load program\n  set Legs = uz -0.1 : 1\nend\n",
+     "{file}: Load program/Legs: uz is a motion, or not named, in leg 1: allowed with Obstacle/Kind = half-space in plane "
+     "strain is a force Fz, such as 0, because the displacement of a half-plane has no datum"),
+    ("plane_strain_turned", PLANE + "subsection Load program\n  set Legs = uz -0.1 rx 0.1 : 1\nend\n",
+     "{file}: Geometry/Kind = plane strain is not possible: the load program turns the top about x; allowed is Kind = solid"),
+    ("plane_strain_quarter", PLANE + "subsection Mesh\n  set Model = quarter\nend\n",
+     "{file}: Mesh/Model = quarter is not possible: Geometry/Kind = plane strain has a section (x, z); possible models are "
+     "full, half, auto"),
+    ("plane_strain_multigrid", PLANE + "subsection Mesh\n  set Backend = multigrid\nend\n",
+     "{file}: Mesh/Backend = multigrid with Geometry/Kind = plane strain: only solids have its levels; allowed is auto or "
+     "condensed"),
+    ("plane_strain_guided",
+     "subsection Geometry\n  set Kind = plane strain\n  set Shape = box\n  set Top face = guided\nend\n"
+     "subsection Mesh\n  set Model = full\nend\n",
+     "{file}: Geometry/Top face = guided needs the half model, which Mesh/Model = half and auto choose"),
+    ("plane_strain_lower_cylinder", PLANE + ON_BODY,
+     "{file}: Lower geometry/Shape = cylinder with Geometry/Kind = plane strain: allowed is box or file"),
+    ("plane_strain_lower_thickness",
+     PLANE + "subsection Lower geometry\n  set Shape = box\n  set Sizes = 20, 5, 10\nend\n" + ON_BODY,
+     "{file}: Lower geometry/Sizes: l_y = 5 mm with Geometry/Kind = plane strain: allowed is the thickness of the upper "
+     "body, 20 mm"),
     ("guided_full", "subsection Geometry\n  set Top face = guided\nend\nsubsection Mesh\n  set Model = full\nend\n",
      "{file}: Geometry/Top face = guided with Mesh/Model = full is not possible: the model could drift sideways; "
      "possible models are quarter and auto"),

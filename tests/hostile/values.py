@@ -10,6 +10,7 @@ REFUSED = {
     "Geometry/Radius": ["-0", "0x10", "1.2.3", "1e", "5 %", "10mm", "1e-400", "infinity", "--5", "1/2", "(10)", "1_0",
                         "10 10"],
     "Geometry/Height": ["-1e-300", "1,000.5", "e5", ".", "+", "+-5", "-", "10d0"],
+    "Geometry/Kind": ["Plane strain", "plane", "2"], "Geometry/Thickness": ["-0", "1 mm", "inf"],
     "Geometry/Top face": ["Clamped", "clamped | guided", "0"],
     "Mesh/Model": ["AUTO", "quarter half", "1/4"], "Mesh/Resolution": ["Coarse", "medium,fine"],
     "Load program/Accuracy": ["1 % %", "%", "nan %", "0.009 %", "50.1 %", "1e-2", "-0 %x", "1 percent"],

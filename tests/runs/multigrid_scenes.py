@@ -56,7 +56,7 @@ SCENES = {
     "sheared box on a wave": ("paper/case_c.prm", [*BOX, *FRETTING, "Mesh/Refinements=1",
                                                    "Obstacle/Gap=0.002*(1-cos(x/3))"]),
     "twisted": ("paper/case_b.prm", [*ISOTROPIC, "Load program/Legs=uz -0.05 : 2 ; rz 0.1 : 2 ; Mz 0 : 2",
-                                     "Load program/Cycles=1", "Mesh/Refinements=1"]),
+                                     "Load program/Cycles=1", "Mesh/Refinements=1", "Mesh/Model=full"]),
     "friction and gap that vary, parts of steps, until it is periodic": (
         "paper/case_b.prm", [*ISOTROPIC, "Mesh/Refinements=1", "Friction/Coefficients=0.3*(1+x/40), 0.15-0.002*y",
                              "Friction/Slip potential=0.1, 0.2*(1+y/60)", f"Obstacle/Gap file={GAPS}",

@@ -71,10 +71,12 @@ class VerificationTest(program.RunTest):
         n, a = 32, 2 * math.pi / 32
         polygon = n * 1e4 * math.sin(a) * (2 + math.cos(a)) / 12
         for degree, polar_moment in ((1, polygon), (2, self.polar_moment_of_parabolas(n))):
-            row = self.verified("torsion", f"Mesh/Degree={degree}", "Mesh/Quadrature points=4")
+            row = self.verified("torsion", f"Mesh/Degree={degree}", "Mesh/Quadrature points=4", "Mesh/Model=full")
             moment = -105000 * polar_moment * math.radians(0.5) / 10
             self.assertAlmostEqual(row["moment_z"] / moment, 1, delta=1e-8)
             self.assertEqual(row["n_slip"] + row["n_open"], 0)
+        row = self.verified("torsion")  # the section is round
+        self.assertAlmostEqual(row["moment_z"] / (-105000 * math.pi / 2 * 1e4 * math.radians(0.5) / 10), 1, delta=1e-8)
 
     def contact(self, name, step, *settings):
         """Distances from the axis and fields at the contact nodes after a step."""
@@ -168,11 +170,13 @@ class VerificationTest(program.RunTest):
             self.assertAlmostEqual(measured / slope, 1, delta=0.02)
 
     def test_first_slip_in_torsion(self):
-        """The angle at which the rim slips converges to mu p H / (G R)."""
+        """The angle at which the rim slips converges to mu p H / (G R). In the section, it is that."""
+        radius, contact = self.contact("first_slip_in_torsion", 2)
+        self.assertAlmostEqual((1 + contact["friction_criterion"][radius.argmax()]) / 0.872665, 1, delta=1e-3)
         errors = []
         for cells in (2, 4, 8):
             radius, contact = self.contact("first_slip_in_torsion", 2, f"Mesh/Core cells={cells}",
-                                           f"Mesh/Rings={cells}")
+                                           f"Mesh/Rings={cells}", "Mesh/Model=full")
             criterion = contact["friction_criterion"]
             self.assertGreater(radius[np.argmax(criterion)], 9.999)
             errors.append(abs((1 + criterion.max()) / math.radians(0.03) * 6e-4 - 1))

@@ -106,7 +106,9 @@ def model(data):
     kind = data.summary.get("model", {}).get("kind")
     shade = {"half": "Shaded: the half that was computed.", "quarter": "Shaded: the quarter that was computed.",
              "axisymmetric": "Heavy line: the section (r, z) that was computed; the disc is its revolution, and nodes "
-                             "are counted as rings."}
+                             "are counted as rings.",
+             "plane strain": "Plane strain: the section (x, z) was computed. The contact surface is drawn as the strip that it "
+                             "stands for, and nodes are counted as lines."}
     words = shade.get(kind, "The whole body was computed." if kind else "") + " Totals are those of the whole body."
     return element("div", figures, "figures") + element("p", escape(words), "hint")
 

@@ -91,7 +91,7 @@ def payload_of(runs):
     return {"runs": [first, *(comparable_part(other, name) for other, name in zip(runs[1:], names[1:]))],
             "checks": table(data.checks, CHECKS, steps) if data.checks else None,
             "timing": table(data.timing, ("seconds",), steps),
-            "probes": probes(data), "maps": data.maps.payload(frames), "periodic": thresholds,
+            "probes": probes(data), "maps": data.maps.payload(frames), "plane": data.is_plane, "periodic": thresholds,
             "wear": (data.read("history.csv", lambda: worn.profiles(data, numbers))
                      if worn.is_worn(data) and data.n_solved else None),
             "radius": data.radius, "centre": numbers(data.centre),

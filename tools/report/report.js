@@ -141,4 +141,8 @@ if (data.maps) player = new Player(data);
 byId("map-panel").hidden = byId("mark-hint").hidden = !player;
 byId("no-maps").hidden = Boolean(player);
 byId("line-panel").hidden = !player;
+if (data.plane) {  // nothing changes along y: profiles over x say it all
+  byId("maps").classList.add("plane");
+  byId("maps-title").textContent = "Profiles over x";
+}
 byId("separator-hint").hidden = several;  // their cycles may differ

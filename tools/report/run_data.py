@@ -50,6 +50,7 @@ class RunData:
         self.has_lower = self.counterface == "body"
         self.has_gap = obstacle.get("Gap", "0") != "0" or bool(obstacle.get("Gap file"))
         self.shape = self.parameters["Geometry"].get("Shape", "cylinder")
+        self.is_plane = self.parameters["Geometry"].get("Kind", "solid") == "plane strain"
         self.box = self.read("parameters.prm", self.sizes)
         self.height = self.box[2] if self.box else self.size("Height")
         self.probe_places = self.places_of_probes()

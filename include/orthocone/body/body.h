@@ -48,21 +48,27 @@ public:
   }
 
 private:
-  /// A mesh and the displacements on it.
-  template<typename Mesh, int dim>
-  struct Part
+  // A mesh and the displacements on it.
+  struct Solid
   {
-    template<typename... Planes>
-    explicit Part(const BodyOptions &options, const Planes &...planes)
-        : mesh(options.geometry, options.mesh, planes...),
+    Solid(const BodyOptions &options, const ModelSymmetry &symmetry)
+        : mesh(options.geometry, options.mesh, symmetry.planes()),
           discretization(mesh.triangulation(), options.mesh, options.geometry.top_face)
     {
     }
-    Mesh mesh;
-    DisplacementSpace<dim> discretization;
+    BodyMesh mesh;
+    Discretization discretization;
   };
-  using Solid = Part<BodyMesh, 3>;
-  using Section = Part<SectionMesh, 2>;
+  struct Section
+  {
+    Section(const BodyOptions &options, const ModelSymmetry &symmetry)
+        : mesh(options.geometry, options.mesh, symmetry),
+          discretization(mesh.triangulation(), options.mesh, options.geometry.top_face, *symmetry.section())
+    {
+    }
+    SectionMesh mesh;
+    SectionDiscretization discretization;
+  };
   using Shape = std::variant<Solid, Section>;
   static Shape shape_of(const BodyOptions &options, const ModelSymmetry &symmetry);
 

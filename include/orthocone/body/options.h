@@ -24,6 +24,20 @@ struct Words<TopFace>
       {{TopFace::clamped, "clamped"}, {TopFace::guided, "guided"}}};
 };
 
+/// Whether everything depends on x, y and z, or on x and z only (plane strain).
+enum class GeometryKind
+{
+  solid,
+  plane_strain,
+};
+
+template<>
+struct Words<GeometryKind>
+{
+  static constexpr std::array<std::pair<GeometryKind, std::string_view>, 2> table{
+      {{GeometryKind::solid, "solid"}, {GeometryKind::plane_strain, "plane strain"}}};
+};
+
 /// Shape of the body.
 enum class BodyShape
 {
@@ -132,10 +146,17 @@ struct GeometryOptions
   std::string contact_surface{};
   std::string held_surface{};
   std::vector<std::string> symmetry_surfaces{};
+  GeometryKind kind = GeometryKind::solid; ///< of the scene: the lower body has the upper one's
+  double thickness = 1;                    ///< of a file in plane strain, mm
   SectionName section = "Geometry";
 
   /// "Geometry/Shape = box".
   std::string shape_entry() const { return section + "/Shape = " + to_word(shape); }
+
+  bool is_plane_strain() const { return kind == GeometryKind::plane_strain; }
+
+  /// Thickness (mm) of the body in plane strain.
+  double section_thickness() const { return shape == BodyShape::file ? thickness : sizes[1]; }
 
   bool is_from_file() const { return shape == BodyShape::file; } ///< whether Mesh file and the surfaces count
 
@@ -225,9 +246,11 @@ struct BodyOptions
   static BodyOptions lower();
 };
 
-/// Adds the entries of Geometry, but Top face, which is that of the upper body alone.
+/// Adds the entries of Geometry, but Top face, which is that of the upper body alone, and Kind, which is that
+/// of the scene.
 void declare_shape(GeometryOptions &geometry, Section &section);
 void declare_top_face(GeometryOptions &geometry, Section &section);
+void declare_kind(GeometryOptions &geometry, Section &section);
 
 /// Adds the entries that choose a mesh as a whole.
 void declare_mesh_choice(MeshOptions &mesh, Section &section);

@@ -5,6 +5,7 @@
 #include <orthocone/contact/problem/contact_step.h>
 #include <orthocone/scene/options.h>
 #include <orthocone/surface/contact_surface.h>
+#include <orthocone/surface/section_model.h>
 
 #include <optional>
 
@@ -36,7 +37,8 @@ class StickArea
 {
 public:
   /// `material` is Scene::contact_material(), that of both bodies; only its isotropic constants count.
-  StickArea(const ContactSurface &surface, const MaterialOptions &material);
+  /// `section` is that of a surface of lines and means nothing for another one.
+  StickArea(const ContactSurface &surface, const MaterialOptions &material, const SectionModel &section = {});
 
   /// The area (mm^2) of the modelled part that sticks; one sample for each place.
   double operator()(const std::vector<StickSample> &samples) const;
@@ -53,11 +55,11 @@ private:
     std::array<Place, 4> positions;
     double area; ///< mm^2
   };
-  /// A ring between two nodes of the face of a section.
+  /// A ring or strip between two nodes of the face of a section.
   struct Ring
   {
     std::array<unsigned int, 2> nodes;
-    std::array<double, 2> radii; ///< mm
+    std::array<double, 2> places; ///< radii, or places along x, mm
   };
   /// The point where stick ends on a side of a cell.
   struct Border
@@ -84,5 +86,6 @@ private:
   double edge_compliance_; ///< of in-plane shear, mm^2/N
   std::vector<Cell> cells_;
   std::vector<Ring> rings_;
+  SectionModel section_;
 };
 } // namespace orthocone

@@ -16,11 +16,15 @@ struct Asymmetry
 {
   std::array<std::string, 2> about_planes; ///< x = 0, y = 0
   std::string about_axis;                  ///< why the body is not a revolved section
-  SymmetryPlanes of_file{};                ///< where a mesh file ends
-  SymmetryPlanes of_lower_file{};          ///< where the lower body's file ends
+  std::string along_y{};                   ///< why it is none in plane strain
+  /// Why the section that the scene may have, revolved or in plane strain, needs its third component.
+  std::string about_section{};
+  SymmetryPlanes of_file{};       ///< where a mesh file ends
+  SymmetryPlanes of_lower_file{}; ///< where the lower body's file ends
 
   bool has_plane(const unsigned int direction) const { return about_planes[direction].empty(); }
   bool can_be_revolved() const { return about_axis.empty(); }
+  bool needs_third() const { return !about_section.empty(); }
 
   /// The planes that the scene is symmetric about.
   SymmetryPlanes planes() const { return {has_plane(0), has_plane(1)}; }

@@ -28,7 +28,7 @@ public:
   /// The laws of the n contact nodes, along their local axes.
   std::vector<FrictionLaw> laws(const ContactSurface &surface, const ModelSymmetry &symmetry) const;
 
-  /// Local axes of the contact nodes; in a section they are radius and hoop.
+  /// Local axes of the contact nodes; in a section without a third component they are its own.
   LocalAxes axes(const ContactSurface &surface, const ModelSymmetry &symmetry) const;
 
   /// Why friction does not have the symmetry of a model; empty if it does.

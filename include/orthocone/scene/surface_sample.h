@@ -19,8 +19,8 @@ struct SurfaceSample
 {
   std::vector<Eigen::Vector2d> places; ///< of the whole contact surface, mm
   std::vector<Eigen::Vector2d>
-      radii;                     ///< (r, 0) of the rings of a section, mm; none where there is no section
-  std::vector<double> heights{}; ///< of the places above z = 0, mm; none: all 0
+      radii; ///< (r, 0) of the rings of a revolved section, mm; none where there is no such section
+  std::vector<double> heights{};                         ///< of the places above z = 0, mm; none: all 0
   Eigen::Vector3d held_centre = Eigen::Vector3d::Zero(); ///< of the whole held face, mm
 
   /// The places to which the maps of a model are applied.
@@ -36,6 +36,9 @@ inline bool varies_over_surface(const Parameters &parameters)
   return parameters.friction.varies() || !parameters.obstacle.is_plane();
 }
 
+/// The section model of a scene in plane strain, with the thickness of its geometry.
+ModelSymmetry plane_strain(const Parameters &parameters, bool has_third, bool is_mirrored_about_x = false);
+
 /// The places of contact nodes, mm.
 std::vector<Eigen::Vector2d> places_of(const ContactSurface &surface);
 
@@ -45,9 +48,9 @@ std::vector<Eigen::Vector2d> places_of(const ContactSurface &surface);
 /// throws.
 SurfaceSample surface_sample(const Parameters &parameters);
 
-/// Orthogonal maps of the plane that leave a symmetric scene as it is: mirrors, or turns about the axis and
-/// the mirror of the section's own plane.
-std::vector<Eigen::Matrix2d> symmetry_maps(const ModelSymmetry &symmetry);
+/// Congruent maps of the plane that leave a symmetric scene as it is: mirrors; turns about the axis, or
+/// shifts along y, and the mirror of the section's own plane where the section has no third component.
+std::vector<Eigen::Affine2d> symmetry_maps(const ModelSymmetry &symmetry);
 
 /// A value as messages print it: a number, "not a number" or "infinite".
 std::string value_text(double value);

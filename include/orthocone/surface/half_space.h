@@ -29,7 +29,7 @@ struct HalfSpace
 /// are (Johnson, Contact Mechanics, 1985, 3.2 and 3.6). docs/theory.md, section 2, has the formulas. Images
 /// of the model are forces of their own.
 ///
-/// Throws std::logic_error for a revolved section: it would need the kernels of rings.
+/// Throws std::logic_error for a section: it would need the kernels of rings or strips.
 Eigen::MatrixXd half_space_compliance(const HalfSpace &half_space, const ContactSurface &surface,
                                       const ModelSymmetry &symmetry, const LocalAxes &axes);
 } // namespace orthocone

@@ -14,31 +14,35 @@ using Eigen::VectorXd;
 
 namespace
 {
-/// Strain from values at the nodes, numbered dim a + c.
+/// Strain from values at the nodes, numbered n_components a + c.
 template<int dim>
-Strain strain_at(const dealii::FEValues<dim> &values, const unsigned int q, const VectorXd &nodal)
+Strain strain_at(const DisplacementSpace<dim> &space, const dealii::FEValues<dim> &values,
+                 const unsigned int q, const VectorXd &nodal)
 {
+  const StrainTerms<dim> strain_terms(space.section());
+  const unsigned int n_components = space.n_components();
   dealii::Tensor<2, 3> gradient;
   for (unsigned int a = 0; a < values.dofs_per_cell; ++a)
   {
-    const Eigen::Vector3d terms = StrainTerms<dim>::of(values, a, q);
-    for (unsigned int c = 0; c < dim; ++c)
+    const Eigen::Vector3d terms = strain_terms.of(values, a, q);
+    for (unsigned int c = 0; c < n_components; ++c)
       for (unsigned int m = 0; m < 3; ++m)
-        if (const auto place = StrainTerms<dim>::place(c, m))
-          gradient[(*place)[0]][(*place)[1]] += nodal[dim * a + c] * terms[m];
+        if (const auto place = strain_terms.place(c, m))
+          gradient[place->row][place->column] += place->sign * nodal[n_components * a + c] * terms[m];
   }
   return symmetrize(gradient);
 }
 
 template<int dim>
-Eigen::Vector3d displacement_at(const dealii::FEValues<dim> &values, const unsigned int q,
-                                const VectorXd &nodal)
+Eigen::Vector3d displacement_at(const DisplacementSpace<dim> &space, const dealii::FEValues<dim> &values,
+                                const unsigned int q, const VectorXd &nodal)
 {
-  dealii::Point<dim> displacement;
+  const unsigned int n_components = space.n_components();
+  Eigen::Vector3d displacement = Eigen::Vector3d::Zero();
   for (unsigned int a = 0; a < values.dofs_per_cell; ++a)
-    for (unsigned int c = 0; c < dim; ++c)
-      displacement[c] += nodal[dim * a + c] * values.shape_value(a, q);
-  return in_space(displacement);
+    for (unsigned int c = 0; c < n_components; ++c)
+      displacement[space.direction_of(c)] += nodal[n_components * a + c] * values.shape_value(a, q);
+  return displacement;
 }
 
 const dealii::UpdateFlags needed =
@@ -58,7 +62,7 @@ CellFields<dim>::CellFields(const DisplacementSpace<dim> &space, const Materials
 {
 }
 
-/// Values at the nodes of FE_Q, numbered dim a + c.
+/// Values at the nodes of FE_Q, numbered n_components a + c.
 template<int dim>
 VectorXd CellFields<dim>::nodal_values(const typename DisplacementSpace<dim>::Cell &cell) const
 {
@@ -78,8 +82,8 @@ VectorXd CellFields<dim>::projected_volume_changes(const typename DisplacementSp
   divergence_.reset(cell, 1);
   for (const unsigned int q : quadrature_values_.quadrature_point_indices())
     divergence_.add(quadrature_values_.quadrature_point(q),
-                    VectorXd::Constant(1, trace(strain_at(quadrature_values_, q, nodal))),
-                    StrainTerms<dim>::volume(quadrature_values_, q));
+                    VectorXd::Constant(1, trace(strain_at(space_, quadrature_values_, q, nodal))),
+                    StrainTerms<dim>(space_.section()).volume(quadrature_values_, q));
   const VectorXd coefficients = divergence_.coefficients();
   VectorXd changes(values_.n_quadrature_points);
   for (const unsigned int q : values_.quadrature_point_indices())
@@ -97,9 +101,9 @@ std::vector<PointFields> CellFields<dim>::in(const typename DisplacementSpace<di
   std::vector<PointFields> fields(values_.n_quadrature_points);
   for (const unsigned int q : values_.quadrature_point_indices())
   {
-    const Strain strain = strain_at(values_, q, nodal);
+    const Strain strain = strain_at(space_, values_, q, nodal);
     fields[q].place = in_space(values_.quadrature_point(q));
-    fields[q].displacement = displacement_at(values_, q, nodal);
+    fields[q].displacement = displacement_at(space_, values_, q, nodal);
     fields[q].volume = cell->material_id();
     fields[q].stress =
         materials_.of(cell->material_id()).stress(strain, is_projected ? changes[q] : trace(strain));

@@ -12,27 +12,28 @@ namespace
 {
 /// Factors of the products of terms in the entry of components c and d.
 template<int dim>
-Matrix3d factors_of(const ElasticTangent &tangent, const unsigned int c, const unsigned int d)
+Matrix3d factors_of(const StrainTerms<dim> &terms, const ElasticTangent &tangent, const unsigned int c,
+                    const unsigned int d)
 {
   Matrix3d factors = Matrix3d::Zero();
   for (unsigned int m = 0; m < 3; ++m)
     for (unsigned int n = 0; n < 3; ++n)
     {
-      const auto row = StrainTerms<dim>::place(c, m);
-      const auto column = StrainTerms<dim>::place(d, n);
-      if (row && column)
-        factors(m, n) = tangent[(*row)[0]][(*row)[1]][(*column)[0]][(*column)[1]];
+      const auto first = terms.place(c, m), second = terms.place(d, n);
+      if (first && second)
+        factors(m, n) =
+            first->sign * second->sign * tangent[first->row][first->column][second->row][second->column];
     }
   return factors;
 }
 
 /// Which terms of a component are changes of volume.
 template<int dim>
-Vector3d divergence_factors_of(const unsigned int c)
+Vector3d divergence_factors_of(const StrainTerms<dim> &terms, const unsigned int c)
 {
   Vector3d factors = Vector3d::Zero();
   for (unsigned int m = 0; m < 3; ++m)
-    if (const auto place = StrainTerms<dim>::place(c, m); place && (*place)[0] == (*place)[1])
+    if (const auto place = terms.place(c, m); place && place->row == place->column)
       factors[m] = 1;
   return factors;
 }
@@ -41,6 +42,7 @@ Vector3d divergence_factors_of(const unsigned int c)
 template<int dim>
 CellStiffness<dim>::CellStiffness(const DisplacementSpace<dim> &space, const Materials &materials)
     : space_(space),
+      strain_terms_(space.section()),
       values_(space.mapping(), space.scalar_fe(), dealii::QGauss<dim>(space.n_quadrature_points()),
               dealii::update_values | dealii::update_gradients | dealii::update_quadrature_points |
                   dealii::update_JxW_values),
@@ -48,8 +50,8 @@ CellStiffness<dim>::CellStiffness(const DisplacementSpace<dim> &space, const Mat
 {
   if (space.volumetric_quadrature() == VolumetricQuadrature::projected)
     divergence_.emplace(space.scalar_fe().degree);
-  for (unsigned int c = 0; c < dim; ++c)
-    divergence_factors_[c] = divergence_factors_of<dim>(c);
+  for (unsigned int c = 0; c < space.n_components(); ++c)
+    divergence_factors_[c] = divergence_factors_of(strain_terms_, c);
 }
 
 template<int dim>
@@ -63,15 +65,16 @@ void CellStiffness<dim>::take(const Material &material)
   lambda_ = is_projected ? 0 : volumetric_modulus_;
   mu_ = material.shear_modulus();
   const ElasticTangent tangent = is_projected ? material.tangent_at_constant_volume() : material.tangent();
-  for (unsigned int c = 0; c < dim; ++c)
-    for (unsigned int d = 0; d < dim; ++d)
-      factors_[dim * c + d] = factors_of<dim>(tangent, c, d);
+  for (unsigned int c = 0; c < space_.n_components(); ++c)
+    for (unsigned int d = 0; d < space_.n_components(); ++d)
+      factors_[most_components * c + d] = factors_of(strain_terms_, tangent, c, d);
 }
 
 // FEValues cannot be copied.
 template<int dim>
 CellStiffness<dim>::CellStiffness(const CellStiffness &other)
     : space_(other.space_),
+      strain_terms_(other.strain_terms_),
       values_(other.values_.get_mapping(), other.values_.get_fe(), other.values_.get_quadrature(),
               other.values_.get_update_flags()),
       divergence_(other.divergence_),
@@ -83,23 +86,23 @@ CellStiffness<dim>::CellStiffness(const CellStiffness &other)
 template<int dim>
 void CellStiffness<dim>::integrate()
 {
-  const unsigned int n_nodes = values_.dofs_per_cell;
+  const unsigned int n_nodes = values_.dofs_per_cell, n_components = space_.n_components();
   terms_.resize(n_terms * n_nodes);
-  divergences_.resize(dim * n_nodes);
+  divergences_.resize(n_components * n_nodes);
   products_.setZero(terms_.size(), terms_.size());
   if (divergence_)
     divergence_->reset(values_.get_cell(), divergences_.size());
   for (const unsigned int q : values_.quadrature_point_indices())
   {
     for (unsigned int a = 0; a < n_nodes; ++a)
-      terms_.segment<n_terms>(n_terms * a) = StrainTerms<dim>::of(values_, a, q);
-    const double volume = StrainTerms<dim>::volume(values_, q);
+      terms_.segment<n_terms>(n_terms * a) = strain_terms_.of(values_, a, q);
+    const double volume = strain_terms_.volume(values_, q);
     products_.noalias() += (volume * terms_) * terms_.transpose();
     if (!divergence_)
       continue;
     for (unsigned int a = 0; a < n_nodes; ++a)
-      for (unsigned int c = 0; c < dim; ++c)
-        divergences_[dim * a + c] = divergence_factors_[c].dot(terms_.segment<n_terms>(n_terms * a));
+      for (unsigned int c = 0; c < n_components; ++c)
+        divergences_[n_components * a + c] = divergence_factors_[c].dot(terms_.segment<n_terms>(n_terms * a));
     divergence_->add(values_.quadrature_point(q), divergences_, volume);
   }
 }
@@ -107,14 +110,14 @@ void CellStiffness<dim>::integrate()
 template<int dim>
 void CellStiffness<dim>::combine_by_factors()
 {
-  const Eigen::Index n_nodes = values_.dofs_per_cell;
-  matrix_.resize(dim * n_nodes, dim * n_nodes);
+  const Eigen::Index n_nodes = values_.dofs_per_cell, n = space_.n_components();
+  matrix_.resize(n * n_nodes, n * n_nodes);
   for (Eigen::Index b = 0; b < n_nodes; ++b)
     for (Eigen::Index a = 0; a < n_nodes; ++a)
-      for (Eigen::Index c = 0; c < dim; ++c)
-        for (Eigen::Index d = 0; d < dim; ++d)
-          matrix_(dim * a + c, dim * b + d) =
-              factors_[dim * c + d].cwiseProduct(products_.block<3, 3>(3 * a, 3 * b)).sum();
+      for (Eigen::Index c = 0; c < n; ++c)
+        for (Eigen::Index d = 0; d < n; ++d)
+          matrix_(n * a + c, n * b + d) =
+              factors_[most_components * c + d].cwiseProduct(products_.block<3, 3>(3 * a, 3 * b)).sum();
 }
 
 /// Hooke's law in closed form: lambda d_i N_a d_j N_b + mu (d_j N_a d_i N_b + delta_ij grad N_a . grad N_b).

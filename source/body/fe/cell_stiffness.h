@@ -16,7 +16,7 @@
 
 namespace orthocone
 {
-/// Computes the stiffness of one cell after the other; in a section, the stiffness of the rings.
+/// Computes the stiffness of one cell after the other; in a section, that of its rings or its thickness.
 template<int dim>
 class CellStiffness
 {
@@ -24,7 +24,7 @@ public:
   CellStiffness(const DisplacementSpace<dim> &space, const Materials &materials);
   CellStiffness(const CellStiffness &other);
 
-  /// Numbered dim a + c by scalar node a and component c; N/mm.
+  /// Numbered n_components a + c by scalar node a and component c; N/mm.
   const Eigen::MatrixXd &of(const typename DisplacementSpace<dim>::Cell &cell);
 
 private:
@@ -33,8 +33,9 @@ private:
   void combine();
   void combine_by_factors();
 
-  static constexpr unsigned int n_terms = 3;
+  static constexpr unsigned int n_terms = 3, most_components = 3;
   const DisplacementSpace<dim> &space_;
+  StrainTerms<dim> strain_terms_;
   dealii::FEValues<dim> values_;
   std::optional<ProjectedDivergence<dim>> divergence_; ///< with projected volumetric quadrature
   Materials materials_;
@@ -42,11 +43,11 @@ private:
   double volumetric_modulus_ = 0;
   double lambda_ = 0; ///< the part in combine(): 0 with projected volumetric quadrature
   double mu_ = 0;
-  /// For each pair of components (dim c + d) the factors by which the products of terms of two nodes
-  /// contribute to their entry (c, d).
-  std::array<Eigen::Matrix3d, static_cast<std::size_t>(dim *dim)> factors_;
-  std::array<Eigen::Vector3d, dim> divergence_factors_; ///< of the terms, by components
-  Eigen::VectorXd terms_;                               ///< at a quadrature point, n_terms a node
+  /// For each pair of components (most_components c + d) the factors by which the products of terms of two
+  /// nodes contribute to their entry (c, d).
+  std::array<Eigen::Matrix3d, static_cast<std::size_t>(most_components *most_components)> factors_;
+  std::array<Eigen::Vector3d, most_components> divergence_factors_; ///< of the terms, by components
+  Eigen::VectorXd terms_;                                           ///< at a quadrature point, n_terms a node
   Eigen::VectorXd divergences_;
   Eigen::MatrixXd products_; ///< integrals of the products of terms
   Eigen::MatrixXd matrix_;

@@ -6,7 +6,6 @@
 #include "dof_places.h"
 #include "local_dofs.h"
 
-#include <orthocone/base/numbers.h>
 #include <orthocone/base/ranks.h>
 
 #include <deal.II/base/polynomial.h>
@@ -42,27 +41,6 @@ std::vector<unsigned int> nodes_of_face(const unsigned int face, const unsigned 
   return nodes;
 }
 
-/// Direction in which a component moves.
-template<int dim>
-std::array<unsigned char, dim> directions();
-template<>
-std::array<unsigned char, 2> directions<2>()
-{
-  return {{0, 2}};
-}
-template<>
-std::array<unsigned char, 3> directions<3>()
-{
-  return {{0, 1, 2}};
-}
-
-/// The length of ring that a point of the section stands for; 1 in a solid.
-template<int dim>
-double ring_length(const dealii::Point<dim> &point)
-{
-  return dim == 2 ? 2 * pi * point[0] : 1;
-}
-
 /// Points in [0, 1], both ends among them, of the rule with weight r that is exact to degree 2 * degree - 1.
 std::vector<double> gauss_lobatto_jacobi_points(const unsigned int degree)
 {
@@ -78,10 +56,12 @@ std::vector<double> gauss_lobatto_jacobi_points(const unsigned int degree)
 
 template<int dim>
 DisplacementSpace<dim>::DisplacementSpace(const dealii::Triangulation<dim> &triangulation,
-                                          const MeshOptions &options, const TopFace top_face)
-    : scalar_fe_(options.degree),
-      fe_(scalar_fe_, dim),
-      mapping_(dim == 2 ? 1 : options.degree), // sections are rectangles
+                                          const MeshOptions &options, const TopFace top_face,
+                                          const SectionModel &section)
+    : section_(section),
+      scalar_fe_(options.degree),
+      fe_(scalar_fe_, n_components()),
+      mapping_(dim == 2 ? 1 : options.degree), // the cells of sections have straight edges
       dof_handler_(triangulation),
       n_quadrature_points_(options.n_quadrature_points()),
       volumetric_quadrature_(options.resolved_volumetric_quadrature()),
@@ -99,7 +79,8 @@ DisplacementSpace<dim>::DisplacementSpace(const dealii::Triangulation<dim> &tria
   const auto hanging = hanging_constraints(dof_handler_);
   partitioner_ = make_partitioner(dof_handler_, hanging);
   hanging_ = local_hanging_dofs(*partitioner_, hanging, held_);
-  DofPlaces places = places_of<dim>(mapping_, dof_handler_, *partitioner_, directions<dim>());
+  DofPlaces places = places_of<dim>(mapping_, dof_handler_, *partitioner_,
+                                    [this](const unsigned int component) { return direction_of(component); });
   directions_ = std::move(places.directions);
   positions_ = std::move(places.positions);
   held_centre_ = held_centre_of(triangulation);
@@ -111,19 +92,24 @@ DisplacementSpace<dim>::DisplacementSpace(const dealii::Triangulation<dim> &tria
 template<int dim>
 dealii::IndexSet DisplacementSpace<dim>::held_dofs(const TopFace top_face) const
 {
+  constexpr unsigned int x = 0, y = 1;
   dealii::IndexSet held(dof_handler_.n_dofs());
-  std::vector<bool> of_top(dim, top_face == TopFace::clamped);
-  of_top.back() = true;
-  hold(dof_handler_, Boundary::top_face, of_top, held);
-  const auto hold_component = [&](const Boundary boundary, const unsigned int component)
+  const auto hold_directions = [&](const Boundary boundary, const std::array<bool, 3> &directions)
   {
-    std::vector<bool> of_boundary(dim, false);
-    of_boundary[component] = true;
-    hold(dof_handler_, boundary, of_boundary, held);
+    std::vector<bool> components(n_components());
+    for (unsigned int c = 0; c < components.size(); ++c)
+      components[c] = directions[direction_of(c)];
+    hold(dof_handler_, boundary, components, held);
   };
-  hold_component(dim == 2 ? Boundary::axis : Boundary::plane_normal_to_x, 0);
+  const bool is_clamped = top_face == TopFace::clamped;
+  std::array<bool, 3> only_x{}, only_y{};
+  only_x[x] = only_y[y] = true;
+  hold_directions(Boundary::top_face, {{is_clamped, is_clamped, true}});
+  hold_directions(Boundary::plane_normal_to_x, only_x);
   if (dim == 3)
-    hold_component(Boundary::plane_normal_to_y, 1);
+    hold_directions(Boundary::plane_normal_to_y, only_y);
+  else
+    hold_directions(Boundary::axis, {{true, true, false}}); // what is the same all around does not move there
   held.compress();
   return held;
 }
@@ -169,8 +155,9 @@ void DisplacementSpace<dim>::make_axis_face_basis()
     for (unsigned int j = 0; j < n_side; ++j)
     {
       axis_face_values_(i, j) = basis[j].value(scalar_fe_.unit_support_point(hierarchic_[i])[0]);
-      for (unsigned int c = 0; c < dim; ++c)
-        axis_face_basis_(dim * hierarchic_[i] + c, dim * hierarchic_[j] + c) = axis_face_values_(i, j);
+      for (unsigned int c = 0; c < n_components(); ++c)
+        axis_face_basis_(n_components() * hierarchic_[i] + c, n_components() * hierarchic_[j] + c) =
+            axis_face_values_(i, j);
     }
 }
 
@@ -236,11 +223,11 @@ FaceNode DisplacementSpace<dim>::face_node(const Cell &cell, const unsigned int 
   const Eigen::Vector3d place = in_space(mapping_.transform_unit_to_real_cell(cell, unit_point));
   FaceNode node{};
   node.place = {{place[0], place[1], place[2]}};
-  // A section has no degree of freedom around the axis, because nothing moves there.
+  // A section of two components has no degree of freedom out of its plane, because nothing moves there.
   node.dofs.fill(dealii::numbers::invalid_dof_index);
-  for (unsigned int c = 0; c < dim; ++c)
+  for (unsigned int c = 0; c < n_components(); ++c)
   {
-    const unsigned int direction = directions<dim>()[c];
+    const unsigned int direction = direction_of(c);
     const auto dof = dofs[fe_.component_to_system_index(c, hierarchic_[point])];
     node.dofs[direction] = dof;
     node.is_free[direction] = !held_.is_element(dof);
@@ -249,7 +236,7 @@ FaceNode DisplacementSpace<dim>::face_node(const Cell &cell, const unsigned int 
   return node;
 }
 
-/// Integrals of the shape functions of FE_Q over a contact face, or its ring, mm^2.
+/// Integrals of the shape functions of FE_Q over a contact face, its ring or its strip, mm^2.
 template<int dim>
 Eigen::VectorXd DisplacementSpace<dim>::face_weights(const dealii::FEFaceValues<dim> &values,
                                                      const std::vector<unsigned int> &nodes) const
@@ -258,7 +245,7 @@ Eigen::VectorXd DisplacementSpace<dim>::face_weights(const dealii::FEFaceValues<
   for (unsigned int i = 0; i < weights.size(); ++i)
     for (const unsigned int q : values.quadrature_point_indices())
       weights[i] += values.shape_value(hierarchic_[nodes[i]], q) *
-                    (ring_length<dim>(values.quadrature_point(q)) * values.JxW(q));
+                    ((dim == 2 ? section_.length_at(values.quadrature_point(q)[0]) : 1) * values.JxW(q));
   return weights;
 }
 

@@ -14,7 +14,7 @@
 #include <Eigen/Dense>
 
 #include <algorithm>
-#include <array>
+#include <functional>
 #include <vector>
 
 namespace orthocone
@@ -29,7 +29,7 @@ inline Eigen::Vector3d in_space(const dealii::Point<2> &point)
   return {point[0], 0, point[1]};
 }
 
-/// Place (mm) and direction of all local degrees of freedom, where component c moves along `axes[c]`. Degrees
+/// Place (mm) and direction of all local degrees of freedom, by the direction of each component. Degrees
 /// of freedom that no cell of this process has get neither.
 struct DofPlaces
 {
@@ -40,7 +40,7 @@ struct DofPlaces
 template<int dim>
 DofPlaces places_of(const dealii::Mapping<dim> &mapping, const dealii::DoFHandler<dim> &dof_handler,
                     const dealii::Utilities::MPI::Partitioner &partitioner,
-                    const std::array<unsigned char, dim> &axes)
+                    const std::function<unsigned int(unsigned int)> &direction_of)
 {
   const auto &fe = dof_handler.get_fe();
   const auto n = partitioner.locally_owned_size() + partitioner.n_ghost_indices();
@@ -60,7 +60,7 @@ DofPlaces places_of(const dealii::Mapping<dim> &mapping, const dealii::DoFHandle
         const auto [component, node] = fe.system_to_component_index(i);
         const unsigned int dof = partitioner.global_to_local(of_cell[i]);
         places.positions.col(dof) = in_space(values.quadrature_point(node));
-        places.directions[dof] = axes[component];
+        places.directions[dof] = static_cast<unsigned char>(direction_of(component));
       }
     }
   return places;

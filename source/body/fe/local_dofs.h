@@ -159,7 +159,7 @@ DofRanges number_by_range(dealii::DoFHandler<dim> &dof_handler, const dealii::In
     if (owned.is_element(dof))
       range[owned.index_within_set(dof)] = which;
   };
-  for (const auto dof : dealii::DoFTools::extract_boundary_dofs(dof_handler, dealii::ComponentMask(dim, true),
+  for (const auto dof : dealii::DoFTools::extract_boundary_dofs(dof_handler, dealii::ComponentMask(),
                                                                 {Boundary::contact_surface}))
     put(dof, in_contact);
   const auto constraints = hanging_constraints(dof_handler);

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace orthocone
@@ -42,23 +43,32 @@ void assemble(const DisplacementSpace<dim> &space, const Materials &materials,
 }
 } // namespace
 
+// In a section the component out of its plane couples with the others through friction alone, so that K has
+// two blocks. Only contact nodes have entries between them, which are zero: the elimination tree of two
+// blocks would be two trees, of which CHOLMOD eliminates one behind the other, and the contact unknowns would
+// not come last.
 template<int dim>
 void make_stiffness_pattern(const DisplacementSpace<dim> &space, dealii::SparsityPattern &pattern)
 {
-  const unsigned int n_free = space.n_free();
+  constexpr unsigned int out_of_plane = 1;
+  const unsigned int n_free = space.n_free(), n_interior = space.n_interior();
+  const auto are_apart = [&](const unsigned int row, const unsigned int column)
+  {
+    return dim == 2 && (row < n_interior || column < n_interior) &&
+           (space.direction(row) == out_of_plane) != (space.direction(column) == out_of_plane);
+  };
   dealii::DynamicSparsityPattern entries(n_free);
   std::vector<dealii::types::global_dof_index> columns;
   for (const auto &cell : space.dof_handler().active_cell_iterators())
   {
     auto dofs = CellBasis(space.hanging(), dofs_by_node(space, cell)).dofs;
     std::sort(dofs.begin(), dofs.end());
-    columns.clear();
-    for (const auto row : dofs)
+    for (auto row = dofs.begin(); row != dofs.end() && *row < n_free; ++row)
     {
-      if (row >= n_free)
-        break;
-      columns.push_back(row);
-      entries.add_entries(row, columns.begin(), columns.end(), true);
+      columns.clear();
+      std::copy_if(dofs.begin(), row + 1, std::back_inserter(columns),
+                   [&](const auto column) { return !are_apart(*row, column); });
+      entries.add_entries(*row, columns.begin(), columns.end(), true);
     }
   }
   pattern.copy_from(entries);

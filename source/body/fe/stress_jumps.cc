@@ -66,7 +66,8 @@ Eigen::VectorXd squared_jumps(const DisplacementSpace<dim> &space, const Eigen::
       continue;
     const double jump = jumps[cell->active_cell_index()];
     // The length of a ring is proportional to its radius.
-    squares[cell->active_cell_index()] = (dim == 2 ? cell->center()[0] : 1) * jump * jump;
+    const bool is_ring = dim == 2 && space.section().is_revolved();
+    squares[cell->active_cell_index()] = (is_ring ? cell->center()[0] : 1) * jump * jump;
   }
   return squares;
 }

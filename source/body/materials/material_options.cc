@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/base/errors.h>
 #include <orthocone/body/options.h>
-#include <orthocone/body/shapes/gmsh_file.h>
+#include <orthocone/body/shapes/imported_mesh.h>
 
 #include "../names_of_groups.h"
 
@@ -49,7 +49,7 @@ void check_regions(const BodyOptions &body)
   if (!body.geometry.is_from_file())
     throw InputError(entry + " is set without a mesh file: allowed is nothing, or " + body.geometry.section +
                      "/Shape = file, whose physical volumes they name");
-  const GmshFile file = read_gmsh_file(body.geometry.mesh_file);
+  const GmshFile file = read_mesh_file(body.geometry);
   std::set<const PhysicalGroup *> seen;
   FaultList faults;
   for (const MaterialRegion &region : body.material.regions)

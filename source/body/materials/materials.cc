@@ -2,7 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/body/materials/materials.h>
 
-#include <orthocone/body/shapes/gmsh_file.h>
+#include <orthocone/body/shapes/imported_mesh.h>
 
 namespace orthocone
 {
@@ -11,7 +11,7 @@ Materials::Materials(const BodyOptions &options)
 {
   if (options.material.regions.empty())
     return;
-  const GmshFile file = read_gmsh_file(options.geometry.mesh_file);
+  const GmshFile file = read_mesh_file(options.geometry);
   for (const MaterialRegion &region : options.material.regions)
   {
     MaterialOptions isotropic;

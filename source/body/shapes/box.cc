@@ -38,12 +38,18 @@ public:
   }
 
   void make_solid(const SymmetryPlanes &planes, dealii::Triangulation<3> &triangulation) const override;
+  void make_section(const ModelSymmetry &symmetry, dealii::Triangulation<2> &triangulation) const override;
   std::string asymmetry(const ModelSymmetry &symmetry) const override;
   ModelSize size(const ModelSymmetry &symmetry) const override;
 
 private:
   /// Places of the faces of the modelled cells along x, y or z.
   std::vector<double> places(unsigned int direction, const SymmetryPlanes &planes) const;
+
+  /// Fills `triangulation` with the cells between places along these directions.
+  template<int dim>
+  void make_cells(const SymmetryPlanes &planes, const std::array<unsigned int, dim> &directions,
+                  dealii::Triangulation<dim> &triangulation) const;
 
   const GeometryOptions geometry_;
   const MeshOptions mesh_;
@@ -65,45 +71,72 @@ std::vector<double> Box::places(const unsigned int direction, const SymmetryPlan
   return all;
 }
 
-void Box::make_solid(const SymmetryPlanes &planes, dealii::Triangulation<3> &triangulation) const
+template<int dim>
+void Box::make_cells(const SymmetryPlanes &planes, const std::array<unsigned int, dim> &directions,
+                     dealii::Triangulation<dim> &triangulation) const
 {
   // Cells of size 1 come first, so that their corners can be moved exactly to places() in every model.
   constexpr bool colourize = true;
-  std::array<std::vector<double>, 3> corners;
+  std::array<std::vector<double>, dim> corners;
   std::vector<unsigned int> n_cells;
-  dealii::Point<3> end;
-  for (unsigned int d = 0; d < 3; ++d)
+  dealii::Point<dim> end;
+  for (unsigned int d = 0; d < dim; ++d)
   {
-    corners[d] = places(d, planes);
+    corners[d] = places(directions[d], planes);
     n_cells.push_back(corners[d].size() - 1);
     end[d] = n_cells[d];
   }
-  dealii::GridGenerator::subdivided_hyper_rectangle(triangulation, n_cells, dealii::Point<3>(), end,
+  dealii::GridGenerator::subdivided_hyper_rectangle(triangulation, n_cells, dealii::Point<dim>(), end,
                                                     colourize);
   dealii::GridTools::transform(
-      [&](const dealii::Point<3> &corner)
+      [&](const dealii::Point<dim> &corner)
       {
-        dealii::Point<3> place;
-        for (unsigned int d = 0; d < 3; ++d)
+        dealii::Point<dim> place;
+        for (unsigned int d = 0; d < dim; ++d)
           place[d] = corners[d][static_cast<std::size_t>(std::lround(corner[d]))];
         return place;
       },
       triangulation);
+}
+
+template<int dim, std::size_t n>
+void set_boundaries(const std::array<Boundary, n> &boundaries, dealii::Triangulation<dim> &triangulation)
+{
+  for (const auto &face : triangulation.active_face_iterators())
+    if (face->at_boundary())
+      face->set_boundary_id(boundaries[face->boundary_id()]);
+}
+
+void Box::make_solid(const SymmetryPlanes &planes, dealii::Triangulation<3> &triangulation) const
+{
+  make_cells<3>(planes, {{0, 1, 2}}, triangulation);
   // The order of the faces of a coloured box: left, right, front, back, lower, upper.
   const std::array<Boundary, 6> boundaries{
       {planes.normal_to_x ? Boundary::plane_normal_to_x : Boundary::lateral_surface,
        Boundary::lateral_surface,
        planes.normal_to_y ? Boundary::plane_normal_to_y : Boundary::lateral_surface,
        Boundary::lateral_surface, Boundary::contact_surface, Boundary::top_face}};
-  for (const auto &face : triangulation.active_face_iterators())
-    if (face->at_boundary())
-      face->set_boundary_id(boundaries[face->boundary_id()]);
+  set_boundaries(boundaries, triangulation);
+}
+
+void Box::make_section(const ModelSymmetry &symmetry, dealii::Triangulation<2> &triangulation) const
+{
+  if (!symmetry.is_plane_strain())
+    return Shape::make_section(symmetry, triangulation);
+  const SymmetryPlanes &planes = symmetry.planes();
+  make_cells<2>(planes, {{0, 2}}, triangulation);
+  const std::array<Boundary, 4> boundaries{
+      {planes.normal_to_x ? Boundary::plane_normal_to_x : Boundary::lateral_surface,
+       Boundary::lateral_surface, Boundary::contact_surface, Boundary::top_face}};
+  set_boundaries(boundaries, triangulation);
 }
 
 std::string Box::asymmetry(const ModelSymmetry &symmetry) const
 {
   if (symmetry.is_axisymmetric())
     return no_body_of_revolution(geometry_);
+  if (symmetry.is_plane_strain() && !symmetry.planes().normal_to_x)
+    return {};
   const unsigned int direction = symmetry.planes().normal_to_x ? 0 : 1;
   const unsigned int n = mesh_.cells[direction];
   return n % 2 == 0
@@ -114,6 +147,9 @@ std::string Box::asymmetry(const ModelSymmetry &symmetry) const
 ModelSize Box::size(const ModelSymmetry &symmetry) const
 {
   const SymmetryPlanes planes = symmetry.planes();
+  if (symmetry.is_plane_strain())
+    return section_size(mesh_.cells[0] / (planes.normal_to_x ? 2. : 1.), mesh_.cells[2], mesh_.degree,
+                        geometry_.top_face, symmetry);
   const double nx = mesh_.cells[0] / (planes.normal_to_x ? 2. : 1.);
   const double ny = mesh_.cells[1] / (planes.normal_to_y ? 2. : 1.);
   return solid_size({nx * ny, 2 * (nx + ny), {{planes.normal_to_x ? ny : 0, planes.normal_to_y ? nx : 0}}},

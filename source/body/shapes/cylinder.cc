@@ -94,7 +94,7 @@ public:
   }
 
   void make_solid(const SymmetryPlanes &planes, dealii::Triangulation<3> &triangulation) const override;
-  void make_section(dealii::Triangulation<2> &triangulation) const override;
+  void make_section(const ModelSymmetry &symmetry, dealii::Triangulation<2> &triangulation) const override;
   std::string asymmetry(const ModelSymmetry &symmetry) const override;
   ModelSize size(const ModelSymmetry &symmetry) const override;
 
@@ -107,6 +107,8 @@ private:
 
 std::string Cylinder::asymmetry(const ModelSymmetry &symmetry) const
 {
+  if (symmetry.is_plane_strain())
+    return geometry_.shape_entry() + " is the same along y nowhere";
   return symmetry.is_axisymmetric() || mesh_.core_cells % 2 == 0
              ? ""
              : mesh_.section + "/Core cells = " + std::to_string(mesh_.core_cells) + " is odd";
@@ -135,8 +137,10 @@ void Cylinder::curve_rings(dealii::Triangulation<3> &triangulation) const
     triangulation.set_manifold(first_ring_manifold + block, RingManifold(geometry_.radius, half_side, block));
 }
 
-void Cylinder::make_section(dealii::Triangulation<2> &triangulation) const
+void Cylinder::make_section(const ModelSymmetry &symmetry, dealii::Triangulation<2> &triangulation) const
 {
+  if (!symmetry.is_axisymmetric())
+    return Shape::make_section(symmetry, triangulation);
   constexpr bool colourize = true;
   dealii::GridGenerator::subdivided_hyper_rectangle(
       triangulation,
@@ -153,7 +157,8 @@ ModelSize Cylinder::size(const ModelSymmetry &symmetry) const
   const double core = mesh_.core_cells;
   const double rings = mesh_.n_rings();
   if (symmetry.is_axisymmetric())
-    return section_size(std::ceil(core / 2) + rings, mesh_.layers, mesh_.degree, geometry_.top_face);
+    return section_size(std::ceil(core / 2) + rings, mesh_.layers, mesh_.degree, geometry_.top_face,
+                        symmetry);
   const unsigned int n_copies = symmetry.n_copies();
   const double faces = (core * core + 4 * core * rings) / n_copies;
   const double diameter = n_copies == 1 ? 0 : core + 2 * rings; // or two radii of a quarter
@@ -178,7 +183,7 @@ public:
     section.add("Height", geometry.height, number_codec(positive), "Height of a cylinder in mm.")
         .unit("mm")
         .only_if(is_chosen)
-        .also_called({"length", "thickness"});
+        .also_called({"length"});
   }
 
   void declare_cells(MeshOptions &mesh, const Condition &is_chosen, Section &section) const override

@@ -89,7 +89,9 @@ void check_mesh_file(const GeometryOptions &geometry)
   if (geometry.mesh_file.empty())
     throw InputError(geometry.section + "/Mesh file is empty with " + geometry.shape_entry() +
                      ": allowed is the path of a mesh by Gmsh");
-  const GmshFile file = collect_gmsh_file(geometry.mesh_file);
+  const GmshFile file = collect_gmsh_file(
+      geometry.mesh_file,
+      geometry.is_plane_strain() ? std::optional(geometry.section_thickness()) : std::nullopt);
   SurfaceCheck check(file);
   check.require(geometry.section + "/Contact surface", geometry.contact_surface);
   check.require(geometry.section + "/Held surface", geometry.held_surface);

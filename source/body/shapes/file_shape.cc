@@ -7,6 +7,7 @@
 #include <orthocone/body/shapes/boundary.h>
 #include <orthocone/body/shapes/imported_mesh.h>
 
+#include <array>
 #include <cmath>
 #include <set>
 #include <stdexcept>
@@ -42,6 +43,12 @@ struct Counts
     const double side = (degree + 1) * (degree + 1);
     return side * side * side * cells - side * side * faces + side * edges - vertices;
   }
+  /// The same where faces are the cells.
+  double pairs_in_plane(const double degree) const
+  {
+    const double side = (degree + 1) * (degree + 1);
+    return side * side * faces - side * edges + vertices;
+  }
 };
 
 Counts count_all(const dealii::Triangulation<3> &mesh)
@@ -67,6 +74,25 @@ Counts count_surface(const dealii::Triangulation<3> &mesh, const bool contact_on
   return {static_cast<double>(vertices.size()), static_cast<double>(lines.size()), n_faces, 0};
 }
 
+/// Counts of a plane mesh: all, its outline, and the contact lines.
+std::array<Counts, 3> count_section(const dealii::Triangulation<2> &mesh)
+{
+  std::array<std::set<unsigned int>, 2> vertices; // of outline and contact
+  std::array<double, 2> lines{};
+  for (const auto &face : mesh.active_face_iterators())
+    for (unsigned int i = 0; i < 2; ++i)
+      if (face->at_boundary() && (i == 0 || face->boundary_id() == Boundary::contact_surface))
+      {
+        ++lines[i];
+        vertices[i].insert(face->vertex_index(0));
+        vertices[i].insert(face->vertex_index(1));
+      }
+  const auto count = [](const auto n) { return static_cast<double>(n); };
+  return {{{count(mesh.n_used_vertices()), count(mesh.n_lines()), count(mesh.n_cells()), 0},
+           {count(vertices[0].size()), lines[0], 0, 0},
+           {count(vertices[1].size()), lines[1], 0, 0}}};
+}
+
 class FileShape : public Shape
 {
 public:
@@ -84,10 +110,19 @@ public:
     imported_.copy_to(triangulation);
   }
 
+  void make_section(const ModelSymmetry &symmetry, dealii::Triangulation<2> &triangulation) const override
+  {
+    if (!symmetry.is_plane_strain() || symmetry.planes().name() != imported_.planes().name())
+      return Shape::make_section(symmetry, triangulation);
+    imported_.copy_to(triangulation);
+  }
+
   std::string asymmetry(const ModelSymmetry &symmetry) const override
   {
     if (symmetry.is_axisymmetric())
       return no_body_of_revolution(geometry_);
+    if (symmetry.is_plane_strain() && !symmetry.planes().normal_to_x)
+      return {};
     const unsigned int direction = symmetry.planes().normal_to_x ? 0 : 1;
     return (direction == 0 ? imported_.planes().normal_to_x : imported_.planes().normal_to_y)
                ? ""
@@ -97,8 +132,10 @@ public:
   SymmetryPlanes own_planes() const override { return imported_.planes(); }
 
   /// This includes all refinements of all cells. Held unknowns count as free ones in the stiffness.
-  ModelSize size(const ModelSymmetry &) const override
+  ModelSize size(const ModelSymmetry &symmetry) const override
   {
+    if (symmetry.is_plane_strain())
+      return size_of_section(symmetry.section()->n_components());
     dealii::Triangulation<3> mesh;
     imported_.copy_to(mesh);
     Counts all = count_all(mesh), boundary = count_surface(mesh, false), contact = count_surface(mesh, true);
@@ -116,6 +153,19 @@ public:
   }
 
 private:
+  ModelSize size_of_section(const unsigned int n_components) const
+  {
+    dealii::Triangulation<2> mesh;
+    imported_.copy_to(mesh);
+    auto [all, outline, contact] = count_section(mesh);
+    for (Counts *const counts : {&all, &outline, &contact})
+      for (unsigned int i = 0; i < mesh_.refinements; ++i)
+        *counts = counts->halved();
+    const double nodes = all.nodes(mesh_.degree), pairs = (all - outline).pairs_in_plane(mesh_.degree);
+    const double of_third = n_components == 3 ? (pairs + nodes) / 2 : 0; // a block of its own
+    return {all.faces, contact.nodes(mesh_.degree), n_components * nodes, 2 * pairs + nodes + of_third};
+  }
+
   const GeometryOptions geometry_;
   const ImportedMesh imported_;
   const MeshOptions mesh_;
@@ -150,7 +200,9 @@ public:
         .add("Mesh file", geometry.mesh_file, path_codec(),
              "Of a file: a mesh of hexahedra by Gmsh (format 2.1, 2.2 or 4.1, ASCII, mm), relative to the "
              "folder of the parameter file. It has the modelled part of the body, and all of its base is at "
-             "z >= 0: the height of a node of the base is its gap.")
+             "z >= 0: the height of a node of the base is its gap. In plane strain a mesh of quadrangles in "
+             "the "
+             "plane (x, z), y = 0, whose surfaces are physical lines.")
         .path(geometry.mesh_file)
         .only_if(is_chosen);
     section

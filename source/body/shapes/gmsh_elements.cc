@@ -17,6 +17,7 @@ constexpr std::array<unsigned int, 19> n_nodes_of{
     {2, 3, 4, 4, 8, 6, 5, 3, 6, 9, 10, 27, 18, 14, 1, 8, 20, 15, 13}};
 enum ElementType : unsigned int
 {
+  line = 1,
   triangle = 2,
   quadrilateral = 3,
   tetrahedron = 4,
@@ -38,8 +39,9 @@ public:
   void add(const unsigned int type, const unsigned int number)
   {
     ++of_type_[type];
-    const unsigned int dimension = type == quadrilateral ? 2 : type == hexahedron ? 3 : 0;
-    if (number == 0 || dimension == 0)
+    const unsigned int dimension = type == line ? 1 : type == quadrilateral ? 2 : type == hexahedron ? 3 : 0;
+    const unsigned int least = file_.thickness ? 1 : 2;
+    if (number == 0 || dimension < least || dimension > least + 1)
       return;
     auto &groups = file_.groups;
     if (last_ < groups.size() && groups[last_].dimension == dimension && groups[last_].number == number)
@@ -66,12 +68,15 @@ public:
     for (const auto &[type, n] : of_type_)
       n_curved += type > pyramid && type != single_point ? n : 0;
     FaultList &faults = file_.faults;
+    const std::string cells = file_.thickness ? "quadrangles" : "hexahedra";
     if (n_curved > 0)
       faults.add("has " + std::to_string(n_curved) + " elements of second order: allowed are linear ones " +
                  "(gmsh: Mesh.ElementOrder = 1)");
     if (!unknown_types_.empty())
-      faults.add("has elements of type " + unknown_types() +
-                 ": allowed are linear hexahedra (gmsh: Mesh.ElementOrder = 1)");
+      faults.add("has elements of type " + unknown_types() + ": allowed are linear " + cells +
+                 " (gmsh: Mesh.ElementOrder = 1)");
+    if (file_.thickness)
+      return check_plane_types();
     const std::size_t n_others = of(tetrahedron) + of(prism) + of(pyramid) + of(triangle);
     if (of(hexahedron) == 0 && of(tetrahedron) > 0)
       faults.add("has " + std::to_string(of(tetrahedron)) +
@@ -88,6 +93,23 @@ public:
   }
 
 private:
+  /// Of a mesh that is to be extruded.
+  void check_plane_types() const
+  {
+    const std::size_t n_cells = of(tetrahedron) + of(prism) + of(pyramid) + of(hexahedron);
+    if (n_cells > 0)
+      file_.faults.add("has " + std::to_string(n_cells) +
+                       " cells of a volume: allowed with Geometry/Kind = plane strain are quadrangles in the "
+                       "plane (x, z)");
+    if (of(triangle) > 0)
+      file_.faults.add("has " + std::to_string(of(triangle)) +
+                       " triangles: allowed are quadrangles (gmsh: Mesh.RecombineAll = 1)");
+    if (of(quadrilateral) == 0 && file_.faults.is_empty())
+      file_.faults.add(
+          "has no quadrangles: allowed is a mesh of the plane (gmsh -2) in which it is a Physical "
+          "Surface");
+  }
+
   std::size_t of(const unsigned int type) const
   {
     const auto found = of_type_.find(type);
@@ -172,8 +194,10 @@ private:
     const auto group = static_cast<unsigned int>(std::labs(signed_group));
     if (known == hexahedron)
       file_.hexahedra.push_back({read_nodes<8>(), group});
-    else if (known == quadrilateral && group != 0)
+    else if (known == quadrilateral && (group != 0 || file_.thickness))
       file_.quadrilaterals.push_back({read_nodes<4>(), group});
+    else if (known == line && group != 0 && file_.thickness)
+      file_.lines.push_back({read_nodes<2>(), group});
     else
       for (unsigned int i = 0; i < n_nodes_of[known - 1]; ++i)
         read_node();

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/body/shapes/gmsh_file.h>
 
+#include "extruded_mesh.h"
 #include "gmsh_elements.h"
 #include <orthocone/entries/text_file.h>
 
@@ -35,7 +36,7 @@ void read_names(const Sections &sections, GmshFile &file)
   {
     const long dimension = reader.dimension(), number = reader.number_of_group();
     const std::string name = reader.quoted();
-    if (dimension >= 2)
+    if (dimension >= (file.thickness ? 1 : 2) && dimension <= (file.thickness ? 2 : 3))
       file.groups.push_back(
           {static_cast<unsigned int>(dimension), static_cast<unsigned int>(number), name, 0});
   }
@@ -190,12 +191,13 @@ std::string GmshFile::list(const unsigned int dimension) const
   return all.empty() ? "none" : all;
 }
 
-GmshFile collect_gmsh_file(const std::string &file_name)
+GmshFile collect_gmsh_file(const std::string &file_name, const std::optional<double> thickness)
 {
   constexpr TextFileKind kind{"a mesh by Gmsh in ASCII (.msh, format 2.1, 2.2 or 4.1), which "
                               "tools/import makes of binary files and of other meshes,",
                               500, "a mesh is wanted"};
   GmshFile file;
+  file.thickness = thickness;
   file.path = shown_path(file_name);
   const std::string text = with_plain_lines(read_text_file(file_name, "", kind));
   const Sections sections = sections_of(file.path, text);
@@ -204,15 +206,17 @@ GmshFile collect_gmsh_file(const std::string &file_name)
   const NodeNumbers nodes = read_nodes(sections, in_blocks, file);
   SectionReader elements = reader_of(file.path, sections, "$Elements");
   read_gmsh_elements(elements, read_entities(file.path, sections), nodes, in_blocks, file);
+  if (thickness)
+    extrude(file);
   std::sort(file.groups.begin(), file.groups.end(),
             [](const PhysicalGroup &a, const PhysicalGroup &b)
             { return std::make_pair(a.dimension, a.number) < std::make_pair(b.dimension, b.number); });
   return file;
 }
 
-GmshFile read_gmsh_file(const std::string &file_name)
+GmshFile read_gmsh_file(const std::string &file_name, const std::optional<double> thickness)
 {
-  GmshFile file = collect_gmsh_file(file_name);
+  GmshFile file = collect_gmsh_file(file_name, thickness);
   file.faults.throw_if_any(file.path + ": ");
   return file;
 }

@@ -3,6 +3,7 @@
 #include <orthocone/body/shapes/imported_mesh.h>
 
 #include "cell_quality.h"
+#include "extruded_mesh.h"
 #include "imported_cells.h"
 
 #include <orthocone/base/errors.h>
@@ -73,9 +74,16 @@ void append_place(std::ostream &text, const std::string &surface,
 }
 } // namespace
 
+GmshFile read_mesh_file(const GeometryOptions &geometry)
+{
+  return read_gmsh_file(geometry.mesh_file, geometry.is_plane_strain()
+                                                ? std::optional<double>(geometry.section_thickness())
+                                                : std::nullopt);
+}
+
 ImportedMesh::ImportedMesh(const GeometryOptions &geometry)
     : geometry_(geometry),
-      file_(read_gmsh_file(geometry.mesh_file)),
+      file_(read_mesh_file(geometry)),
       box_(file_),
       triangulation_(dealii::Triangulation<3>::limit_level_difference_at_vertices)
 {
@@ -120,6 +128,9 @@ void ImportedMesh::find_planes()
       throw InputError(geometry_.section + "/Symmetry surfaces: " + shown(surface) + " lies in " + axis +
                        " = 0, and the body reaches to " + axis + " = " + to_text(lowest_[d]) +
                        " mm: allowed is a body at " + axis + " >= 0");
+    if (d == 1 && geometry_.is_plane_strain())
+      throw InputError(geometry_.section + "/Symmetry surfaces: " + shown(surface) +
+                       " lies in y = 0: allowed with Geometry/Kind = plane strain are lines in x = 0");
     (d == 0 ? planes_.normal_to_x : planes_.normal_to_y) = true;
   }
 }
@@ -274,6 +285,18 @@ void ImportedMesh::copy_to(dealii::Triangulation<3> &triangulation) const
       face->set_boundary_id(id_of(own));
     ++own;
   }
+}
+
+void ImportedMesh::copy_to(dealii::Triangulation<2> &section) const
+{
+  dealii::Triangulation<3> layer;
+  copy_to(layer);
+  flatten(layer, section);
+  for (const auto &face : section.active_face_iterators())
+    if (face->at_boundary() && face->boundary_id() == Boundary::top_face)
+      return;
+  throw InputError(geometry_.section + "/Held surface = " + shown(geometry_.held_surface) +
+                   " has no line of the plane (x, z): allowed is a physical line, or a place such as z max");
 }
 
 std::string ImportedMesh::describe() const

@@ -8,9 +8,9 @@
 
 namespace orthocone
 {
-void Shape::make_section(dealii::Triangulation<2> &) const
+void Shape::make_section(const ModelSymmetry &, dealii::Triangulation<2> &) const
 {
-  throw std::logic_error("this shape is not a body of revolution");
+  throw std::logic_error("this shape has no such section");
 }
 
 std::string no_body_of_revolution(const GeometryOptions &geometry)

@@ -40,6 +40,26 @@ void declare_top_face(GeometryOptions &geometry, Section &section)
       "only in a quarter or axisymmetric model, where symmetry holds the body).");
 }
 
+void declare_kind(GeometryOptions &geometry, Section &section)
+{
+  section.add_word(
+      "Kind", geometry.kind,
+      "plane strain: everything depends on x and z only. The mesh is that of the section y = 0, of "
+      "a box (l_y of Sizes is the thickness, and the cells along y do not count) or a file. Forces are those "
+      "of the thickness. The displacement u_y(x, z) out of the plane is modelled where friction or "
+      "loads need it. solid: everything depends on x, y and z.");
+  section
+      .add("Thickness", geometry.thickness, number_codec(positive),
+           "Of a file in plane strain: length of the body along y in mm.")
+      .unit("mm")
+      .only_if({[&geometry] { return geometry.is_plane_strain() && geometry.is_from_file(); },
+                [&geometry]
+                {
+                  return geometry.is_from_file() ? geometry.section + "/Kind = " + to_word(geometry.kind)
+                                                 : geometry.shape_entry();
+                }});
+}
+
 std::string coarse_rim_warning(const BodyOptions &body)
 {
   constexpr double most = 0.1; // divided by degree^2: that decides how well the singular slip is resolved

@@ -65,9 +65,21 @@ ModelSize solid_size(const BaseSize &base, const unsigned int layers, const unsi
 }
 
 ModelSize section_size(const double base_cells, const unsigned int layers, const unsigned int degree,
-                       const TopFace top_face)
+                       const TopFace top_face, const ModelSymmetry &symmetry)
 {
-  const Grid grid = row(base_cells, degree);
-  return size_of(base_cells * layers, grid, row(layers, degree), 1, 1 - 1 / grid.nodes, degree, top_face);
+  const Grid grid = row(base_cells, degree), height = row(layers, degree);
+  const bool has_axis = symmetry.is_axisymmetric();
+  const double share_free = has_axis || symmetry.planes().normal_to_x ? 1 - 1 / grid.nodes : 1;
+  ModelSize size = size_of(base_cells * layers, grid, height, 1, share_free, degree, top_face);
+  if (symmetry.has_third()) // a block of its own, held like u_z at the top and like u_r on the axis
+  {
+    const ModelSize of_third = size_of(base_cells * layers, grid, height, 0, 0, degree, top_face);
+    const double held = has_axis ? 1 - 1 / grid.nodes : 1;
+    size.dofs += of_third.dofs;
+    size.stiffness_entries += held * held * of_third.stiffness_entries;
+    const double contact = row(base_cells, degree).pairs;
+    size.stiffness_entries += 2 * contact; // the zeros between the blocks
+  }
+  return size;
 }
 } // namespace orthocone

@@ -20,6 +20,7 @@ struct BaseSize
 /// Size of a model of hexahedra in layers above the base.
 ModelSize solid_size(const BaseSize &base, unsigned int layers, unsigned int degree, TopFace top_face);
 
-/// Size of a section with so many cells along its base.
-ModelSize section_size(double base_cells, unsigned int layers, unsigned int degree, TopFace top_face);
+/// Size of a section with so many cells along its base. `symmetry` is that of a section.
+ModelSize section_size(double base_cells, unsigned int layers, unsigned int degree, TopFace top_face,
+                       const ModelSymmetry &symmetry);
 } // namespace orthocone

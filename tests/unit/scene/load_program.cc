@@ -227,6 +227,20 @@ TEST(ModelChoice, RevolvesOnlyWhatIsTheSameAllAround)
             "axisymmetric");
 }
 
+TEST(ModelChoice, TakesTheTwistForARoundBodyThatTurns)
+{
+  Parameters parameters = scene();
+  parameters.friction.mu = {{0.2, 0.2}};
+  parameters.load.legs[0].targets[5] = Drive{false, 0.1};
+  const ModelChoice choice = choose_model(parameters);
+  EXPECT_EQ(choice.symmetry.full_name(), "axisymmetric with twist");
+  EXPECT_NE(choice.reason.find("with the twist, because the load program turns the top about z"),
+            std::string::npos)
+      << choice.reason;
+  parameters.mesh.backend = BodyBackend::multigrid; // which has no sections
+  EXPECT_EQ(chosen(parameters), "full");
+}
+
 TEST(LoadProgram, KeepsComponentsThatALegDoesNotName)
 {
   LoadOptions load;

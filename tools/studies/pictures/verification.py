@@ -96,7 +96,7 @@ def polar(runs, ax):
 def torsion(runs, ax):
     angles = np.linspace(0, 0.5, 11)
     run = runs.verified("torsion", "Load program/Legs=uz -0.1 : 1 ; rz 0.5 : 10")
-    moment = 105000 * 32 * 1e4 * math.sin(math.pi / 16) * (2 + math.cos(math.pi / 16)) / 12 / 10 * np.radians(angles)
+    moment = 105000 * math.pi / 2 * 1e4 / 10 * np.radians(angles)
     ax.plot(angles, moment / 1e6, **LINE)
     ax.plot(run.history["rz"], -run.history["moment_z"] / 1e6, **DOTS)
     label(ax, "Torsion of a shaft that sticks", "angle in degrees", "moment in kN m")
@@ -106,7 +106,7 @@ def first_slip(runs, ax):
     cells = (2, 4, 8)
     angles = []
     for n in cells:
-        run = runs.verified("first_slip_in_torsion", f"Mesh/Core cells={n}", f"Mesh/Rings={n}")
+        run = runs.verified("first_slip_in_torsion", f"Mesh/Core cells={n}", f"Mesh/Rings={n}", "Mesh/Model=full")
         angles.append(0.03 / (1 + on_surface(run, 2, "friction_criterion")[1].max()))
     ax.axhline(math.degrees(6e-4), **LINE)
     ax.plot(cells, angles, **{**DOTS, "linestyle": "--"})

@@ -13,7 +13,8 @@
 
 namespace orthocone
 {
-/// Local degrees of freedom of a cell, node by node: component c of scalar node a is entry dim a + c.
+/// Local degrees of freedom of a cell, node by node: component c of scalar node a is entry n_components
+/// a + c.
 template<int dim>
 std::vector<dealii::types::global_dof_index> dofs_by_node(const DisplacementSpace<dim> &space,
                                                           const typename DisplacementSpace<dim>::Cell &cell)
@@ -25,7 +26,7 @@ std::vector<dealii::types::global_dof_index> dofs_by_node(const DisplacementSpac
   for (unsigned int i = 0; i < dofs.size(); ++i)
   {
     const auto [component, node] = fe.system_to_component_index(i);
-    sorted[dim * node + component] = space.local_dof(dofs[i]);
+    sorted[space.n_components() * node + component] = space.local_dof(dofs[i]);
   }
   return sorted;
 }

@@ -4,6 +4,7 @@
 
 #include <orthocone/body/body_unknowns.h>
 #include <orthocone/body/options.h>
+#include <orthocone/surface/section_model.h>
 
 #include <deal.II/base/partitioner.h>
 #include <deal.II/dofs/dof_handler.h>
@@ -23,12 +24,13 @@ namespace orthocone
 struct ContactFace;
 struct FaceNode;
 
-/// Displacement space FE_Q on a mesh (mm): isoparametric for a solid (u_x, u_y, u_z), or of a section (u_r,
-/// u_z), whose forces and areas are those of whole rings.
+/// Displacement space FE_Q on a mesh (mm): isoparametric for a solid (components u_x, u_y, u_z), or of a
+/// section: u_r, u_z and perhaps the twist u_theta, whose forces and areas are those of whole rings, or u_x,
+/// u_z and perhaps u_y, whose forces and areas are those of the thickness.
 ///
-/// Contact nodes are at the points of FE_Q, except in the face on the axis of a section: there they are at
-/// the points of the Gauss-Lobatto-Jacobi rule of weight r (docs/theory.md, section 2, "The node on the
-/// axis"). From degree 2 on the weights of FE_Q's nodes would be those of the Gauss-Lobatto rule times r,
+/// Contact nodes are at the points of FE_Q, except in the face on the axis of a revolved section: there they
+/// are at the points of the Gauss-Lobatto-Jacobi rule of weight r (docs/theory.md, section 2, "The node on
+/// the axis"). From degree 2 on the weights of FE_Q's nodes would be those of the Gauss-Lobatto rule times r,
 /// which is 0 on the axis: the node there could carry no pressure, and the plane could not hold it. At the
 /// points of the other rule all weights are positive. Only the degrees of freedom within that face change
 /// their meaning: they are values at its points. The constructor throws an exception of deal.II if a contact
@@ -39,8 +41,19 @@ class DisplacementSpace : public BodyUnknowns
 public:
   static constexpr int dimension = dim;
 
+  /// `section` means nothing for a solid.
   DisplacementSpace(const dealii::Triangulation<dim> &triangulation, const MeshOptions &options,
-                    TopFace top_face);
+                    TopFace top_face, const SectionModel &section = {});
+
+  const SectionModel &section() const { return section_; }
+  unsigned int n_components() const { return dim == 3 ? 3 : section_.n_components(); }
+
+  /// Direction in which a component moves, 0: x (r), 1: y (hoop), 2: z.
+  unsigned int direction_of(const unsigned int component) const
+  {
+    constexpr std::array<unsigned char, 3> of_section{{0, 2, 1}};
+    return dim == 3 ? component : of_section[component];
+  }
 
   const dealii::DoFHandler<dim> &dof_handler() const { return dof_handler_; }
   const dealii::FESystem<dim> &fe() const { return fe_; }
@@ -71,11 +84,11 @@ public:
 
   using Cell = typename dealii::DoFHandler<dim>::active_cell_iterator;
 
-  /// Whether the cell has the contact face on the axis. Only a cell of a section can have it.
+  /// Whether the cell has the contact face on the axis. Only a cell of a revolved section can have it.
   bool has_axis_face(const Cell &cell) const;
 
   /// Maps values of the degrees of freedom of such a cell to values at the nodes of FE_Q; both are numbered
-  /// dim a + c by scalar node a and component c.
+  /// n_components a + c by scalar node a and component c.
   const Eigen::MatrixXd &axis_face_basis() const { return axis_face_basis_; }
 
 private:
@@ -88,6 +101,7 @@ private:
   Eigen::VectorXd face_weights(const dealii::FEFaceValues<dim> &values,
                                const std::vector<unsigned int> &nodes) const;
 
+  SectionModel section_;
   dealii::FE_Q<dim> scalar_fe_;
   dealii::FESystem<dim> fe_;
   dealii::MappingQ<dim> mapping_;
@@ -98,7 +112,7 @@ private:
   VolumetricQuadrature volumetric_quadrature_;
   std::vector<unsigned int> hierarchic_; ///< numbers in scalar_fe_ of the nodes in lexicographic order
   std::vector<unsigned int> contact_cells_;
-  // For a section:
+  // For a revolved section:
   std::vector<double> axis_face_points_; ///< 0 to 1
   Eigen::MatrixXd axis_face_values_;     ///< of the basis for these points, at the face's nodes of FE_Q
   Eigen::MatrixXd axis_face_basis_;

@@ -47,15 +47,16 @@ private:
   std::unique_ptr<dealii::Triangulation<3>> triangulation_;
 };
 
-/// Rectangles (mm) of the section (r, z) of a body of revolution. The constructor throws what make_shape(),
+/// Quadrilaterals (mm) of the section of a body, (r, z) or (x, z). The constructor throws what make_shape(),
 /// make_section() and refine() throw.
 class SectionMesh
 {
 public:
-  SectionMesh(const GeometryOptions &geometry, const MeshOptions &options)
+  SectionMesh(const GeometryOptions &geometry, const MeshOptions &options,
+              const ModelSymmetry &symmetry = ModelSymmetry::of_revolution())
       : triangulation_(dealii::Triangulation<2>::limit_level_difference_at_vertices)
   {
-    make_shape(geometry, options)->make_section(triangulation_);
+    make_shape(geometry, options)->make_section(symmetry, triangulation_);
     refine(triangulation_, options);
   }
 
@@ -96,8 +97,8 @@ inline void require_refined_cells(const GeometryOptions &geometry, const MeshOpt
 {
   if (options.refined_cells.empty())
     return;
-  if (symmetry.is_axisymmetric())
-    SectionMesh(geometry, options);
+  if (symmetry.is_section())
+    SectionMesh(geometry, options, symmetry);
   else
     BodyMesh(geometry, options, symmetry.planes());
 }

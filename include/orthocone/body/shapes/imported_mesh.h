@@ -15,6 +15,10 @@
 
 namespace orthocone
 {
+/// The file of a geometry: its hexahedra, or in plane strain its quadrangles, extruded. Throws as
+/// read_gmsh_file() does.
+GmshFile read_mesh_file(const GeometryOptions &geometry);
+
 /// The checked mesh of a file (mm): one piece of hexahedra that are not inverted, on or above the plane z =
 /// 0, with surfaces for contact, hold and symmetry (docs/theory.md, section 2, "Bodies from files"), which
 /// are physical groups or planes. Boundary and material ids are the numbers of the first physical groups, 0
@@ -33,6 +37,9 @@ public:
 
   /// The same cells with the boundary ids of boundary.h.
   void copy_to(dealii::Triangulation<3> &triangulation) const;
+
+  /// The quadrangles of plane strain with these boundary ids. Throws InputError where no line is held.
+  void copy_to(dealii::Triangulation<2> &section) const;
 
   /// Describes volumes, surfaces with areas, worst cell and height of the contact surface, in a line each.
   std::string describe() const;

@@ -32,8 +32,9 @@ public:
   /// Fills `triangulation` with the hexahedra of the modelled part; its boundary ids are those of boundary.h.
   virtual void make_solid(const SymmetryPlanes &planes, dealii::Triangulation<3> &triangulation) const = 0;
 
-  /// The same for the section (r, z) of a body of revolution. Throws std::logic_error for any other body.
-  virtual void make_section(dealii::Triangulation<2> &triangulation) const;
+  /// The same for a section of this symmetry, (r, z) or (x, z), with quadrilaterals. Throws std::logic_error
+  /// for one that the body does not have.
+  virtual void make_section(const ModelSymmetry &symmetry, dealii::Triangulation<2> &triangulation) const;
 
   /// Why the body or its cells do not have this symmetry; empty if they do.
   virtual std::string asymmetry(const ModelSymmetry &symmetry) const = 0;

@@ -18,7 +18,7 @@ void expect_size_of(const BodyOptions &parameters, const ModelSymmetry &symmetry
   dealii::SparsityPattern pattern;
   body.make_pattern(pattern);
   const auto entries = static_cast<double>(pattern.n_nonzero_elements());
-  const bool has_planes = symmetry.n_copies() > 1 || symmetry.is_axisymmetric();
+  const bool has_planes = symmetry.n_copies() > 1 || symmetry.is_axisymmetric(); // which hold some unknowns
   EXPECT_EQ(size.cells, body.unknowns().size().cells);
   EXPECT_EQ(size.contact_nodes, body.unknowns().contact_surface().nodes.size());
   EXPECT_EQ(size.dofs, body.unknowns().n_dofs());
@@ -44,6 +44,8 @@ TEST(ModelSize, OfCylinders)
       for (const ModelSymmetry &symmetry : solids)
         expect_size_of(parameters, symmetry);
       expect_size_of(parameters, ModelSymmetry::of_revolution());
+      if (top == TopFace::clamped)
+        expect_size_of(parameters, ModelSymmetry::of_revolution(true));
     }
 }
 
@@ -57,6 +59,9 @@ TEST(ModelSize, OfBoxes)
     parameters.mesh.degree = degree;
     for (const ModelSymmetry &symmetry : solids)
       expect_size_of(parameters, symmetry);
+    for (const bool has_third : {false, true})
+      for (const bool is_half : {false, true})
+        expect_size_of(parameters, ModelSymmetry::of_plane_strain(2, has_third, is_half));
   }
 }
 } // namespace orthocone::test

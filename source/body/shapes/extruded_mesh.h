@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/body/shapes/gmsh_file.h>
+
+#include <deal.II/grid/tria.h>
+
+namespace orthocone
+{
+/// Extrudes a mesh of quadrangles in the plane y = 0 by file.thickness to one layer of hexahedra between y =
+/// 0 and there: quadrangles become hexahedra, lines quadrilaterals, and their groups those of volumes and
+/// surfaces. What is off the plane becomes a fault of the file.
+void extrude(GmshFile &file);
+
+/// The quadrangles (x, z) of such a layer, with its material and boundary ids. Throws std::logic_error where
+/// a cell has no face in y = 0.
+void flatten(const dealii::Triangulation<3> &layer, dealii::Triangulation<2> &section);
+} // namespace orthocone
