@@ -356,7 +356,7 @@ void QuasiStaticProblem::accepted(ContactState &state)
 void QuasiStaticProblem::end_cycle(const CycleRow &row, ContactState &state)
 {
   output_.write(row);
-  log_.note(describe(row, parameters_.load.cycles));
+  log_.note(describe(row, parameters_.load.n_cycles()));
   if (const unsigned int n = cycles_.n_to_jump(); n > 0)
   {
     CycleRow jumped = cycles_.jump_cycles(state, n);

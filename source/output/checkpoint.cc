@@ -89,6 +89,10 @@ void require_same_past(const Checkpoint &checkpoint, const Parameters &parameter
   if (has_searched && parameters.load.cycles > 0 && earlier["Load program/Cycles"] == "0")
     refuse("Load program/Cycles", std::to_string(parameters.load.cycles),
            "0, because what chose mesh or steps has seen no cycle");
+  if (!parameters.load.program_file.empty() &&
+      (parameters.load.cycles == 1) != (earlier["Load program/Cycles"] == "1"))
+    refuse("Load program/Cycles", std::to_string(parameters.load.cycles),
+           "1 as before, or more than 1 as before: the cycles of a program file are found, or are the file");
   if (LoadProgram(parameters.load).n_steps() < checkpoint.state.step)
     refuse("Load program/Cycles", std::to_string(parameters.load.cycles),
            "what has the " + std::to_string(checkpoint.state.step) + " load steps that are done");

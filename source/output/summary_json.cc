@@ -166,6 +166,7 @@ OrderedJson scene_json(const Summary &summary)
                                                        : parameters.geometry.held_height()},
       {"preload", entry_of(parameters, "Load program/Preload")},
       {"legs", entry_of(parameters, "Load program/Legs")},
+      {"program_file", entry_of(parameters, "Load program/Program file")},
       {"cycles", parameters.load.cycles},
       {"friction", friction_json(parameters)},
       {"counterface", counterface_json(parameters)},

@@ -32,14 +32,6 @@ double largest_force_of_nodes(const NodeVector &forces, const Eigen::VectorXd &s
   return largest;
 }
 
-unsigned int steps_of_cycle(const LoadOptions &load)
-{
-  unsigned int n = 0;
-  for (const Leg &leg : load.legs)
-    n += leg.steps;
-  return n;
-}
-
 /// Within which cycles count as alike; 0: nobody asks.
 double tolerance_of(const LoadOptions &load)
 {
@@ -97,7 +89,7 @@ unsigned int CycleMemory::n_jumped_steps() const
 CycleWatch::CycleWatch(const LoadOptions &load, const Eigen::VectorXd &shares, const double reach,
                        WearJumps wear)
     : load_(load),
-      n_steps_(steps_of_cycle(load)),
+      n_steps_(static_cast<unsigned int>(LoadProgram(load).n_steps_of_cycle())),
       reach_(reach),
       length_(largest_way(load, reach)),
       shares_(shares),
@@ -137,7 +129,7 @@ std::optional<CycleRow> CycleWatch::add_step(const LoadStep &step, const Contact
   row.into_wear += solved.checks.into_wear;
   row.missing += solved.checks.energy_defect * solved.checks.energy;
   row.iterations += solved.report.iterations;
-  if (step.phase + 1 < n_steps_)
+  if (!step.ends_cycle)
     return std::nullopt;
   complete(solved.state, totals);
   return row;

@@ -59,8 +59,8 @@ void require_contact_before_force(const Parameters &parameters, const Obstacle &
   for (const PathLeg &leg : load_path(parameters.load))
     if (leaves_motion(leg))
       if (const double gap = least_gap(obstacle, sample, motion_before(leg)); gap > rounding * height)
-        throw InputError(leg.entry + ": Fz presses from leg " + std::to_string(leg.number) +
-                         " on, where a gap of " + to_text(gap) +
+        throw InputError(leg.entry + ": Fz presses from " + leg.place + " on, where a gap of " +
+                         to_text(gap) +
                          " mm is open: allowed is a leg before it that closes the gap by a motion of uz");
 }
 } // namespace orthocone

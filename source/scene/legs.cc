@@ -47,20 +47,6 @@ std::string named_twice(const std::string &name, const std::size_t component, co
          (name == before ? name + " is named twice" : before + " and " + name + " are the same component");
 }
 
-/// Adds the component `name` to a leg. Returns what is allowed instead, or "".
-std::string add_component(const std::string &name, const double value, Leg &leg)
-{
-  const auto &names = component_names();
-  const auto place = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
-  if (place == names.size())
-    return unknown(name);
-  const std::size_t component = place % n_rigid_components;
-  if (const auto &earlier = leg.targets[component])
-    return named_twice(name, component, *earlier);
-  leg.targets[component] = Drive{place >= n_rigid_components, value};
-  return {};
-}
-
 /// Reads "ux uy uz" or "NAME value ...". Returns what is allowed instead, or "".
 std::string parse_targets(const std::string &text, Leg &leg)
 {
@@ -78,7 +64,7 @@ std::string parse_targets(const std::string &text, Leg &leg)
     const auto value = parse_number(words[i + 1]);
     if (!value || parse_number(words[i]))
       return leg_form;
-    if (const std::string fault = add_component(words[i], *value, leg); !fault.empty())
+    if (const std::string fault = set_target(words[i], *value, leg); !fault.empty())
       return fault;
   }
   return {};
@@ -127,6 +113,19 @@ std::string leg_text(const Leg &leg)
   return leg.parts > 1 ? text + " * " + std::to_string(leg.parts) : text;
 }
 } // namespace
+
+std::string set_target(const std::string &name, const double value, Leg &leg)
+{
+  const auto &names = component_names();
+  const auto place = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
+  if (place == names.size())
+    return unknown(name);
+  const std::size_t component = place % n_rigid_components;
+  if (const auto &earlier = leg.targets[component])
+    return named_twice(name, component, *earlier);
+  leg.targets[component] = Drive{place >= n_rigid_components, value};
+  return {};
+}
 
 Codec<std::vector<Leg>> legs_codec()
 {

@@ -65,7 +65,7 @@ void check_number_of_steps(const LoadOptions &load, const WearOptions &wear)
   const auto has_parts = [](const std::vector<Leg> &legs)
   { return std::any_of(legs.begin(), legs.end(), [](const Leg &leg) { return leg.parts > 1; }); };
   const std::string unit =
-      has_parts(load.preload) || has_parts(load.legs) ? " parts of load steps" : " load steps";
+      has_parts(load.preload) || has_parts(load.cycle_legs()) ? " parts of load steps" : " load steps";
   const std::string made = "Load program: Preload, Legs and Cycles = " + std::to_string(load.cycles) +
                            " make " + counted(n_all) + unit;
   if (!may_jump(load, wear))
@@ -77,6 +77,15 @@ void check_number_of_steps(const LoadOptions &load, const WearOptions &wear)
 }
 } // namespace
 
+unsigned int LoadOptions::n_cycles() const
+{
+  if (program_file.empty() || cycles != 1)
+    return cycles;
+  const auto last =
+      std::find_if(rows.rbegin(), rows.rend(), [](const Leg &leg) { return leg.row->ends_cycle; });
+  return last == rows.rend() ? 0 : last->row->cycle;
+}
+
 bool may_jump(const LoadOptions &load, const WearOptions &wear)
 {
   return load.jump_when_periodic > 0 || (wear.wears() && wear.largest_jump > 0);
@@ -84,12 +93,16 @@ bool may_jump(const LoadOptions &load, const WearOptions &wear)
 
 double least_computed_parts(const LoadOptions &load, const WearOptions &wear)
 {
-  return solved_parts(load.preload) + least_computed_cycles(load, wear) * solved_parts(load.legs);
+  return solved_parts(load.preload) + least_computed_cycles(load, wear) * solved_parts(load.cycle_legs());
 }
 
 void declare_load(LoadOptions &load, Section &section)
 {
   const std::string unit_of_legs = "(mm, degrees, N, N mm : steps)";
+  const Condition has_legs{[&load] { return load.program_file.empty(); }, [&load]
+                           { return "Load program/Program file = " + shown_path(load.program_file); }};
+  const Condition has_rows{[&load] { return !load.program_file.empty(); },
+                           [] { return std::string("Load program/Program file = "); }};
   section.add("Preload", load.preload, legs_codec(), "Legs passed through once, before the cycles.")
       .unit(unit_of_legs);
   section
@@ -99,7 +112,22 @@ void declare_load(LoadOptions &load, Section &section)
           "components, as in 'Fz -2e5 rz 0.5 : 10', are driven by a motion or by a force; the others keep "
           "what they have. ': 10 * 4' solves each of 10 steps in 4 parts, of which only the last is written.")
       .unit(unit_of_legs)
+      .only_if(has_legs)
       .also_called({"force", "normal force", "load", "displacement", "amplitude", "steps"});
+  section
+      .add(
+          "Program file", load.program_file, path_codec(),
+          "Takes the place of Legs: a CSV file (',', ';' or tab) whose first line names components of the "
+          "upper face, with units in brackets, such as 'time [s], Fz [kN], ux [um]', and whose rows are "
+          "where "
+          "they go, one after the other. A column 'time' is kept in history.csv. Cycles begin where a column "
+          "'cycle' counts on; without one they are found in the signal, or with Cycles > 1 the file is one.")
+      .path(load.program_file)
+      .also_called({"signal", "load file", "legs file", "amplitude file", "csv"});
+  section
+      .add("Steps per row", load.steps_per_row, count_codec(1, 1000),
+           "Load steps from each row of the program file to the next one.")
+      .only_if(has_rows);
   section
       .add(
           "Accuracy", load.accuracy, percentage_codec(NumberRange{0.01, 50, true, true}),
@@ -128,7 +156,11 @@ void declare_load(LoadOptions &load, Section &section)
 
 void check_load(const LoadOptions &load, const WearOptions &wear)
 {
-  if (load.preload.empty() && load.legs.empty())
+  if (!load.program_file.empty() && load.accuracy != 0)
+    throw InputError(
+        "Load program/Accuracy = " + to_text(load.accuracy) +
+        " % with Load program/Program file: allowed is 0; Steps per row divides the rows of a file");
+  if (load.preload.empty() && load.cycle_legs().empty())
     throw InputError(
         "Load program/Legs is empty and Load program/Preload is empty: allowed is at least one leg, "
         "such as '0 0 -0.1 : 5'");

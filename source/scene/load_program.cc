@@ -64,34 +64,83 @@ LoadStep step_of(const Leg &leg, const Drives &reached, const unsigned int k, co
   return step;
 }
 
-/// The steps of the legs of one cycle, or of the preload.
-class CycleSteps
+std::size_t n_steps_of(const std::vector<Leg> &legs)
+{
+  std::size_t n = 0;
+  for (const Leg &leg : legs)
+    n += leg.steps;
+  return n;
+}
+
+/// The time (s) from one row of the program file to the next, the mean of all; 0 where it has no times.
+double row_time(const std::vector<Leg> &rows)
+{
+  if (rows.size() < 2 || !rows.front().row->time)
+    return 0;
+  return (*rows.back().row->time - *rows.front().row->time) / static_cast<double>(rows.size() - 1);
+}
+
+/// Makes the steps of a load path.
+class PathSteps
 {
 public:
-  CycleSteps(const std::vector<Leg> &legs, std::vector<LoadStep> &steps)
-      : steps_(steps)
+  explicit PathSteps(const LoadOptions &load)
+      : load_(load),
+        row_time_(row_time(load.rows))
   {
-    for (const Leg &leg : legs)
-      phase_of_part_ += leg.steps;
   }
 
   void append(const PathLeg &path_leg)
   {
     const Leg &leg = *path_leg.leg;
+    if (path_leg.begins_cycle)
+    {
+      phase_ = 0;
+      phase_of_part_ =
+          static_cast<unsigned int>(n_steps_of(path_leg.cycle == 0 ? load_.preload : load_.cycle_legs()));
+    }
     for (unsigned int k = 1; k <= leg.steps; ++k)
     {
       const auto number = static_cast<unsigned int>(steps_.size()) + 1;
       steps_.push_back(step_of(leg, path_leg.before, k, leg.steps, {number, path_leg.cycle, phase_++}));
-      for (unsigned int part = 1; leg.parts > 1 && part <= leg.parts; ++part)
-        steps_.back().parts.push_back(step_of(leg, path_leg.before, (k - 1) * leg.parts + part,
-                                              leg.steps * leg.parts,
-                                              {number, path_leg.cycle, phase_of_part_ + part - 1}));
-      phase_of_part_ += leg.parts;
+      steps_.back().ends_cycle = path_leg.ends_cycle && k == leg.steps;
+      set_time(steps_.back(), path_leg);
+      append_parts(path_leg, k);
     }
   }
 
+  /// The time (s) of all rows.
+  double cycle_time() const { return row_time_ * static_cast<double>(load_.rows.size()); }
+
+  std::vector<LoadStep> &steps() { return steps_; }
+
 private:
-  std::vector<LoadStep> &steps_;
+  /// The parts of the step `k` of a leg.
+  void append_parts(const PathLeg &path_leg, const unsigned int k)
+  {
+    const Leg &leg = *path_leg.leg;
+    LoadStep &step = steps_.back();
+    for (unsigned int part = 1; leg.parts > 1 && part <= leg.parts; ++part)
+      step.parts.push_back(step_of(leg, path_leg.before, (k - 1) * leg.parts + part, leg.steps * leg.parts,
+                                   {step.number, step.cycle, phase_of_part_ + part - 1}));
+    phase_of_part_ += leg.parts;
+  }
+
+  /// Time passes evenly from row to row, and to the first row as from one to the next.
+  void set_time(LoadStep &step, const PathLeg &path_leg)
+  {
+    const std::optional<SignalRow> &row = path_leg.leg->row;
+    if (!row || !row->time)
+      return;
+    const bool is_first = path_leg.leg == &load_.rows.front();
+    const double before = is_first ? *row->time - row_time_ : *(path_leg.leg - 1)->row->time;
+    const unsigned int n_passed = path_leg.cycle - row->cycle;
+    step.time = between(before, *row->time, step.share) + n_passed * cycle_time();
+  }
+
+  const LoadOptions &load_;
+  const double row_time_; ///< s
+  std::vector<LoadStep> steps_;
   unsigned int phase_ = 0;
   unsigned int phase_of_part_ = 0; // behind the phases of all steps: StartForces distinguishes both
 };
@@ -100,7 +149,7 @@ private:
 template<typename Test>
 bool any_target(const LoadOptions &load, const unsigned int component, const Test &test)
 {
-  for (const auto *const legs : {&load.preload, &load.legs})
+  for (const auto *const legs : {&load.preload, &load.cycle_legs()})
     for (const Leg &leg : *legs)
       if (leg.targets[component] && test(*leg.targets[component]))
         return true;
@@ -115,28 +164,20 @@ LoadProgram::LoadProgram(LoadOptions load)
 
 LoadSteps LoadProgram::steps() const
 {
-  std::vector<LoadStep> steps;
-  std::size_t n_preload = 0;
-  std::optional<CycleSteps> cycle;
+  PathSteps path(load_);
   for (const PathLeg &leg : load_path(load_))
-  {
-    if (leg.number == 1)
-      cycle.emplace(leg.cycle == 0 ? load_.preload : load_.legs, steps);
-    cycle->append(leg);
-    n_preload = leg.cycle == 0 ? steps.size() : n_preload;
-  }
-  const std::size_t n_cycle = (n_steps() - n_preload) / std::max(1U, load_.cycles);
-  return {std::move(steps), n_cycle, n_steps()};
+    path.append(leg);
+  return {std::move(path.steps()), n_steps_of_cycle(), n_steps(), path.cycle_time()};
 }
 
 std::size_t LoadProgram::n_steps() const
 {
-  std::size_t n = 0;
-  for (const Leg &leg : load_.preload)
-    n += leg.steps;
-  for (const Leg &leg : load_.legs)
-    n += std::size_t(load_.cycles) * leg.steps;
-  return n;
+  return n_steps_of(load_.preload) + load_.cycles * n_steps_of_cycle();
+}
+
+std::size_t LoadProgram::n_steps_of_cycle() const
+{
+  return n_steps_of(load_.cycle_legs());
 }
 
 double LoadProgram::n_solved_parts() const
@@ -144,7 +185,7 @@ double LoadProgram::n_solved_parts() const
   double n = 0;
   for (const Leg &leg : load_.preload)
     n += static_cast<double>(leg.steps) * leg.parts;
-  for (const Leg &leg : load_.legs)
+  for (const Leg &leg : load_.cycle_legs())
     n += static_cast<double>(load_.cycles) * leg.steps * leg.parts;
   return n;
 }
@@ -159,7 +200,7 @@ LoadProgram LoadProgram::first_cycle() const
 double LoadProgram::largest_motion(const unsigned int direction) const
 {
   double largest = 0;
-  for (const auto *const legs : {&load_.preload, &load_.legs})
+  for (const auto *const legs : {&load_.preload, &load_.cycle_legs()})
     for (const Leg &leg : *legs)
       largest = std::max(largest, std::abs(leg.motion(direction).value_or(0)));
   return largest;

@@ -6,10 +6,12 @@
 
 namespace orthocone
 {
-LoadSteps::LoadSteps(std::vector<LoadStep> different, const std::size_t n_cycle, const std::size_t size)
+LoadSteps::LoadSteps(std::vector<LoadStep> different, const std::size_t n_cycle, const std::size_t size,
+                     const double cycle_time)
     : different_(std::move(different)),
       n_cycle_(n_cycle),
-      size_(size)
+      size_(size),
+      cycle_time_(cycle_time)
 {
 }
 
@@ -20,7 +22,10 @@ LoadStep LoadSteps::operator[](const std::size_t i) const
   const std::size_t behind = i - different_.size();
   LoadStep step = different_[different_.size() - n_cycle_ + behind % n_cycle_];
   step.number = static_cast<unsigned int>(i + 1);
-  step.cycle += static_cast<unsigned int>(1 + behind / n_cycle_);
+  const auto repetition = static_cast<unsigned int>(1 + behind / n_cycle_);
+  step.cycle += repetition;
+  if (step.time)
+    *step.time += repetition * cycle_time_;
   for (LoadStep &part : step.parts)
   {
     part.number = step.number;

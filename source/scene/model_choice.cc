@@ -114,8 +114,7 @@ void check_datum(const Parameters &parameters, const ModelSymmetry &symmetry)
   for (const PathLeg &leg : load_path(parameters.load))
     for (unsigned int i = 0; i < n_translations; ++i)
       if (symmetry.leaves(i) && !leg.after[i].by_force)
-        throw InputError(leg.entry + ": u" + "xyz"[i] + " is a motion, or not named, in leg " +
-                         std::to_string(leg.number) +
+        throw InputError(leg.entry + ": u" + "xyz"[i] + " is a motion, or not named, in " + leg.place +
                          ": allowed with Obstacle/Kind = half-space in plane strain is a force F" + "xyz"[i] +
                          ", such as 0, because the displacement of a half-plane has no datum");
 }

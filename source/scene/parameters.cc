@@ -2,6 +2,10 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/scene/parameters.h>
 
+#include <orthocone/base/errors.h>
+#include <orthocone/base/text.h>
+#include <orthocone/scene/program_file.h>
+
 namespace orthocone
 {
 void declare_parameters(Parameters &parameters, EntryList &list)
@@ -46,6 +50,14 @@ ParameterFile read_parameter_file(const std::string &file_name, const std::vecto
   file.text = read_entries(file_name, list);
   for (const std::string &assignment : overrides)
     assign_entry(assignment, list);
+  try
+  {
+    read_program_file(file.parameters.load);
+  }
+  catch (const InputError &error)
+  {
+    throw InputError(shown_path(file_name) + ": " + error.what());
+  }
   // Both bodies are solids, or sections of one thickness.
   file.parameters.lower.geometry.kind = file.parameters.geometry.kind;
   file.parameters.lower.geometry.thickness = file.parameters.geometry.section_thickness();

@@ -65,6 +65,10 @@ ROWS = [
      'step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N '
      "mm), separated by ';'; "
      '"steps * parts" solves each step in so many parts'),
+    ("steps_per_row_zero", "subsection Load program\n  set Cycles = 1\n  set Steps per row = 0\nend\n",
+     "{file}:4: Load program/Steps per row = 0: allowed is a whole number from 1 to 1000"),
+    ("program_file_of_windows", "subsection Load program\n  set Cycles = 1\n  set Program file = c:\\signal.csv\nend\n",
+     "{file}:4: Load program/Program file = c:\\signal.csv: allowed is a path without '#' and '\\', or nothing"),
     ("jump_cycles_zero", "subsection Load program\n  set Jump when periodic = 1e-8\n  set Jump cycles = 0\nend\n",
      "{file}:4: Load program/Jump cycles = 0: allowed is a whole number from 1 to 1000000"),
     ("jump_when_periodic_negative", "subsection Load program\n  set Jump when periodic = -1e-8\nend\n",

@@ -20,8 +20,8 @@ def jumps(data):
     if not len(data.cycles.get("cycle", ())):
         return []
     rows = jumped_rows(data)
-    last, count = data.cycles["last_step"][rows], data.cycles["n_cycles"][rows]
-    return np.stack([last - count * data.program.cycle_steps + 1, last], axis=1).astype(int).tolist()
+    last = data.cycles["last_step"]
+    return np.stack([np.r_[0, last[:-1]][rows] + 1, last[rows]], axis=1).astype(int).tolist()
 
 
 def jumped_energy(data, name):

@@ -82,6 +82,29 @@ class LoadProgram:
         return {name: value for name, value in largest.items() if value}
 
 
+class SignalProgram:
+    """The program of a program file, as far as the history has come: the page needs no file but the run folder's. Cycles
+    are as long as the signal makes them."""
+
+    def __init__(self, history):
+        self.history = history
+        self.n_steps = len(history["step"])
+
+    def blocks(self, steps):
+        cycle, step = np.asarray(self.history["cycle"], dtype=int), np.asarray(self.history["step"], dtype=int)
+        begins = np.flatnonzero(np.r_[True, cycle[1:] != cycle[:-1]]) if len(cycle) else []
+        ends = [*(begins[1:] - 1), len(cycle) - 1] if len(cycle) else []
+        return [Block(int(cycle[i]), int(step[i]), int(step[j]), [int(step[j])]) for i, j in zip(begins, ends)]
+
+    def extremes(self):
+        """Largest value of each driven component so far, with its sign."""
+        driven = sorted({name for names in self.history["driven"] for name in names.split()}, key=COMPONENTS.index)
+        column = {name: f"held_{'force' if name[0] == 'F' else 'moment'}_{name[1]}" if name[0] in "FM" else name
+                  for name in driven}
+        largest = {name: max(self.history[column[name]], key=abs, default=0) for name in driven}
+        return {name: float(value) for name, value in largest.items() if value}
+
+
 def choose_steps(steps, limit, blocks):
     """At most `limit` of the steps: whole cycles, evenly chosen, so that loops stay loops; where not even two cycles
     fit, steps of the whole run."""

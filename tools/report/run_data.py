@@ -9,7 +9,7 @@ import numpy as np
 import outline
 from cycle_table import jumped_energy
 from imported_body import ImportedBody
-from load_program import LoadProgram
+from load_program import LoadProgram, SignalProgram
 from maps import Maps
 from run_folder import BadFile, RunFolder
 
@@ -28,7 +28,7 @@ class RunData:
         self.steps = np.asarray(self.history.get("step", ()), dtype=int)
         self.n_solved = len(self.steps)
         self.parameters = self.read("parameters.prm", lambda: checked.parameters(self.run.parameters))
-        self.program = self.read("parameters.prm", lambda: LoadProgram(self.parameters["Load program"]))
+        self.program = self.read("parameters.prm", self.load_program)
         self.summary = self.read("summary.json", lambda: checked.summary(self.run.summary), optional=True) or {}
         self.timing = self.read("timing.csv", lambda: checked.columns(self.run.timing), optional=True) or {}
         self.checks = self.read("checks.csv", lambda: checked.columns(self.run.checks))
@@ -55,6 +55,10 @@ class RunData:
         self.height = self.box[2] if self.box else self.size("Height")
         self.probe_places = self.places_of_probes()
         self.energy = self.read("history.csv", self.energy_ledger)
+
+    def load_program(self):
+        entries = self.parameters["Load program"]
+        return SignalProgram(self.history) if entries.get("Program file") else LoadProgram(entries)
 
     @functools.cached_property
     def maps(self):

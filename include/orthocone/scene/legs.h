@@ -12,6 +12,10 @@ namespace orthocone
 /// has at least one step, and names a component once.
 Codec<std::vector<Leg>> legs_codec();
 
+/// Sets the target of the component of this name, mm, degrees, N or N mm. Returns what is allowed instead of
+/// the name, or "".
+std::string set_target(const std::string &name, double value, Leg &leg);
+
 /// "name: x y ; ...", possibly empty, mm. Names become file names: they consist of letters, digits, '-' and
 /// '_', and each may occur once.
 Codec<std::vector<Probe>> probes_codec();

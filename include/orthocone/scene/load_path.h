@@ -13,9 +13,11 @@ using Drives = std::array<Drive, n_rigid_components>;
 struct PathLeg
 {
   const Leg *leg;
-  std::string entry;   ///< "Load program/Preload" or "Load program/Legs"
-  unsigned int number; ///< in the entry, from 1
-  unsigned int cycle;  ///< 0 in the preload
+  std::string entry;  ///< "Load program/Preload", "Load program/Legs", or the program file
+  std::string place;  ///< in the entry: "leg 2" or "line 3"
+  unsigned int cycle; ///< 0 in the preload
+  bool begins_cycle;  ///< or the preload
+  bool ends_cycle;    ///< not the preload
   Drives before, after;
 
   /// Where a component is behind the leg, mm or degrees; 0 where a force drives it, because it is unknown.
@@ -25,8 +27,8 @@ struct PathLeg
   }
 };
 
-/// The way of the held face through the load program, leg by leg: the preload, and the first two cycles. The
-/// first one starts from the end of the preload, and all others from the end of a cycle, so that the cycles
-/// behind the second are like it. `load` must outlive the result.
+/// The way of the held face through the load program, leg by leg: the preload, and the legs twice, if they
+/// are repeated. The first time they start from the end of the preload, and then from their own end, so that
+/// they are passed through later as the second time. `load` must outlive the result.
 std::vector<PathLeg> load_path(const LoadOptions &load);
 } // namespace orthocone

@@ -21,6 +21,9 @@ public:
 
   std::size_t n_steps() const;
 
+  /// The number of steps of the legs that are repeated.
+  std::size_t n_steps_of_cycle() const;
+
   /// The number of problems that the steps need: a step in parts counts as many as its parts.
   double n_solved_parts() const;
 

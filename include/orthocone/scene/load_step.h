@@ -6,6 +6,7 @@
 #include <orthocone/surface/model_symmetry.h>
 #include <orthocone/surface/rigid_motion.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -46,6 +47,8 @@ struct LoadStep
   /// leg begins, and `motion` or `force` has the target of the leg.
   std::array<bool, n_rigid_components> from_present{};
   double share = 1; ///< of the leg, up to the end of the step
+  bool ends_cycle = false;
+  std::optional<double> time{}; ///< at the end of the step, s; nothing where the program has no times
   /// The parts in which the step is solved; the last one ends where the step does. If empty, it is solved in
   /// one. Their `step_of_leg` and `phase` count parts.
   std::vector<LoadStep> parts{};

@@ -39,8 +39,8 @@ public:
   LoadSteps() = default;
 
   /// `different` has the preload, the first cycle and, if there is one, the second cycle, of `n_cycle` steps
-  /// each; `size` counts the steps of all cycles.
-  LoadSteps(std::vector<LoadStep> different, std::size_t n_cycle, std::size_t size);
+  /// and `cycle_time` seconds each; `size` counts the steps of all cycles.
+  LoadSteps(std::vector<LoadStep> different, std::size_t n_cycle, std::size_t size, double cycle_time);
 
   std::size_t size() const { return size_; }
 
@@ -59,5 +59,6 @@ private:
   std::vector<LoadStep> different_{};
   std::size_t n_cycle_ = 0;
   std::size_t size_ = 0;
+  double cycle_time_ = 0;
 };
 } // namespace orthocone

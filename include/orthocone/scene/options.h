@@ -191,6 +191,15 @@ struct Drive
   bool operator==(const Drive &other) const { return by_force == other.by_force && value == other.value; }
 };
 
+/// Where a leg of a program file stands in its signal.
+struct SignalRow
+{
+  unsigned int line = 0;        ///< of the file, from 1
+  std::optional<double> time{}; ///< at the end of the leg, s
+  unsigned int cycle = 0;       ///< counted from 1; 0 before the first one
+  bool ends_cycle = false;
+};
+
 /// One leg of the load program. The components that it names (ux uy uz rx ry rz, or in their place Fx Fy Fz
 /// Mx My Mz) go to their targets on a straight line in equal steps; the others stay as they are.
 struct Leg
@@ -198,6 +207,7 @@ struct Leg
   std::array<std::optional<Drive>, n_rigid_components> targets{};
   unsigned int steps = 1;
   unsigned int parts = 1; ///< of each step, solved one by one; only the step's end is checked and written
+  std::optional<SignalRow> row{}; ///< of a leg of the program file
 
   /// Where the leg moves the component (mm or degrees), or nothing if it does not.
   std::optional<double> motion(const unsigned int component) const
@@ -228,9 +238,18 @@ struct LoadOptions
   unsigned int cycles = 1;
   double accuracy =
       0; ///< wanted of `quantity_names` as far as load steps cause errors, percent; 0: steps as given
+  std::string program_file{};     ///< path, or empty; its rows take the place of `legs`
+  unsigned int steps_per_row = 1; ///< load steps of each row of that file
+  std::vector<Leg> rows{};        ///< of that file: read_program_file()
   Kinds<StopRule> stops{};        ///< each of which may end the run before its last cycle
   double jump_when_periodic = 0;  ///< bound of the change of state in a cycle; 0 = never
   unsigned int jump_cycles = 100; ///< most cycles that are jumped before the next one is computed
+
+  /// The legs that are passed through `cycles` times.
+  const std::vector<Leg> &cycle_legs() const { return program_file.empty() ? legs : rows; }
+
+  /// The number of complete cycles: those that were found in the program file, or `cycles`.
+  unsigned int n_cycles() const;
 };
 
 /// The entries of section Checks: bounds of the independent checks of every step (docs/theory.md, section 5).
