@@ -5,6 +5,7 @@
 // motions that strain nothing.
 #include <orthocone/body/fe/stiffness.h>
 #include <orthocone/body/materials/material.h>
+#include <orthocone/body/materials/orthotropic_law.h>
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
@@ -85,10 +86,10 @@ MatrixXd all_stiffness(const DisplacementSpace<dim> &space, const MaterialOption
 MaterialOptions orthotropic()
 {
   MaterialOptions material;
-  material.law = MaterialLaw::orthotropic;
-  material.young_moduli = {{100, 200, 50}};
-  material.poisson_ratios = {{0.2, 0.35, 0.3}};
-  material.shear_moduli = {{40, 25, 60}};
+  auto &law = material.law.choose<OrthotropicLaw>();
+  law.young_moduli = {{100, 200, 50}};
+  law.poisson_ratios = {{0.2, 0.35, 0.3}};
+  law.shear_moduli = {{40, 25, 60}};
   return material;
 }
 
