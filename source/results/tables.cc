@@ -103,8 +103,8 @@ Columns<SolvedStep> columns_of_held_face_and_contact()
           {"held_moment_x", "N mm", on_face, [](const Step &s) { return 0. - s.totals.moment[0]; }},
           {"held_moment_y", "N mm", on_face, [](const Step &s) { return 0. - s.totals.moment[1]; }},
           {"held_moment_z", "N mm", on_face, [](const Step &s) { return 0. - s.totals.moment[2]; }},
-          {"time", "s", "of the program file at the end of the step; nan without one",
-           [](const Step &s) { return s.step.time; }}};
+          {"time", "s", "time of the program file at the end of the step; without one, the number of the step",
+           [](const Step &s) { return s.step.time.value_or(s.step.number); }}};
 }
 
 /// The lines of one file. An `Item` has a name, a unit, and a text on its meaning.

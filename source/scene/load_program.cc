@@ -126,12 +126,18 @@ private:
     phase_of_part_ += leg.parts;
   }
 
-  /// Time passes evenly from row to row, and to the first row as from one to the next.
+  /// Time passes evenly from row to row, and to the first row as from one to the next. The preload takes
+  /// none.
   void set_time(LoadStep &step, const PathLeg &path_leg)
   {
     const std::optional<SignalRow> &row = path_leg.leg->row;
-    if (!row || !row->time)
+    if (load_.rows.empty() || !load_.rows.front().row->time)
       return;
+    if (!row)
+    {
+      step.time = *load_.rows.front().row->time - row_time_;
+      return;
+    }
     const bool is_first = path_leg.leg == &load_.rows.front();
     const double before = is_first ? *row->time - row_time_ : *(path_leg.leg - 1)->row->time;
     const unsigned int n_passed = path_leg.cycle - row->cycle;

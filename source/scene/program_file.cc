@@ -97,6 +97,15 @@ private:
   std::vector<Leg> rows_;
 };
 
+/// The cells of a line, also an empty one at its end.
+std::vector<std::string> cells_of(const std::string &line, const char separator)
+{
+  std::vector<std::string> cells = split(line, separator);
+  if (line.back() == separator)
+    cells.emplace_back();
+  return cells;
+}
+
 std::string without_quotes(const std::string &cell)
 {
   const bool is_quoted = cell.size() >= 2 && cell.front() == '"' && cell.back() == '"';
@@ -113,7 +122,7 @@ void ProgramFile::read_header(const std::string &line)
     }
   Leg leg;
   unsigned int n_times = 0, n_cycles = 0, n_components = 0;
-  for (const std::string &cell : split(line, separator_))
+  for (const std::string &cell : cells_of(line, separator_))
   {
     columns_.push_back(read_column(without_quotes(cell)));
     const std::string &name = columns_.back().name;
@@ -166,7 +175,7 @@ double ProgramFile::factor_of(const std::string &column, const std::string &unit
 /// Reads a row as a leg to where its components are.
 void ProgramFile::read_row(const std::string &line)
 {
-  const std::vector<std::string> cells = split(line, separator_);
+  const std::vector<std::string> cells = cells_of(line, separator_);
   if (cells.size() != columns_.size())
     refuse("has " + std::to_string(cells.size()) + (cells.size() == 1 ? " cell" : " cells") +
            ": allowed are the " + std::to_string(columns_.size()) + " of the header" +

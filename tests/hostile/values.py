@@ -36,6 +36,7 @@ REFUSED = {
     "Load program/Legs": ["0 0 -0.1 : 4294967297", "0 0 -0.1 : 1e3", "0 0 -1e400 : 1", "0 0 inf : 1", ";", ":",
                           "0 0 -0.1 5", "0 0 0 0 : 1",
                           "0 0 -0.1 : 1 * 4294967297", "0 0 -0.1 : 1 ** 2", "0 0 -0.1 : 2 * -1", "(0 0 -0.1) : 1", "0 0 -0.1 : 1 ; 0 0", "0 0 0x1 : 1", "uz -0.1 mm : 1"],
+    "Load program/Program file": ["a\\b.csv"], "Load program/Steps per row": ["0", "1.5", "1001", "-1", ""],
     "Load program/Cycles": ["+1", "1.5", "1e6", ""],
     "Load program/Stop when periodic": ["-1e-300", "1.0", "nan", "never"],
     "Wear/Law": ["archard energy", "1", ""], "Wear/Coefficient": ["1e7", "nan", "1e-8 %"],

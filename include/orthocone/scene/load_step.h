@@ -48,7 +48,7 @@ struct LoadStep
   std::array<bool, n_rigid_components> from_present{};
   double share = 1; ///< of the leg, up to the end of the step
   bool ends_cycle = false;
-  std::optional<double> time{}; ///< at the end of the step, s; nothing where the program has no times
+  std::optional<double> time{}; ///< at the end of the step, s; nothing in a program without times
   /// The parts in which the step is solved; the last one ends where the step does. If empty, it is solved in
   /// one. Their `step_of_leg` and `phase` count parts.
   std::vector<LoadStep> parts{};
