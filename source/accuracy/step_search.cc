@@ -7,6 +7,7 @@
 #include <orthocone/accuracy/first_cycle.h>
 #include <orthocone/base/machine.h>
 #include <orthocone/body/shapes/mesh_ladder.h>
+#include <orthocone/body/shapes/shape_kind.h>
 #include <orthocone/scene/computed_steps.h>
 #include <orthocone/scene/load_program.h>
 
@@ -40,7 +41,7 @@ MeshOptions search_mesh(const Parameters &parameters, const ModelChoice &choice)
   coarser.mesh = ladder;
   const auto dofs = [&](const Parameters &of) { return model_size(of, choice.symmetry).dofs; };
   const bool is_adaptive = given.mesh.adaptive != 0;
-  if (geometry.shape == BodyShape::cylinder && is_plain && (is_adaptive || dofs(coarser) < dofs(given)))
+  if (kind_of(geometry).chooser_of_mesh().empty() && is_plain && (is_adaptive || dofs(coarser) < dofs(given)))
     return ladder;
   given.mesh.adaptive = 0;
   if (!given.mesh.refined_cells.empty())

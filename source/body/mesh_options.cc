@@ -142,18 +142,13 @@ void declare_mesh_choice(MeshOptions &mesh, Section &section)
 
 void declare_cells(MeshOptions &mesh, const GeometryOptions &geometry, Section &section)
 {
-  const auto of_shapes = [&geometry](const std::vector<BodyShape> &shapes)
-  {
-    return Condition{[&geometry, shapes]
-                     { return std::find(shapes.begin(), shapes.end(), geometry.shape) != shapes.end(); },
-                     [&geometry] { return geometry.shape_entry(); }};
-  };
   for (const ShapeKind *const kind : shape_kinds())
-    kind->declare_cells(mesh, of_shapes({kind->shape()}), section);
+    kind->declare_cells(
+        mesh, where_shape(geometry, [kind](const ShapeKind &chosen) { return &chosen == kind; }), section);
   section
       .add("Layer grading", mesh.layer_grading, number_codec(NumberRange{0, 10, false, true}),
            "Each layer is this many times as thick as its neighbour towards mid-height; 1 = uniform.")
-      .only_if(of_shapes({BodyShape::cylinder, BodyShape::box}));
+      .only_if(where_shape(geometry, [](const ShapeKind &chosen) { return chosen.has_layers(); }));
   section
       .add("Degree", mesh.degree, count_codec(1, 4),
            "Polynomial degree of the elements; 4 in the axisymmetric model and in plane strain only.")

@@ -196,9 +196,9 @@ static std::string describe_counterbody(const Parameters &parameters)
                : material.law.word();
   };
   const auto &kind = parameters.obstacle.kind;
-  if (kind == ObstacleKind::half_space)
-    return "elastic half-space, " + constants(parameters.obstacle.material);
-  if (kind == ObstacleKind::body)
+  if (const auto material = kind.chosen().material())
+    return "elastic " + kind.word() + ", " + constants(*material);
+  if (kind.chosen().is_body())
     return "elastic body (" + kind_of(parameters.lower.geometry).describe(parameters.lower.geometry) + "), " +
            constants(parameters.lower.material);
   return kind == ObstacleKind::rigid ? "" : kind.word();

@@ -136,10 +136,9 @@ OrderedJson counterface_json(const Parameters &parameters)
 {
   const auto &kind = parameters.obstacle.kind;
   OrderedJson json{{"kind", to_word(kind)}};
-  const MaterialOptions material =
-      (kind == ObstacleKind::body ? parameters.lower.material : parameters.obstacle.material).isotropic();
   if (kind.chosen().gives_way())
   {
+    const MaterialOptions material = kind.chosen().material().value_or(parameters.lower.material).isotropic();
     json["young_modulus_MPa"] = material.young_modulus;
     json["poisson_ratio"] = material.poisson_ratio;
   }

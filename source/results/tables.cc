@@ -103,7 +103,8 @@ Columns<SolvedStep> columns_of_held_face_and_contact()
           {"held_moment_x", "N mm", on_face, [](const Step &s) { return 0. - s.totals.moment[0]; }},
           {"held_moment_y", "N mm", on_face, [](const Step &s) { return 0. - s.totals.moment[1]; }},
           {"held_moment_z", "N mm", on_face, [](const Step &s) { return 0. - s.totals.moment[2]; }},
-          {"time", "s", "time of the program file at the end of the step; without one, the number of the step",
+          {"time", "s",
+           "time of the program file at the end of the step; without one, the number of the step",
            [](const Step &s) { return s.step.time.value_or(s.step.number); }}};
 }
 

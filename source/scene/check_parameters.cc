@@ -98,10 +98,11 @@ void check_lower_section(const Parameters &parameters, const std::string &with)
 {
   constexpr unsigned int most_of_faces = 3;
   const GeometryOptions &upper = parameters.geometry, &lower = parameters.lower.geometry;
-  if (lower.shape == BodyShape::cylinder)
+  const auto thickness = kind_of(lower).thickness(lower);
+  if (!thickness)
     throw InputError(lower.shape_entry() + with + "box or file");
-  if (lower.shape == BodyShape::box && lower.sizes[1] != upper.section_thickness())
-    throw InputError(lower.section + "/Sizes: l_y = " + to_text(lower.sizes[1]) + " mm" + with +
+  if (thickness->value != upper.section_thickness())
+    throw InputError(thickness->entry + " = " + to_text(thickness->value) + " mm" + with +
                      "the thickness of the upper body, " + to_text(upper.section_thickness()) + " mm");
   if (parameters.mesh.degree > most_of_faces)
     throw InputError(parameters.mesh.section + "/Degree = " + std::to_string(parameters.mesh.degree) +
@@ -114,7 +115,7 @@ void check_plane_strain(const Parameters &parameters)
   if (!parameters.geometry.is_plane_strain())
     return;
   const std::string with = " with Geometry/Kind = plane strain: allowed is ";
-  if (parameters.geometry.shape == BodyShape::cylinder)
+  if (!kind_of(parameters.geometry).thickness(parameters.geometry))
     throw InputError(parameters.geometry.shape_entry() + with + "box or file");
   if (parameters.obstacle.kind == ObstacleKind::body)
     return check_lower_section(parameters, with);

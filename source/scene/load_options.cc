@@ -3,6 +3,7 @@
 #include <orthocone/base/errors.h>
 #include <orthocone/scene/computed_steps.h>
 #include <orthocone/scene/legs.h>
+#include <orthocone/scene/program_file.h>
 
 #include "periods.h"
 
@@ -96,13 +97,25 @@ double least_computed_parts(const LoadOptions &load, const WearOptions &wear)
   return solved_parts(load.preload) + least_computed_cycles(load, wear) * solved_parts(load.cycle_legs());
 }
 
+static void declare_jumps(LoadOptions &load, Section &section)
+{
+  section
+      .add("Jump when periodic", load.jump_when_periodic, period_codec(),
+           "When a cycle ends as it began, in the same measure, the next ones are not computed: accumulated "
+           "slip and dissipated energy grow as in this one; 0 = never. The last cycle is always computed.")
+      .may_change_on_resume();
+  section
+      .add("Jump cycles", load.jump_cycles, count_codec(1, 1000000),
+           "Most cycles that are jumped before another one is computed, which shows whether the response is "
+           "still periodic.")
+      .may_change_on_resume();
+}
+
 void declare_load(LoadOptions &load, Section &section)
 {
   const std::string unit_of_legs = "(mm, degrees, N, N mm : steps)";
   const Condition has_legs{[&load] { return load.program_file.empty(); }, [&load]
                            { return "Load program/Program file = " + shown_path(load.program_file); }};
-  const Condition has_rows{[&load] { return !load.program_file.empty(); },
-                           [] { return std::string("Load program/Program file = "); }};
   section.add("Preload", load.preload, legs_codec(), "Legs passed through once, before the cycles.")
       .unit(unit_of_legs);
   section
@@ -114,20 +127,7 @@ void declare_load(LoadOptions &load, Section &section)
       .unit(unit_of_legs)
       .only_if(has_legs)
       .also_called({"force", "normal force", "load", "displacement", "amplitude", "steps"});
-  section
-      .add(
-          "Program file", load.program_file, path_codec(),
-          "Takes the place of Legs: a CSV file (',', ';' or tab) whose first line names components of the "
-          "upper face, with units in brackets, such as 'time [s], Fz [kN], ux [um]', and whose rows are "
-          "where "
-          "they go, one after the other. A column 'time' is kept in history.csv. Cycles begin where a column "
-          "'cycle' counts on; without one they are found in the signal, or with Cycles > 1 the file is one.")
-      .path(load.program_file)
-      .also_called({"signal", "load file", "legs file", "amplitude file", "csv"});
-  section
-      .add("Steps per row", load.steps_per_row, count_codec(1, 1000),
-           "Load steps from each row of the program file to the next one.")
-      .only_if(has_rows);
+  declare_program_file(load, section);
   section
       .add(
           "Accuracy", load.accuracy, percentage_codec(NumberRange{0.01, 50, true, true}),
@@ -142,16 +142,7 @@ void declare_load(LoadOptions &load, Section &section)
       .may_change_on_resume();
   for (const auto &rule : load.stops)
     rule->declare(section);
-  section
-      .add("Jump when periodic", load.jump_when_periodic, period_codec(),
-           "When a cycle ends as it began, in the same measure, the next ones are not computed: accumulated "
-           "slip and dissipated energy grow as in this one; 0 = never. The last cycle is always computed.")
-      .may_change_on_resume();
-  section
-      .add("Jump cycles", load.jump_cycles, count_codec(1, 1000000),
-           "Most cycles that are jumped before another one is computed, which shows whether the response is "
-           "still periodic.")
-      .may_change_on_resume();
+  declare_jumps(load, section);
 }
 
 void check_load(const LoadOptions &load, const WearOptions &wear)

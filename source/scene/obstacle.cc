@@ -6,7 +6,6 @@
 #include <orthocone/base/text.h>
 #include <orthocone/entries/expression.h>
 #include <orthocone/scene/gap_file.h>
-#include <orthocone/surface/half_plane.h>
 
 #include <algorithm>
 #include <cmath>
@@ -74,91 +73,6 @@ void GivenGap::check(const std::vector<Vector2d> &places) const
 Eigen::MatrixXd Obstacle::compliance(const ContactSurface &, const ModelSymmetry &, const LocalAxes &) const
 {
   return {};
-}
-
-namespace
-{
-/// An elastic half-space below the surface of another obstacle.
-class ElasticHalfSpace : public Obstacle
-{
-public:
-  ElasticHalfSpace(std::unique_ptr<const Obstacle> surface, const MaterialOptions &material)
-      : surface_(std::move(surface)),
-        material_(material)
-  {
-  }
-
-  bool is_plane() const override { return surface_->is_plane(); }
-  double gap(const Vector2d &place) const override { return surface_->gap(place); }
-  void check(const std::vector<Vector2d> &places) const override { surface_->check(places); }
-  std::optional<MaterialOptions> material() const override { return material_; }
-  Eigen::MatrixXd compliance(const ContactSurface &surface, const ModelSymmetry &symmetry,
-                             const LocalAxes &axes) const override
-  {
-    const HalfSpace half_space{material_.young_modulus, material_.poisson_ratio};
-    return symmetry.is_plane_strain() ? half_plane_compliance(half_space, surface, symmetry, axes)
-                                      : half_space_compliance(half_space, surface, symmetry, axes);
-  }
-
-private:
-  std::unique_ptr<const Obstacle> surface_;
-  MaterialOptions material_;
-};
-
-/// A kind without entries of its own.
-template<typename Derived>
-class PlainKind : public ObstacleKindOptions
-{
-public:
-  std::unique_ptr<ObstacleKindOptions> clone() const override { return std::make_unique<Derived>(); }
-  bool keeps_surface() const override { return true; }
-  std::unique_ptr<const Obstacle> make(const ObstacleOptions &,
-                                       std::unique_ptr<const Obstacle> surface) const override
-  {
-    return surface;
-  }
-};
-
-class RigidKind : public PlainKind<RigidKind>
-{
-};
-
-class HalfSpaceKind : public PlainKind<HalfSpaceKind>
-{
-public:
-  bool gives_way() const override { return true; }
-  std::unique_ptr<const Obstacle> make(const ObstacleOptions &options,
-                                       std::unique_ptr<const Obstacle> surface) const override
-  {
-    return std::make_unique<ElasticHalfSpace>(std::move(surface), options.material);
-  }
-};
-
-/// The scene makes the second body, which is no obstacle but a body like the first one.
-class BodyKind : public PlainKind<BodyKind>
-{
-public:
-  bool gives_way() const override { return true; }
-};
-
-template<typename Options>
-Kind<ObstacleKindOptions> obstacle_kind(const ObstacleKind &kind, const char *const help)
-{
-  return {std::string(kind.word), help, [] { return std::make_unique<Options>(); }};
-}
-} // namespace
-
-template<>
-std::vector<Kind<ObstacleKindOptions>> &kinds_of<ObstacleKindOptions>()
-{
-  static std::vector<Kind<ObstacleKindOptions>> kinds{
-      obstacle_kind<RigidKind>(ObstacleKind::rigid, "what does not give way"),
-      obstacle_kind<HalfSpaceKind>(ObstacleKind::half_space, "an elastic half-space, which needs no mesh"),
-      obstacle_kind<BodyKind>(ObstacleKind::body,
-                              "a second elastic body, that of the sections Lower geometry, Lower mesh and "
-                              "Lower material (neither elastic one in the axisymmetric model, nor with "
-                              "Mesh/Backend = multigrid)")};
-  return kinds;
 }
 
 std::unique_ptr<const Obstacle> make_obstacle(const ObstacleOptions &options)

@@ -4,6 +4,21 @@
 
 namespace orthocone
 {
+// Each in a file of its name, which may be compiled together with this one.
+// NOLINTBEGIN(readability-redundant-declaration)
+Kind<ObstacleKindOptions> rigid_obstacle();
+Kind<ObstacleKindOptions> half_space_obstacle();
+Kind<ObstacleKindOptions> lower_body_obstacle();
+// NOLINTEND(readability-redundant-declaration)
+
+template<>
+std::vector<Kind<ObstacleKindOptions>> &kinds_of<ObstacleKindOptions>()
+{
+  static std::vector<Kind<ObstacleKindOptions>> kinds{rigid_obstacle(), half_space_obstacle(),
+                                                      lower_body_obstacle()};
+  return kinds;
+}
+
 bool ObstacleOptions::is_plane() const
 {
   const Expression expression(gap);
@@ -36,17 +51,5 @@ void declare_obstacle(ObstacleOptions &obstacle, Section &section)
       .path(obstacle.gap_file);
   obstacle.kind.declare(
       "Kind", "What the body rests on. Gap is that between both, whichever of them is curved.", section);
-  const std::string of_half_space = " of a half-space; without one it has no meaning.";
-  const Condition has_half_space{[&obstacle] { return obstacle.kind == ObstacleKind::half_space; },
-                                 [&obstacle] { return "Obstacle/Kind = " + obstacle.kind.word(); }};
-  section
-      .add("Young modulus", obstacle.material.young_modulus, number_codec(positive),
-           "Young's modulus in MPa" + of_half_space)
-      .unit("MPa")
-      .only_if(has_half_space);
-  section
-      .add("Poisson ratio", obstacle.material.poisson_ratio, number_codec(NumberRange{-1, 0.5}),
-           "Poisson's ratio" + of_half_space)
-      .only_if(has_half_space);
 }
 } // namespace orthocone

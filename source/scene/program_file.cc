@@ -238,6 +238,26 @@ void make_one_cycle(std::vector<Leg> &rows)
 }
 } // namespace
 
+void declare_program_file(LoadOptions &load, Section &section)
+{
+  const Condition has_rows{[&load] { return !load.program_file.empty(); },
+                           [] { return std::string("Load program/Program file = "); }};
+  section
+      .add(
+          "Program file", load.program_file, path_codec(),
+          "Takes the place of Legs: a CSV file (',', ';' or tab) whose first line names components of the "
+          "upper face, with units in brackets, such as 'time [s], Fz [kN], ux [um]', and whose rows are "
+          "where "
+          "they go, one after the other. A column 'time' is kept in history.csv. Cycles begin where a column "
+          "'cycle' counts on; without one they are found in the signal, or with Cycles > 1 the file is one.")
+      .path(load.program_file)
+      .also_called({"signal", "load file", "legs file", "amplitude file", "csv"});
+  section
+      .add("Steps per row", load.steps_per_row, count_codec(1, 1000),
+           "Load steps from each row of the program file to the next one.")
+      .only_if(has_rows);
+}
+
 void read_program_file(LoadOptions &load)
 {
   if (load.program_file.empty())

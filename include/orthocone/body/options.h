@@ -38,20 +38,20 @@ struct Words<GeometryKind>
       {{GeometryKind::solid, "solid"}, {GeometryKind::plane_strain, "plane strain"}}};
 };
 
-/// Shape of the body.
-enum class BodyShape
+/// The word of a shape of the body, and those that the program itself names. shape_kinds() has all of them.
+struct BodyShape
 {
-  cylinder,
-  box,
-  file,
+  std::string_view word;
+
+  static const BodyShape cylinder, box, file;
+
+  bool operator==(const BodyShape other) const { return word == other.word; }
+  bool operator!=(const BodyShape other) const { return word != other.word; }
 };
 
-template<>
-struct Words<BodyShape>
-{
-  static constexpr std::array<std::pair<BodyShape, std::string_view>, 3> table{
-      {{BodyShape::cylinder, "cylinder"}, {BodyShape::box, "box"}, {BodyShape::file, "file"}}};
-};
+inline constexpr BodyShape BodyShape::cylinder{"cylinder"};
+inline constexpr BodyShape BodyShape::box{"box"};
+inline constexpr BodyShape BodyShape::file{"file"};
 
 /// Part of the body that is modelled; axisymmetric is its section (r, z).
 enum class ModelKind
@@ -151,17 +151,17 @@ struct GeometryOptions
   SectionName section = "Geometry";
 
   /// "Geometry/Shape = box".
-  std::string shape_entry() const { return section + "/Shape = " + to_word(shape); }
+  std::string shape_entry() const { return section + "/Shape = " + std::string(shape.word); }
 
   bool is_plane_strain() const { return kind == GeometryKind::plane_strain; }
 
-  /// Thickness (mm) of the body in plane strain.
-  double section_thickness() const { return shape == BodyShape::file ? thickness : sizes[1]; }
-
   bool is_from_file() const { return shape == BodyShape::file; } ///< whether Mesh file and the surfaces count
 
+  /// Thickness (mm) of the body in plane strain, if its shape has one.
+  double section_thickness() const;
+
   /// Distance of the held face from the base, mm; it means nothing for a body from a file.
-  double held_height() const { return shape == BodyShape::box ? sizes[2] : height; }
+  double held_height() const;
 };
 
 /// Cells of a mesh from `first` to `last`, both included; their numbers are those of the mesh's order.

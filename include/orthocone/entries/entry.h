@@ -209,14 +209,6 @@ public:
 
   Entry &add(const std::string &name, Entry::Binding binding, const std::string &help);
 
-  /// That the word `value` of the entry `name` of this section is one of those.
-  template<typename Enum>
-  Condition where(const std::string &name, const Enum &value, const std::vector<Enum> &words) const
-  {
-    return {[&value, words] { return std::find(words.begin(), words.end(), value) != words.end(); },
-            [&value, entry = name_ + "/" + name] { return entry + " = " + to_word(value); }};
-  }
-
 private:
   EntryList &list_;
   std::string name_;

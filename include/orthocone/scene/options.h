@@ -60,8 +60,12 @@ public:
   /// Adds the entries of this kind, which count where it is chosen.
   virtual void declare(Section &, const Condition & /*is_chosen*/) {}
 
+  /// Its elastic constants; nothing where it is rigid, or where the scene makes a second body of it.
+  virtual std::optional<MaterialOptions> material() const { return std::nullopt; }
+  virtual bool is_body() const { return false; }
+
   /// Whether the obstacle is elastic.
-  virtual bool gives_way() const { return false; }
+  bool gives_way() const { return is_body() || material(); }
 
   /// Whether its surface is that of Gap and Gap file alone.
   virtual bool keeps_surface() const { return false; }
@@ -164,7 +168,6 @@ struct ObstacleOptions
   std::string gap = "0";  ///< an Expression
   std::string gap_file{}; ///< path, or empty
   Choice<ObstacleKindOptions> kind{};
-  MaterialOptions material{}; ///< of a half-space
 
   /// Whether the surface of the obstacle is the plane z = 0.
   bool is_plane() const;

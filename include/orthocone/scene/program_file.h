@@ -6,6 +6,9 @@
 
 namespace orthocone
 {
+/// Adds its entries to the section Load program.
+void declare_program_file(LoadOptions &load, Section &section);
+
 /// Reads the program file of `load`, if there is one, to `load.rows`: a leg a row, with its time and its
 /// cycle. A CSV file: the first line names the columns, components of the held face (ux to Mz), `time` and
 /// `cycle`, each perhaps with its unit in brackets; columns are separated by ',', ';' or tabs. Throws

@@ -161,13 +161,13 @@ class BoxKind : public ShapeKind
 public:
   BodyShape shape() const override { return BodyShape::box; }
 
-  void declare(GeometryOptions &geometry, Section &section) const override
+  void declare(GeometryOptions &geometry, const Condition &is_chosen, Section &section) const override
   {
     section
         .add("Sizes", geometry.sizes, three_numbers_codec(positive),
              "l_x, l_y, l_z: lengths of a box along the axes in mm.")
         .unit("mm")
-        .only_if(section.where<BodyShape>("Shape", geometry.shape, {BodyShape::box}));
+        .only_if(is_chosen);
   }
 
   void declare_cells(MeshOptions &mesh, const Condition &is_chosen, Section &section) const override
@@ -181,6 +181,13 @@ public:
              "Of a box: each cell is this many times as thick as its neighbour towards the middle; 1 = "
              "uniform.")
         .only_if(is_chosen);
+  }
+
+  double held_height(const GeometryOptions &geometry) const override { return geometry.sizes[2]; }
+
+  std::optional<Thickness> thickness(const GeometryOptions &geometry) const override
+  {
+    return Thickness{geometry.sizes[1], geometry.section + "/Sizes: l_y"};
   }
 
   void check(const BodyOptions &body) const override

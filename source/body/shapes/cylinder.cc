@@ -173,9 +173,8 @@ class CylinderKind : public ShapeKind
 public:
   BodyShape shape() const override { return BodyShape::cylinder; }
 
-  void declare(GeometryOptions &geometry, Section &section) const override
+  void declare(GeometryOptions &geometry, const Condition &is_chosen, Section &section) const override
   {
-    const Condition is_chosen = section.where<BodyShape>("Shape", geometry.shape, {BodyShape::cylinder});
     section.add("Radius", geometry.radius, number_codec(positive), "Radius of a cylinder in mm.")
         .unit("mm")
         .only_if(is_chosen)
@@ -205,6 +204,8 @@ public:
              "Each ring is this many times as thick as the next inner one; 1 = uniform.")
         .only_if(is_chosen);
   }
+
+  double held_height(const GeometryOptions &geometry) const override { return geometry.height; }
 
   void check(const BodyOptions &body) const override
   {

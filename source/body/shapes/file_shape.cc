@@ -193,9 +193,8 @@ class FileKind : public ShapeKind
 public:
   BodyShape shape() const override { return BodyShape::file; }
 
-  void declare(GeometryOptions &geometry, Section &section) const override
+  void declare(GeometryOptions &geometry, const Condition &is_chosen, Section &section) const override
   {
-    const Condition is_chosen = section.where<BodyShape>("Shape", geometry.shape, {BodyShape::file});
     section
         .add("Mesh file", geometry.mesh_file, path_codec(),
              "Of a file: a mesh of hexahedra by Gmsh (format 2.1, 2.2 or 4.1, ASCII, mm), relative to the "
@@ -217,6 +216,13 @@ public:
         .add("Symmetry surfaces", geometry.symmetry_surfaces, groups_codec(),
              "Of a file: surfaces in x = 0 or y = 0, by names or places, about which the body is symmetric.")
         .only_if(is_chosen);
+  }
+
+  bool has_layers() const override { return false; }
+
+  std::optional<Thickness> thickness(const GeometryOptions &geometry) const override
+  {
+    return Thickness{geometry.thickness, geometry.section + "/Thickness"};
   }
 
   void check(const BodyOptions &body) const override { check_mesh_file(body.geometry); }

@@ -24,12 +24,49 @@ const ShapeKind &kind_of(const GeometryOptions &geometry)
                         [&](const ShapeKind *kind) { return kind->shape() == geometry.shape; });
 }
 
+double GeometryOptions::held_height() const
+{
+  return kind_of(*this).held_height(*this);
+}
+
+double GeometryOptions::section_thickness() const
+{
+  const auto known = kind_of(*this).thickness(*this);
+  return known ? known->value : 0;
+}
+
+namespace
+{
+Codec<BodyShape> shape_codec()
+{
+  std::string allowed;
+  for (const ShapeKind *const kind : shape_kinds())
+    allowed += (allowed.empty() ? "" : " | ") + std::string(kind->shape().word);
+  const auto parse = [](const std::string &text, std::string &) -> std::optional<BodyShape>
+  {
+    for (const ShapeKind *const kind : shape_kinds())
+      if (kind->shape().word == text)
+        return kind->shape();
+    return std::nullopt;
+  };
+  return {allowed, parse, [](const BodyShape &shape) { return std::string(shape.word); }};
+}
+} // namespace
+
+Condition where_shape(const GeometryOptions &geometry, const std::function<bool(const ShapeKind &)> &holds)
+{
+  return {[&geometry, holds] { return holds(kind_of(geometry)); },
+          [&geometry] { return geometry.shape_entry(); }};
+}
+
 void declare_shape(GeometryOptions &geometry, Section &section)
 {
-  section.add_word("Shape", geometry.shape,
-                   "Shape of the body; its base z = 0 rests on the rigid plane, its axis is z.");
+  section.add("Shape", geometry.shape, shape_codec(),
+              "Shape of the body; its base z = 0 rests on the rigid plane, its axis is z.");
   for (const ShapeKind *const kind : shape_kinds())
-    kind->declare(geometry, section);
+    kind->declare(geometry,
+                  where_shape(geometry, [kind](const ShapeKind &chosen) { return &chosen == kind; }),
+                  section);
 }
 
 void declare_top_face(GeometryOptions &geometry, Section &section)

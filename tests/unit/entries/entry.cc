@@ -50,16 +50,21 @@ struct Baskets
   {
     Section section(list, "Basket");
     declare(basket, section);
-    Section second(list, "Second basket", section.where<Fruit>("Fruit", basket.fruit, {Fruit::pear}));
+    Section second(list, "Second basket", has_pears(basket, section));
     declare(other, second);
+  }
+
+  static Condition has_pears(const Basket &of, const Section &section)
+  {
+    return {[&of] { return of.fruit == Fruit::pear; },
+            [&of, name = section.name()] { return name + "/Fruit = " + to_word(of.fruit); }};
   }
 
   static void declare(Basket &of, Section &section)
   {
     section.add_word("Fruit", of.fruit, "What is in it.").also_called({"kind of fruit"});
     section.add("Weight", of.weight, number_codec(positive), "In kg.").may_change_on_resume();
-    section.add("Stones", of.stones, count_codec(0, 9), "In each.")
-        .only_if(section.where<Fruit>("Fruit", of.fruit, {Fruit::pear}));
+    section.add("Stones", of.stones, count_codec(0, 9), "In each.").only_if(has_pears(of, section));
     section.add("Label", of.label, path_codec(), "A picture.").path(of.label);
   }
 

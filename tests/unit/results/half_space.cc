@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include "results/scenes.h"
 
+#include <orthocone/scene/half_space_obstacle.h>
 #include <orthocone/surface/half_space.h>
 
 #include <cmath>
@@ -14,8 +15,7 @@ namespace
 Parameters on_half_space(const double stiffness, const unsigned int degree = 2)
 {
   Parameters parameters = small_scene(degree);
-  parameters.obstacle.kind = ObstacleKind::half_space;
-  parameters.obstacle.material = {stiffness * 210000, 0.2};
+  parameters.obstacle.kind.choose<HalfSpaceKind>().half_space = {stiffness * 210000, 0.2};
   parameters.load.legs = {move_to(0, 0, -0.1, 2), move_to(0, 0, -0.05, 2)};
   return parameters;
 }
@@ -69,8 +69,7 @@ TEST(HalfSpaceScene, CarriesHertzOverAnAbruptlyGradedMesh)
   parameters.material.young_modulus = 1e12;
   parameters.material.poisson_ratio = 0;
   parameters.friction.mu = {{0, 0}};
-  parameters.obstacle.kind = ObstacleKind::half_space;
-  parameters.obstacle.material = {modulus, nu};
+  parameters.obstacle.kind.choose<HalfSpaceKind>().half_space = {modulus, nu};
   parameters.obstacle.gap = "(x^2+y^2)/240";
   parameters.load.legs = {move_to(0, 0, -approach, 1)};
   TestScene scene(with_model(parameters, ModelKind::quarter));

@@ -3,6 +3,7 @@
 #include "results/scenes.h"
 
 #include <orthocone/body/materials/orthotropic_law.h>
+#include <orthocone/scene/half_space_obstacle.h>
 
 #include <random>
 
@@ -33,9 +34,10 @@ Parameters random_scene(std::mt19937 &random, const ObstacleKind kind, const cha
   Parameters parameters = full_scene(1 + random() % 2);
   parameters.material = {50000 + 200000 * one(random), 0.45 * one(random)};
   parameters.friction.mu = {{0.05 + 0.1 * one(random), 0.05 + 0.1 * one(random)}};
+  const MaterialOptions below{50000 + 200000 * one(random), 0.45 * one(random)};
+  parameters.obstacle.kind.choose<HalfSpaceKind>().half_space = below;
   parameters.obstacle.kind = kind;
-  parameters.obstacle.material = {50000 + 200000 * one(random), 0.45 * one(random)};
-  parameters.lower = {parameters.geometry, parameters.mesh, parameters.obstacle.material};
+  parameters.lower = {parameters.geometry, parameters.mesh, below};
   parameters.lower.geometry.height = 5 + 10 * one(random);
   parameters.obstacle.gap = random() % 2 == 0 ? "0" : "(x^2+y^2)/2000";
   parameters.wear.law = wear;

@@ -9,6 +9,7 @@
 #include <orthocone/body/shapes/boundary.h>
 #include <orthocone/contact/solvers/contact_solver.h>
 #include <orthocone/results/step_checks.h>
+#include <orthocone/scene/half_space_obstacle.h>
 
 #include <algorithm>
 
@@ -176,9 +177,7 @@ TEST(PlaneStrain, MeetsAHalfPlaneAsHertzSays)
   parameters.material.young_modulus = 1e12;
   parameters.material.poisson_ratio = 0;
   parameters.friction.mu = {{0, 0}};
-  parameters.obstacle.kind = ObstacleKind::half_space;
-  parameters.obstacle.material.young_modulus = modulus;
-  parameters.obstacle.material.poisson_ratio = nu;
+  parameters.obstacle.kind.choose<HalfSpaceKind>().half_space = {modulus, nu};
   parameters.obstacle.gap = "x^2/100";
   Leg press;
   press.targets[2] = Drive{true, -force * 1.5};

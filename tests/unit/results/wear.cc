@@ -3,6 +3,7 @@
 #include "results/scenes.h"
 
 #include <orthocone/results/wear_jumps.h>
+#include <orthocone/scene/half_space_obstacle.h>
 
 namespace orthocone::test
 {
@@ -35,8 +36,8 @@ Parameters worn_by_energy(const ObstacleKind obstacle)
   Parameters parameters = small_scene();
   parameters.wear = {"energy", 1e-7, DeepWear::implicitly, 0};
   parameters.mesh.model = ModelKind::quarter;
+  parameters.obstacle.kind.choose<HalfSpaceKind>().half_space = {420000, 0.2};
   parameters.obstacle.kind = obstacle;
-  parameters.obstacle.material = {420000, 0.2};
   parameters.lower = {parameters.geometry, parameters.mesh, parameters.material};
   parameters.lower.mesh.rings = 4;
   parameters.lower.material.young_modulus *= 5;
@@ -95,7 +96,8 @@ TEST(Wear, StiffCounterfacesWearTheBodyAsAPlaneDoes)
   for (const ObstacleKind obstacle : {ObstacleKind::half_space, ObstacleKind::body})
   {
     Parameters parameters = worn_by_energy(obstacle);
-    parameters.obstacle.material.young_modulus *= 1e8;
+    parameters.obstacle.kind.choose<HalfSpaceKind>().half_space.young_modulus *= 1e8;
+    parameters.obstacle.kind = obstacle;
     parameters.lower.material.young_modulus *= 1e8;
     TestScene stiff(parameters);
     stiff.march();

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include "rejection.h"
 
+#include <orthocone/scene/half_space_obstacle.h>
 #include <orthocone/scene/obstacle.h>
 
 #include <gtest/gtest.h>
@@ -30,7 +31,9 @@ TEST(Obstacle, IsAPlaneWithoutAGap)
 TEST(Obstacle, GivesWayWhereItIsAHalfSpace)
 {
   const auto rigid = make_obstacle({"x", ""});
-  const auto elastic = make_obstacle({"x", "", ObstacleKind::half_space, {1000, 0.1}});
+  ObstacleOptions half_space{"x", ""};
+  half_space.kind.choose<HalfSpaceKind>().half_space = {1000, 0.1};
+  const auto elastic = make_obstacle(half_space);
   EXPECT_FALSE(rigid->material());
   EXPECT_EQ(elastic->material()->young_modulus, 1000);
   EXPECT_FALSE(elastic->is_plane());
@@ -46,7 +49,7 @@ TEST(Obstacle, GivesWayWhereItIsAHalfSpace)
 TEST(Obstacle, HasNoSectionWhereItIsAHalfSpace)
 {
   const SurfaceSample sample;
-  const auto elastic = make_obstacle({"0", "", ObstacleKind::half_space, {}});
+  const auto elastic = make_obstacle({"0", "", ObstacleKind::half_space});
   EXPECT_EQ(elastic->asymmetry(ModelSymmetry::of_revolution(), sample),
             "Obstacle/Kind = half-space has no section (r, z)");
   EXPECT_EQ(elastic->asymmetry(SymmetryPlanes{true, true}, sample), "");

@@ -5,6 +5,7 @@
 #include <orthocone/base/text.h>
 #include <orthocone/body/materials/orthotropic_law.h>
 #include <orthocone/contact/solvers/contact_method.h>
+#include <orthocone/scene/half_space_obstacle.h>
 #include <orthocone/scene/legs.h>
 #include <orthocone/scene/parameters.h>
 
@@ -183,8 +184,8 @@ TEST(Warnings, AreGivenForAHalfSpaceThatIsNone)
     EXPECT_EQ(warned(
                   [&](Parameters &p)
                   {
+                    p.obstacle.kind.choose<HalfSpaceKind>().half_space.young_modulus = 70000;
                     p.obstacle.kind = kind;
-                    p.obstacle.material.young_modulus = 70000;
                   },
                   warning),
               kind.word == ObstacleKind::rigid.word);

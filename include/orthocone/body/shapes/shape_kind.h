@@ -4,6 +4,9 @@
 
 #include <orthocone/body/shapes/shape.h>
 
+#include <functional>
+#include <optional>
+
 namespace orthocone
 {
 /// A kind of shape: its entries, what is to be checked of them, and how sentences speak of it. A new shape is
@@ -15,11 +18,14 @@ public:
 
   virtual BodyShape shape() const = 0;
 
-  /// Adds the entries of its outline to Geometry.
-  virtual void declare(GeometryOptions &geometry, Section &section) const = 0;
+  /// Adds the entries of its outline to Geometry; they count where `is_chosen` holds.
+  virtual void declare(GeometryOptions &geometry, const Condition &is_chosen, Section &section) const = 0;
 
   /// Adds the entries of its cells to Mesh; they count where `is_chosen` holds.
   virtual void declare_cells(MeshOptions &, const Condition & /*is_chosen*/, Section &) const {}
+
+  /// Whether its cells lie in layers from the base to the held face.
+  virtual bool has_layers() const { return true; }
 
   /// Throws InputError where its entries contradict each other, and FileError for a file that cannot be read.
   virtual void check(const BodyOptions &body) const = 0;
@@ -29,6 +35,17 @@ public:
 
   /// Whether the program knows sizes of the body before it has meshed it, so that the next functions count.
   virtual bool has_known_sizes() const { return true; }
+
+  /// Distance of the held face from the base, mm.
+  virtual double held_height(const GeometryOptions &) const { return 0; }
+
+  /// Thickness (mm) in plane strain, and the entry that has it; nothing where the shape has no such section.
+  struct Thickness
+  {
+    double value;
+    std::string entry;
+  };
+  virtual std::optional<Thickness> thickness(const GeometryOptions &) const { return std::nullopt; }
 
   /// Whether a place (mm) is on the base, and which places are, in words.
   virtual bool is_on_base(const GeometryOptions &, const std::array<double, 2> & /*place*/) const
@@ -62,6 +79,9 @@ public:
 const std::vector<const ShapeKind *> &shape_kinds();
 
 const ShapeKind &kind_of(const GeometryOptions &geometry);
+
+/// Holds where `holds` does for the kind of shape that is chosen; `geometry` must outlive it.
+Condition where_shape(const GeometryOptions &geometry, const std::function<bool(const ShapeKind &)> &holds);
 
 /// The warning of elements that are too coarse at the rim of the base; empty where they are not, or nothing
 /// is known of the rim's mesh.

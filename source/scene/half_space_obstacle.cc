@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/scene/half_space_obstacle.h>
+
+#include <orthocone/scene/obstacle.h>
+#include <orthocone/surface/half_plane.h>
+
+#include <utility>
+
+namespace orthocone
+{
+namespace
+{
+/// An elastic half-space below the surface of another obstacle.
+class ElasticHalfSpace : public Obstacle
+{
+public:
+  ElasticHalfSpace(std::unique_ptr<const Obstacle> surface, const MaterialOptions &material)
+      : surface_(std::move(surface)),
+        material_(material)
+  {
+  }
+
+  bool is_plane() const override { return surface_->is_plane(); }
+  double gap(const Eigen::Vector2d &place) const override { return surface_->gap(place); }
+  void check(const std::vector<Eigen::Vector2d> &places) const override { surface_->check(places); }
+  std::optional<MaterialOptions> material() const override { return material_; }
+  Eigen::MatrixXd compliance(const ContactSurface &surface, const ModelSymmetry &symmetry,
+                             const LocalAxes &axes) const override
+  {
+    const HalfSpace half_space{material_.young_modulus, material_.poisson_ratio};
+    return symmetry.is_plane_strain() ? half_plane_compliance(half_space, surface, symmetry, axes)
+                                      : half_space_compliance(half_space, surface, symmetry, axes);
+  }
+
+private:
+  std::unique_ptr<const Obstacle> surface_;
+  MaterialOptions material_;
+};
+} // namespace
+
+void HalfSpaceKind::declare(Section &section, const Condition &is_chosen)
+{
+  const std::string of_half_space = " of a half-space; without one it has no meaning.";
+  section
+      .add("Young modulus", half_space.young_modulus, number_codec(positive),
+           "Young's modulus in MPa" + of_half_space)
+      .unit("MPa")
+      .only_if(is_chosen);
+  section
+      .add("Poisson ratio", half_space.poisson_ratio, number_codec(NumberRange{-1, 0.5}),
+           "Poisson's ratio" + of_half_space)
+      .only_if(is_chosen);
+}
+
+std::unique_ptr<const Obstacle> HalfSpaceKind::make(const ObstacleOptions &,
+                                                    std::unique_ptr<const Obstacle> surface) const
+{
+  return std::make_unique<ElasticHalfSpace>(std::move(surface), half_space);
+}
+
+Kind<ObstacleKindOptions> half_space_obstacle()
+{
+  return {std::string(ObstacleKind::half_space.word), "an elastic half-space, which needs no mesh",
+          [] { return std::make_unique<HalfSpaceKind>(); }};
+}
+} // namespace orthocone
