@@ -47,6 +47,8 @@ po::options_description options_of(CommandLine &line)
       "the time of a start (tools/sweep does)");
   add_switch("quiet,q", line.quiet, "print errors only");
   add_switch("list", line.list, "print the scenes that come with the program, a line each, and stop");
+  add("new", po::value(&line.rig),
+      "copy the rig of this name to the new file FILE.prm and stop; --list names them (prm/rigs)");
   add_switch("defaults", line.defaults, "print a complete commented parameter file and stop");
   add_switch("columns", line.columns,
              "print name, unit and meaning of every column and field of the results and stop");
@@ -93,9 +95,12 @@ CommandLine parse_command_line(const int argc, const char *const *const argv)
     throw InputError(
         "command line: --output = '" + shown(line.output_folder) +
         "': allowed is the name of a folder (one that begins with '-' is written behind '--output=')");
+  if (values.count("new") != 0 && line.rig.empty())
+    throw InputError("command line: --new = '': allowed is the name of a rig, as in 'orthocone --new "
+                     "sphere_on_flat my.prm'");
   if (line.batch && argc > 2)
     throw InputError("command line: --batch stands alone; files and options come from standard input");
-  if (line.parameter_file.empty() && !line.batch && !line.prints())
+  if (line.parameter_file.empty() && line.rig.empty() && !line.batch && !line.prints())
     throw InputError(
         "command line: a parameter file is missing, as in 'orthocone prm/paper/case_b.prm'; 'orthocone "
         "--list' lists those that come with the program, 'orthocone --help' the options");

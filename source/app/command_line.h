@@ -20,6 +20,7 @@ struct CommandLine
   bool insist = false; ///< runs even if memory is not likely to suffice
   bool quiet = false;
   bool defaults = false;
+  std::string rig;      ///< that --new copies to `parameter_file`
   bool list = false;    ///< prints the parameter files that come with the program
   bool columns = false; ///< prints the columns of the tables, and the fields
   bool help = false;

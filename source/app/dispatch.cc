@@ -59,6 +59,11 @@ int dispatch(const int argc, const char *const *const argv)
     print_text(line);
     return static_cast<int>(ExitCode::done);
   }
+  if (!line.rig.empty())
+  {
+    copy_rig(line.rig, line.parameter_file);
+    return static_cast<int>(ExitCode::done);
+  }
   require_address_space();
   catch_signals();
   require_file_for_all(line.parameter_file);

@@ -4,6 +4,7 @@
 
 #include <orthocone/base/errors.h>
 #include <orthocone/base/text.h>
+#include <orthocone/entries/names.h>
 
 #include <algorithm>
 #include <fstream>
@@ -43,6 +44,20 @@ std::string typed(const fs::path &file)
   const fs::path relative = fs::proximate(file);
   return relative.begin()->string() == ".." ? file.string() : relative.string();
 }
+/// "a, b, c", and the name that is most like `name`.
+std::string known_rigs(const fs::path &folder, const std::string &name)
+{
+  std::vector<std::string> rigs;
+  for (const fs::directory_entry &entry : fs::directory_iterator(folder))
+    if (entry.path().extension() == ".prm")
+      rigs.push_back(entry.path().stem().string());
+  std::sort(rigs.begin(), rigs.end());
+  std::string text;
+  for (const std::string &rig : rigs)
+    text += (text.empty() ? "" : ", ") + rig;
+  const std::string nearest = nearest_name(name, rigs);
+  return text + (nearest.empty() ? "" : "; is " + nearest + " meant?");
+}
 } // namespace
 
 fs::path folder_of_shipped_scenes()
@@ -71,5 +86,23 @@ std::string shipped_scenes(const fs::path &folder)
   for (const auto &[file, sentence] : scenes)
     text << std::left << std::setw(static_cast<int>(width)) << file << "  " << sentence << "\n";
   return text.str();
+}
+
+void copy_rig(const std::string &rig, const std::string &file)
+{
+  const fs::path folder = folder_of_shipped_scenes() / "rigs";
+  const std::string command = "command line: --new = " + shown(rig);
+  if (rig.empty() || rig.find('/') != std::string::npos || !fs::is_regular_file(folder / (rig + ".prm")))
+    throw InputError(command + ": allowed are " + known_rigs(folder, rig));
+  if (fs::path(file).extension() != ".prm")
+    throw InputError(command + " " + shown_path(file) +
+                     ": allowed is the name of a new file that ends in .prm, as in 'orthocone --new " + rig +
+                     " my.prm'");
+  std::error_code error;
+  if (fs::exists(fs::symlink_status(file, error)))
+    throw InputError(command + ": " + shown_path(file) + " exists: allowed is the name of a new file");
+  const std::string target = shown_path(file);
+  if (!fs::copy_file(folder / (rig + ".prm"), file, fs::copy_options::none, error) || error)
+    throw FileError(target + ": cannot be written (" + error.message() + ")");
 }
 } // namespace orthocone

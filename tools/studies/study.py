@@ -18,8 +18,8 @@ STUDIES = ("discretization", "adaptive", "solvers", "load_stepping", "slip_integ
            "backends", "elastic", "scale", "spectra", "small_problems", "uniqueness", "locking", "wear_jumps", "wear_steps",
            "wear_flicker", "counterbodies", "imported")
 # Words that stand before all others, and the modules that have their main().
-OTHERS = {"figures": "paper_figures", "verification": "verification", "tutorial": "tutorial", "benchmark": "benchmark",
-          "peers": "peers"}
+OTHERS = {"figures": "paper_figures", "verification": "verification", "tutorial": "tutorial", "rigs": "rigs",
+          "benchmark": "benchmark", "peers": "peers"}
 
 
 class Context:
