@@ -35,7 +35,7 @@ def parsed_options():
 
 
 def shown(value):
-    return f"{value:.6g}"
+    return f"{value:.7g}"
 
 
 def percent(share):

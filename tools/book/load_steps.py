@@ -36,7 +36,8 @@ def chart(runs):
         pressure = on_surface(run, steps, "pressure")[1]
         touching = pressure > 0
         rim = radius[touching].max()
-        axes[0].plot(radius[touching] / rim, 1 + criterion[touching], color=colour, linewidth=1.3, label=f"{steps} load steps")
+        axes[0].plot(radius[touching] / rim, 1 + criterion[touching], color=colour, linewidth=1.3,
+                     label=f"{steps} load step" + "s" * (steps > 1))
     axes[0].axvline(0.5, color="0.4", linewidth=1, linestyle="--", label="c/a = 0.5 (Spence)")
     axes[0].set(title="Friction by its limit", xlabel="r/a", ylabel="friction / (µ pressure)")
     sticks = [spence_stick(steps)(runs, scene(steps)) for steps in STEPS]
@@ -47,5 +48,5 @@ def chart(runs):
     axes[1].minorticks_off()
     for ax in axes:
         ax.grid(color="0.9", linewidth=0.6)
-        ax.legend(fontsize=8)
+        ax.legend(fontsize=8, loc="lower right")
     return figure

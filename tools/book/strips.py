@@ -96,7 +96,7 @@ def rounded(step, a):
             Row(f"{name}.largest", ROUNDED, f"largest pressure, at x = {place:.3f} mm (MPa)",
                 lambda runs, scene: float(pressures(runs, scene)[1].max()), largest, 0.01,
                 "Ciavarella, Hills and Monno 1998", HALF_PLANE),
-            Row(f"{name}.field", ROUNDED, "pressure, largest difference in |x| < 0.98 a, by the largest", everywhere, 0, 0.02,
+            Row(f"{name}.field", ROUNDED, "pressure, largest difference within 0.98 a, by the largest", everywhere, 0, 0.02,
                 "Ciavarella, Hills and Monno 1998", HALF_PLANE, scale=1))
 
 
@@ -117,7 +117,7 @@ def partial_slip(name, scene, cylinder, force, component, limit):
             "Cattaneo 1938", limit),
         Row(f"{name}.reversed", scene, "the same after the reversal (mm)", strip_of(left_by_slip(0.3, angle, -1), 14), stick, 0.01,
             "Mindlin and Deresiewicz 1953", limit),
-        Row(f"{name}.traction", scene, "traction, largest difference in |x| < 0.9 a, by mu p0",
+        Row(f"{name}.traction", scene, "traction, largest difference within 0.9 a, by mu p0",
             traction(6, component, lambda x: -cylinder.traction(x, shear), 0.9 * cylinder.half_width, peak), 0, 0.02,
             "Cattaneo 1938", limit, scale=1),
         Row(f"{name}.locked", scene, "where the force is back at 0, root mean square",

@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""Pictures of prm/verification over the closed forms; with --docs those of docs/verification.md, whose tables tools/verification
-makes. Started by tools/study verification."""
+"""Pictures of prm/verification over the closed forms; with --docs those of docs/verification.md, whose tables
+tools/verification makes. Started by tools/study verification."""
 import functools
 import math
 

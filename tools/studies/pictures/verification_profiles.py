@@ -35,12 +35,12 @@ def tractions(name, component, cylinder, force, title, *settings):
     def panel(runs, ax):
         run = runs.verified(name, *settings)
         places, shear = np.linspace(-cylinder.half_width, cylinder.half_width, 600), force / THICKNESS
-        for step, now, colour in ((6, shear, BLUE), (10, 0, GREEN), (14, -shear, "0.4")):
+        for step, now, colour, name in ((6, shear, BLUE, "at Q"), (10, 0, GREEN, "back at 0"), (14, -shear, "0.4", "at -Q")):
             x, traction = on_line(run, step, "friction_traction")
             inside = np.abs(x) < 1.1 * cylinder.half_width
             ax.plot(places, cylinder.unloaded_traction(places, shear, now), **{**LINE, "label": "closed form" if step == 6 else ""})
-            ax.plot(x[inside], -traction[inside, component], **{**DOTS, "markersize": 2.5, "color": colour,
-                                                               "label": f"orthocone, force {now / shear:+.0f} Q"})
+            ax.plot(x[inside], -traction[inside, component],
+                    **{**DOTS, "markersize": 2.5, "color": colour, "label": f"orthocone, {name}"})
         label(ax, title, "x in mm", "traction on the counterface in MPa")
     return panel
 
@@ -54,8 +54,8 @@ def line_pressure(runs, ax):
     label(ax, "Hertz: line contact", "x in mm", "pressure in MPa")
 
 
-PANELS = (axisymmetric("cone", of_cone, CONE_RADIUS, "Cone"), axisymmetric("quartic", of_quartic, QUARTIC_RADIUS, "Gap 10$^{-4}$ r$^4$"),
-          rounded_punch)
+PANELS = (axisymmetric("cone", of_cone, CONE_RADIUS, "Cone"),
+          axisymmetric("quartic", of_quartic, QUARTIC_RADIUS, "Gap 10$^{-4}$ r$^4$"), rounded_punch)
 LINES = (line_pressure, tractions("cattaneo_line", 0, PAIR, ALONG, "Cattaneo: sheared across"),
          tractions("orthotropic_line_contact", 1, Cylinder(906.2287 / THICKNESS, E_STAR), 173.9959, "Orthotropic: pulled along",
                    "Mesh/Cells=160, 1, 26", "Mesh/Edge grading=1.05"))
