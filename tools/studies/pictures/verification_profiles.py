@@ -35,12 +35,12 @@ def tractions(name, component, cylinder, force, title, *settings):
     def panel(runs, ax):
         run = runs.verified(name, *settings)
         places, shear = np.linspace(-cylinder.half_width, cylinder.half_width, 600), force / THICKNESS
-        for step, now, colour, name in ((6, shear, BLUE, "at Q"), (10, 0, GREEN, "back at 0"), (14, -shear, "0.4", "at -Q")):
+        for step, now, colour, when in ((6, shear, BLUE, "at Q"), (10, 0, GREEN, "back at 0"), (14, -shear, "0.4", "at -Q")):
             x, traction = on_line(run, step, "friction_traction")
             inside = np.abs(x) < 1.1 * cylinder.half_width
             ax.plot(places, cylinder.unloaded_traction(places, shear, now), **{**LINE, "label": "closed form" if step == 6 else ""})
             ax.plot(x[inside], -traction[inside, component],
-                    **{**DOTS, "markersize": 2.5, "color": colour, "label": f"orthocone, {name}"})
+                    **{**DOTS, "markersize": 2.5, "color": colour, "label": f"orthocone, {when}"})
         label(ax, title, "x in mm", "traction on the counterface in MPa")
     return panel
 
