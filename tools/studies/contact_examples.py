@@ -79,8 +79,8 @@ def figures(rows):
         if printed:
             axes.axhline(100 * abs(printed / row_of(example).reference - 1), color=colour, linewidth=1, linestyle="--",
                          label="the same, printed by CONTACT")
-    axes.set(xlabel="processor time (s)", ylabel="difference from theory (%)")
+    axes.set(xlabel="processor time (s)", ylabel="difference from theory (%)", ylim=(0.03, 30))
     axes.xaxis.set_major_formatter("{x:g}")
     axes.yaxis.set_major_formatter("{x:g}")
-    axes.legend(fontsize=8)
+    axes.legend(fontsize=8, loc="upper right")
     return {"contact_examples": figure}
