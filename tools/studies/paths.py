@@ -6,4 +6,5 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
-sys.path[:0] = [str(folder) for folder in (HERE, HERE / "pictures", HERE / "benchmark", HERE / "peers", HERE.parent / "runs")]
+sys.path[:0] = [str(folder) for folder in (HERE, HERE / "pictures", HERE / "benchmark", HERE / "peers", HERE.parent / "book",
+                                          HERE.parent / "runs")]

@@ -16,7 +16,7 @@ from points import StudyError, Table, measure, write_rows
 # of it, tables(rows), {name: text}.
 STUDIES = ("discretization", "adaptive", "solvers", "load_stepping", "slip_integration", "projection", "reduced_models", "maps",
            "backends", "elastic", "scale", "spectra", "small_problems", "uniqueness", "locking", "wear_jumps", "wear_steps",
-           "wear_flicker", "counterbodies", "imported")
+           "wear_flicker", "counterbodies", "imported", "contact_examples")
 # Words that stand before all others, and the modules that have their main().
 OTHERS = {"figures": "paper_figures", "verification": "verification", "tutorial": "tutorial", "rigs": "rigs",
           "benchmark": "benchmark", "peers": "peers"}

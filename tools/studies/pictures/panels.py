@@ -6,7 +6,6 @@ import matplotlib
 matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt  # noqa: E402
-import numpy as np  # noqa: E402
 
 from disc_map import LINES  # noqa: E402
 
@@ -26,11 +25,3 @@ def three_panels():
 def label(ax, title, x, y):
     ax.set(title=title, xlabel=x, ylabel=y)
     ax.legend(fontsize=8)
-
-
-def on_surface(run, step, name):
-    """Distances from the axis and a field, each place once."""
-    contact = run.contact(step)
-    radius = np.hypot(*contact.points[:, :2].T)
-    chosen = np.unique(np.round(radius, 7), return_index=True)[1]
-    return radius[chosen], contact[name][chosen]

@@ -7,10 +7,11 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import docs_page
+from answers import Sphere
 from disc_map import Surface, contours, status_legend, status_map
-from half_space import Sphere
 from imported_body import ImportedBody
-from panels import BLUE, DOTS, GREEN, LINE, RED, label, on_surface
+from measure import on_surface
+from panels import BLUE, DOTS, GREEN, LINE, RED, label
 from paper_runs import Runs
 from verification_import import draw_field, draw_mesh
 

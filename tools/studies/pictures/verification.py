@@ -1,7 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""Answers of prm/verification over the closed forms; with --docs those of docs/verification.md. Started by
-tools/study verification."""
+"""Pictures of prm/verification over the closed forms; with --docs those of docs/verification.md, whose tables
+tools/verification makes. Started by tools/study verification."""
 import functools
 import math
 
@@ -10,8 +10,10 @@ import numpy as np
 import docs_page
 import verification_import
 import verification_wear
-from half_space import Sphere, fitted_sphere, punch_pressure, punch_slope, radius_of_punch
-from panels import DOTS, GREEN, GREY, LINE, RED, label, on_surface, three_panels
+import verification_profiles
+from answers import Sphere, punch_pressure, punch_slope, radius_of_punch
+from measure import on_surface
+from panels import DOTS, GREEN, GREY, LINE, RED, label, three_panels
 from paper_runs import Runs
 
 Q = 83.99  # N
@@ -164,35 +166,12 @@ def patch(runs, ax):
 
 
 PICTURES = {"verification_spheres": (hertz, mindlin_traction, mindlin_loop),
+            "verification_profiles": verification_profiles.PANELS,
+            "verification_lines": verification_profiles.LINES,
             "verification_places": (flat_punch, tilted_punch, polar),
             "verification_turns": (torsion, first_slip, gross_sliding),
             "verification_bodies": (pressed_by_force, box, patch),
             "verification_wear": verification_wear.PANELS}
-
-
-def sphere_rows(runs):
-    """Table: quantity, ours, closed form, difference."""
-    run, small = runs.verified("hertz"), Sphere(384.615)
-    radius, p0 = fitted_sphere(*on_surface(run, 4, "pressure"))
-    soft = runs.verified("hertz_half_space")
-    soft_radius, soft_p0 = fitted_sphere(*on_surface(soft, 4, "pressure"))
-    sheared, sphere = runs.verified("cattaneo_mindlin").history, Sphere(466.6, poisson=0.4999)
-    own = own_shear(runs, sphere)
-    stick = np.sqrt(sheared["stick_area"] / math.pi)
-    rows = [("Hertz, contact radius (mm)", radius, small.contact_radius),
-            ("Hertz, largest pressure (MPa)", p0, small.largest_pressure),
-            ("Hertz, approach (mm)", -run.history["uz"][-1], small.approach),
-            ("Hertz on a half-space, contact radius (mm)", soft_radius, ON_HALF_SPACE.contact_radius),
-            ("the same, largest pressure (MPa)", soft_p0, ON_HALF_SPACE.largest_pressure),
-            ("the same, approach (mm)", -soft.history["uz"][-1], ON_HALF_SPACE.approach),
-            ("Cattaneo–Mindlin, stick radius at Q (mm)", stick[9], sphere.stick_radius(Q)),
-            ("the same at −Q, after a reversal (mm)", stick[21], sphere.stick_radius(Q)),
-            ("shift at Q less the body's own (mm)", sheared["ux"][9] - own, sphere.shift(Q)),
-            ("dissipation of a cycle (N mm)", sheared["dissipation"][10:34].sum(), sphere.loop_area(Q))]
-    lines = ["| quantity | orthocone | closed form | difference |", "|---|---|---|---|"]
-    lines += [f"| {name} | {ours:.5g} | {exact:.5g} | {100 * (ours / exact - 1):+.2f} % |"
-              for name, ours, exact in rows]
-    return "\n".join(lines) + "\n"
 
 
 def of_panels(runs, panels):
@@ -204,5 +183,4 @@ def of_panels(runs, panels):
 
 def main():
     pictures = {name: functools.partial(of_panels, panels=panels) for name, panels in PICTURES.items()}
-    docs_page.main("verification", __doc__, VerificationRuns, {**pictures, "import": verification_import.picture},
-                   {"spheres": sphere_rows})
+    docs_page.main("verification", __doc__, VerificationRuns, {**pictures, "import": verification_import.picture})

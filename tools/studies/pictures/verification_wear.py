@@ -4,7 +4,8 @@
 import math
 
 import numpy as np
-from panels import BLUE, DOTS, GREEN, LINE, label, on_surface
+from measure import on_surface
+from panels import BLUE, DOTS, GREEN, LINE, label
 
 RADIUS = 100  # of the spheres, mm
 STIFFNESS = 210000 / (1 - 0.4999**2)  # MPa
