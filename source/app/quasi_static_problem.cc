@@ -36,7 +36,7 @@ QuasiStaticProblem::QuasiStaticProblem(ChosenModel chosen, const ModelChoice &ch
       state_(scene_.gaps()),
       critical_friction_(critical_friction_of_model()),
       checker_(scene_, parameters_.checks, parameters_.contact_solver.tolerance),
-      cycles_(parameters_.load, scene_.symmetry().force_shares(scene_.surface()),
+      cycles_(parameters_.load, scene_.symmetry().force_shares(scene_.surface()), areas_of(scene_.surface()),
               reach_of(scene_.body().unknowns()),
               WearJumps(parameters_.wear, scene_.symmetry().n_copies() * areas_of(scene_.surface()))),
       output_(folder_, parameters_.output, scene_, evaluator_),

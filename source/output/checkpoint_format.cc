@@ -62,6 +62,26 @@ WearMemory wear_from(const Json &json, const ContactState &state)
           number_from(json.at("error"))};
 }
 
+/// A column a point.
+Json loop_json(const std::vector<LoopPoint> &loop)
+{
+  Eigen::MatrixXd numbers(6, loop.size());
+  for (std::size_t i = 0; i < loop.size(); ++i)
+    numbers.col(i) << loop[i].motion, loop[i].force, loop[i].normal_force, loop[i].approach;
+  return array_json(numbers.reshaped());
+}
+
+std::vector<LoopPoint> loop_from(const Json &json)
+{
+  const auto n = static_cast<Index>(json.get_binary().size() / (6 * sizeof(double)));
+  const Eigen::VectorXd numbers = array_from(json, 6 * n);
+  std::vector<LoopPoint> loop;
+  for (Index first = 0; first < numbers.size(); first += 6)
+    loop.push_back(
+        {numbers.segment<2>(first), numbers.segment<2>(first + 2), numbers[first + 4], numbers[first + 5]});
+  return loop;
+}
+
 Json cycles_json(const CycleMemory &cycles)
 {
   Json jumped = Json::array();
@@ -76,6 +96,7 @@ Json cycles_json(const CycleMemory &cycles)
           {"change", cycles.change},
           {"periodic_since", cycles.periodic_since},
           {"jumped", std::move(jumped)},
+          {"loop", loop_json(cycles.loop)},
           {"wear", wear_json(cycles.wear)}};
 }
 
@@ -94,6 +115,7 @@ CycleMemory cycles_from(const Json &json, const ContactState &state)
   cycles.periodic_since = count_from(json.at("periodic_since"));
   for (const Json &range : json.at("jumped"))
     cycles.jumped.push_back({count_from(range.at(0)), count_from(range.at(1))});
+  cycles.loop = loop_from(json.at("loop"));
   cycles.wear = wear_from(json.at("wear"), state);
   return cycles;
 }

@@ -41,6 +41,12 @@ double tolerance_of(const LoadOptions &load)
   return tolerance;
 }
 
+LoopPoint loop_point(const ContactState &state, const Totals &totals)
+{
+  const Eigen::Vector3d way = state.motion.translation();
+  return {way.head<2>(), -totals.force.head<2>(), totals.force[2], way[2]};
+}
+
 /// What a row has of the end of its cycles.
 void set_end(CycleRow &row, const Totals &totals)
 {
@@ -86,13 +92,14 @@ unsigned int CycleMemory::n_jumped_steps() const
   return n;
 }
 
-CycleWatch::CycleWatch(const LoadOptions &load, const Eigen::VectorXd &shares, const double reach,
-                       WearJumps wear)
+CycleWatch::CycleWatch(const LoadOptions &load, const Eigen::VectorXd &shares, const Eigen::VectorXd &areas,
+                       const double reach, WearJumps wear)
     : load_(load),
       n_steps_(static_cast<unsigned int>(LoadProgram(load).n_steps_of_cycle())),
       reach_(reach),
       length_(largest_way(load, reach)),
       shares_(shares),
+      areas_(areas),
       wear_(std::move(wear)),
       memory_(shares.size())
 {
@@ -106,6 +113,7 @@ void CycleWatch::begin_cycle(const LoadStep &step, const ContactState &before, c
   memory_.largest_force = 0;
   memory_.row = CycleRow();
   memory_.row.cycle = step.cycle;
+  memory_.loop = {loop_point(before, totals)};
 }
 
 std::optional<CycleRow> CycleWatch::add_step(const LoadStep &step, const ContactState &before,
@@ -124,6 +132,7 @@ std::optional<CycleRow> CycleWatch::add_step(const LoadStep &step, const Contact
     memory_.largest_force = totals.force.norm();
     row.peak_force_z = totals.force[2];
   }
+  memory_.loop.push_back(loop_point(solved.state, totals));
   row.max_slip = std::max(row.max_slip, totals.max_slip);
   row.work += solved.checks.work;
   row.into_wear += solved.checks.into_wear;
@@ -144,6 +153,10 @@ void CycleWatch::set_row(const ContactState &end, const Totals &totals)
   row.dissipation = totals.total_dissipation - memory_.start_dissipation;
   row.change = memory_.change;
   row.wear_error = memory_.wear.error;
+  row.loop = loop_figures(memory_.loop);
+  row.worst_energy =
+      ((end.dissipated_energy - memory_.start.dissipated_energy).array() / areas_.array()).maxCoeff();
+  row.worst_wear = (end.wear_depth - memory_.start.wear_depth).maxCoeff();
 }
 
 void CycleWatch::complete(const ContactState &end, const Totals &totals)
@@ -207,6 +220,8 @@ CycleRow CycleWatch::jump_cycles(ContactState &state, const unsigned int n)
   row.n_cycles = n;
   row.last_step = state.step;
   row.accumulated_slip *= n;
+  row.worst_energy *= n;
+  row.worst_wear *= n;
   row.work *= n;
   row.into_wear *= n;
   row.missing *= n;

@@ -108,6 +108,67 @@ Columns<SolvedStep> columns_of_held_face_and_contact()
            [](const Step &s) { return s.step.time.value_or(s.step.number); }}};
 }
 
+Columns<CycleRow> first_cycle_columns()
+{
+  return {{"cycle", "", "the last cycle of the row", [](const Cycle &c) { return c.cycle; }},
+          {"n_cycles", "", "cycles for which the row stands", [](const Cycle &c) { return c.n_cycles; }},
+          {"last_step", "", "the last load step of the cycle", [](const Cycle &c) { return c.last_step; }},
+          {"peak_force_z", "N", "force where the total force is largest",
+           [](const Cycle &c) { return c.peak_force_z; }},
+          {"force_z", "N", "force at the end of the cycle", [](const Cycle &c) { return c.force_z; }},
+          {"max_slip", "mm", "largest slip of a node in contact in the cycle",
+           [](const Cycle &c) { return c.max_slip; }},
+          {"max_accumulated_slip", "mm", "largest length of a node's path of slip since the start",
+           [](const Cycle &c) { return c.max_accumulated_slip; }},
+          {"accumulated_slip", "mm", "largest length of a node's path of slip in the cycles of the row",
+           [](const Cycle &c) { return c.accumulated_slip; }},
+          {"dissipation", "N mm", "energy that friction dissipates in the cycles of the row",
+           [](const Cycle &c) { return c.dissipation; }},
+          {"total_dissipation", "N mm", "energy that friction has dissipated since the start",
+           [](const Cycle &c) { return c.total_dissipation; }},
+          {"work", "N mm",
+           "work of the held face, of all its forces and moments, in the cycles of the row: dissipation + "
+           "change of elastic_energy + what leaves with worn material",
+           [](const Cycle &c) { return c.work; }},
+          {"change", "", "largest difference of the states at both ends, relative",
+           [](const Cycle &c) { return c.change; }},
+          {"iterations", "", "iterations of the contact solver", [](const Cycle &c) { return c.iterations; }},
+          {"worn_volume", "mm^3", "volume that is worn since the start",
+           [](const Cycle &c) { return c.worn_volume; }},
+          {"max_wear_depth", "mm", "largest worn depth of a node at the end",
+           [](const Cycle &c) { return c.max_wear_depth; }},
+          {"wear_error", "mm^3", "estimated error of worn_volume by the jumps",
+           [](const Cycle &c) { return c.wear_error; }}};
+}
+
+/// What fretting tests report; nan where a cycle has no loop, or its loop no such figure.
+Columns<CycleRow> columns_of_fretting()
+{
+  return {{"stroke", "mm",
+           "2 delta*: largest distance of two tangential places of the held face in the cycle; along it the "
+           "loop is read",
+           [](const Cycle &c) { return c.loop.stroke; }},
+          {"tangential_force", "N", "Q*: largest tangential force along the stroke",
+           [](const Cycle &c) { return c.loop.peak_force; }},
+          {"slip_ratio", "",
+           "delta_0/delta*: width of the loop at zero force over the stroke; nan where the force never turns",
+           [](const Cycle &c) { return c.loop.slip_ratio; }},
+          {"energy_ratio", "", "E_d/(4 Q* delta*), with the area E_d of the loop; nan without a stroke",
+           [](const Cycle &c) { return c.loop.energy_ratio; }},
+          {"friction_largest", "", "Q*/P: largest tangential force over the normal force there",
+           [](const Cycle &c) { return c.loop.friction_largest; }},
+          {"friction_energy", "", "E_d/(4 P delta_0), with the mean normal force P; nan where nothing slips",
+           [](const Cycle &c) { return c.loop.friction_energy; }},
+          {"friction_geometric", "", "Q/P in the middle of the stroke, mean of both ways",
+           [](const Cycle &c) { return c.loop.friction_geometric; }},
+          {"loop_stiffness", "N/mm", "slope of the loop in the first step behind a reversal, mean of both",
+           [](const Cycle &c) { return c.loop.stiffness; }},
+          {"worst_energy", "N/mm", "largest energy that a node dissipates per area in the cycles of the row",
+           [](const Cycle &c) { return c.worst_energy; }},
+          {"worst_wear", "mm", "largest depth that a node loses in the cycles of the row",
+           [](const Cycle &c) { return c.worst_wear; }}};
+}
+
 /// The lines of one file. An `Item` has a name, a unit, and a text on its meaning.
 template<typename Item>
 std::string lines(const std::string &file, const std::vector<Item> &items)
@@ -197,36 +258,12 @@ const Columns<ProbedStep> &probe_columns()
 
 const Columns<CycleRow> &cycle_columns()
 {
-  static const Columns<CycleRow> columns{
-      {"cycle", "", "the last cycle of the row", [](const Cycle &c) { return c.cycle; }},
-      {"n_cycles", "", "cycles for which the row stands", [](const Cycle &c) { return c.n_cycles; }},
-      {"last_step", "", "the last load step of the cycle", [](const Cycle &c) { return c.last_step; }},
-      {"peak_force_z", "N", "force where the total force is largest",
-       [](const Cycle &c) { return c.peak_force_z; }},
-      {"force_z", "N", "force at the end of the cycle", [](const Cycle &c) { return c.force_z; }},
-      {"max_slip", "mm", "largest slip of a node in contact in the cycle",
-       [](const Cycle &c) { return c.max_slip; }},
-      {"max_accumulated_slip", "mm", "largest length of a node's path of slip since the start",
-       [](const Cycle &c) { return c.max_accumulated_slip; }},
-      {"accumulated_slip", "mm", "largest length of a node's path of slip in the cycles of the row",
-       [](const Cycle &c) { return c.accumulated_slip; }},
-      {"dissipation", "N mm", "energy that friction dissipates in the cycles of the row",
-       [](const Cycle &c) { return c.dissipation; }},
-      {"total_dissipation", "N mm", "energy that friction has dissipated since the start",
-       [](const Cycle &c) { return c.total_dissipation; }},
-      {"work", "N mm",
-       "work of the held face, of all its forces and moments, in the cycles of the row: dissipation + "
-       "change of elastic_energy + what leaves with worn material",
-       [](const Cycle &c) { return c.work; }},
-      {"change", "", "largest difference of the states at both ends, relative",
-       [](const Cycle &c) { return c.change; }},
-      {"iterations", "", "iterations of the contact solver", [](const Cycle &c) { return c.iterations; }},
-      {"worn_volume", "mm^3", "volume that is worn since the start",
-       [](const Cycle &c) { return c.worn_volume; }},
-      {"max_wear_depth", "mm", "largest worn depth of a node at the end",
-       [](const Cycle &c) { return c.max_wear_depth; }},
-      {"wear_error", "mm^3", "estimated error of worn_volume by the jumps",
-       [](const Cycle &c) { return c.wear_error; }}};
+  static const Columns<CycleRow> columns = []
+  {
+    Columns<CycleRow> all = first_cycle_columns(), later = columns_of_fretting();
+    all.insert(all.end(), later.begin(), later.end());
+    return all;
+  }();
   return columns;
 }
 

@@ -24,7 +24,8 @@ TOLERANCE = 1e-4
 STOP = f"Load program/Stop when periodic={TOLERANCE}"
 JUMP = f"Load program/Jump when periodic={TOLERANCE}"
 COLUMNS = ("cycle,n_cycles,last_step,peak_force_z,force_z,max_slip,max_accumulated_slip,accumulated_slip,dissipation,"
-           "total_dissipation,work,change,iterations,worn_volume,max_wear_depth,wear_error")
+           "total_dissipation,work,change,iterations,worn_volume,max_wear_depth,wear_error,stroke,tangential_force,slip_ratio,"
+           "energy_ratio,friction_largest,friction_energy,friction_geometric,loop_stiffness,worst_energy,worst_wear")
 
 
 class CyclesTest(RunTest):
@@ -105,6 +106,72 @@ def integral(points, values):
             jacobian = np.linalg.det(np.array([along_xi @ points, along_eta @ points]))
             total += abs(jacobian) * (shapes @ np.ravel(values))
     return total
+
+
+class LoopTest(CyclesTest):
+    """A flat block, one cell high, under an even pressure shears like a spring and slides as a whole."""
+    HEIGHT, SIDE, MU, YOUNG, STROKE = 0.001, 10, 0.3, 210000, 0.002
+    BLOCK = ["Geometry/Shape=box", f"Geometry/Sizes={SIDE}, {SIDE}, {HEIGHT}", "Mesh/Cells=1, 1, 1", "Mesh/Degree=1",
+             "Mesh/Model=full", f"Material/Young modulus={YOUNG}", "Material/Poisson ratio=0", "Load program/Cycles=2",
+             "Load program/Preload=uz -1e-5 : 1", "Output/Contact fields=0"]
+
+    def loops(self, legs, *settings):
+        path = self.folder / "block.prm"
+        path.write_text(f"subsection Friction\n  set Coefficients = {self.MU}, {self.MU}\nend\n")
+        result = self.run_program("run", settings=[*self.BLOCK, f"Load program/Legs={legs}", *settings], file=path)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        return self.cycles("run")
+
+    def test_gross_slip(self):
+        """Corners of the parallelogram are ends of steps. Along x, and obliquely; shear makes normal forces uneven by
+        HEIGHT/SIDE."""
+        pressed = self.YOUNG * 1e-5 / self.HEIGHT * self.SIDE**2
+        stiffness = 0.5 * self.YOUNG * self.SIDE**2 / self.HEIGHT
+        give = self.MU * pressed / stiffness  # 6e-6 mm
+        for x, y in ((1, 0), (0.6, 0.8)):
+            there, turned, back = (f"ux {x * place} uy {y * place} : {steps}" for place, steps in (
+                (self.STROKE / 2, 1), (self.STROKE / 2 - 2 * give, 1), (-self.STROKE / 2, 4)))
+            returned = f"ux {x * (2 * give - self.STROKE / 2)} uy {y * (2 * give - self.STROKE / 2)} : 1"
+            for row in self.loops(" ; ".join([there, turned, back, returned, there])):
+                self.assertAlmostEqual(row["stroke"], self.STROKE, delta=1e-12)
+                self.assertAlmostEqual(row["tangential_force"] / (self.MU * pressed), 1, delta=1e-3)
+                ratio = 1 - give / (self.STROKE / 2)
+                for name, value in (("slip_ratio", ratio), ("energy_ratio", ratio), ("friction_largest", self.MU),
+                                    ("friction_energy", self.MU), ("friction_geometric", self.MU),
+                                    ("loop_stiffness", stiffness)):
+                    self.assertAlmostEqual(row[name] / value, 1, delta=1e-3, msg=(name, x, row))
+            # Of the second cycle: every place loses the same, a force times twice the way that it slides.
+            self.assertAlmostEqual(row["worst_energy"] / (4 * ratio * self.STROKE / 2 * self.MU * pressed / self.SIDE**2), 1,
+                                   delta=0.02)
+
+    def test_no_loop(self):
+        """Pressing alone; the worst place wears by Archard's law."""
+        row = self.loops("uz -2e-5 : 2 ; uz -1e-5 : 2")[-1]
+        self.assertEqual((row["stroke"], row["tangential_force"], row["worst_energy"], row["worst_wear"]), (0, 0, 0, 0))
+        for name in ("slip_ratio", "energy_ratio", "friction_largest", "friction_energy", "friction_geometric",
+                     "loop_stiffness"):
+            self.assertTrue(np.isnan(row[name]), name)
+        rows = self.loops("ux 1e-3 : 4 ; ux -1e-3 : 4", "Wear/Law=archard", "Wear/Coefficient=1e-12")
+        self.assertAlmostEqual(rows[1]["worst_wear"] / (rows[1]["max_wear_depth"] - rows[0]["max_wear_depth"]), 1, delta=1e-6)
+
+    def test_partial_slip_by_force(self):
+        """A sphere between +-0.6 of its limit, along y: the residual motion at zero force is Cattaneo's and Mindlin's."""
+        result = self.run_program("run", settings=["Load program/Legs=Fy 83.99 : 4 ; Fy -83.99 : 8 ; Fy 83.99 : 8",
+                                                   "Output/Contact fields=0"],
+                                  file=ROOT / "prm/verification/cattaneo_mindlin.prm")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        row, = self.cycles("run")
+        poisson, load, radius, q = 0.4999, 466.6, 0.5, 0.6
+        slide = 3 * 0.3 * load * (2 - poisson) / (16 * radius * 210000 / (2 * (1 + poisson)))
+
+        def shift(share):
+            return slide * (1 - (1 - share)**(2 / 3))
+        residual = shift(q) - 2 * shift(q / 2)
+        self.assertAlmostEqual(row["slip_ratio"] * row["stroke"] / 2 / residual, 1, delta=0.05)
+        self.assertAlmostEqual(row["friction_largest"], 0.3 * q, delta=1e-4)
+        area = 4 * row["energy_ratio"] * row["tangential_force"] * row["stroke"] / 2
+        loop = 4.8 * 0.3 * load * slide * (1 - (1 - q)**(5 / 3) - 5 * q / 6 * (1 + (1 - q)**(2 / 3)))
+        self.assertAlmostEqual(area / loop, 1, delta=0.05)
 
 
 class PeriodicTest(CyclesTest):

@@ -181,6 +181,8 @@ class RevolvedTest(unittest.TestCase):
         stress = data["stress"].reshape(-1, 3, 3)
         deviator = stress - np.trace(stress, axis1=1, axis2=2)[:, None, None] / 3 * np.eye(3)
         self.assert_close(data["von_mises_stress"], np.sqrt(1.5 * (deviator**2).sum(axis=(1, 2))))
+        for i, principal in enumerate(np.linalg.eigvalsh(stress)[:, ::-1].T, start=1):
+            self.assert_close(data[f"principal_stress_{i}"], principal, scale=np.abs(stress).max())
         on_axis = x == 0
         self.assert_close(stress[on_axis, 0, 0], stress[on_axis, 1, 1], np.abs(stress).max())
         self.assertTrue(np.all(stress[:, 0, 1] == 0) and np.all(stress[:, 1, 2] == 0))

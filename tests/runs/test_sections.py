@@ -73,6 +73,22 @@ class LineContactTest(SectionTest):
         self.assertAlmostEqual(fields["pressure"].max() / LARGEST, 1, delta=0.003)
         self.assertEqual(fields["pressure"][np.abs(x) > 1.08 * HALF_WIDTH].max(), 0)
 
+    def largest_shear(self, *settings):
+        """(sigma_1 - sigma_3) / 2 on the axis, means over the elements that meet at a node."""
+        self.done("line_contact", "Output/Volume fields=1", *settings)
+        file = run_folder.RunFolder(self.folder / "run").contact(1, "volume")
+        on_axis = np.flatnonzero(np.abs(file.points[:, 0]) < 1e-9)
+        depth = np.round(file.points[on_axis, 2], 6)
+        shear = np.ravel(file["principal_stress_1"] - file["principal_stress_3"])[on_axis] / 2
+        return max(shear[depth == z].mean() for z in set(depth))
+
+    def test_stress_below_the_surface(self):
+        """Hertz: 0.3003 of the largest pressure. The body is no half-plane, which adds a stress of P'/height."""
+        low = self.largest_shear()
+        high = self.largest_shear("Geometry/Sizes=40, 2, 20", "Mesh/Edge grading=1.18", "Mesh/Layer grading=0.64")
+        self.assertGreater(low, high)
+        self.assertAlmostEqual((2 * high - low) / LARGEST, 0.3003, delta=0.003)
+
     def test_orthotropic_partial_slip(self):
         """Exact for every Poisson's ratio: the shear out of the plane does not see the pressure."""
         stick = 0.6 * HALF_WIDTH

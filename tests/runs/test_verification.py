@@ -7,6 +7,7 @@ import json
 import math
 import sys
 
+import meshio
 import numpy as np
 
 sys.dont_write_bytecode = True  # the source tree stays clean
@@ -38,6 +39,18 @@ class VerificationTest(program.RunTest):
         self.assertAlmostEqual(angle_against_motion(row), 14.04, delta=5e-3)
         self.assertEqual(row["n_stick"], 0)
 
+    def test_stress_of_the_patch_test(self):
+        """One pressure along z in all of the body: of the section, and of a solid."""
+        for model in ("auto", "quarter"):
+            self.verified("patch_test", "Output/Volume fields=1", f"Mesh/Model={model}")
+            run = self.folder / "run"
+            volume = (run_folder.RunFolder(run).contact(1, "volume").data if model == "auto"
+                      else meshio.read(run / "volume-0001.vtu").point_data)
+            stress = np.asarray(volume["stress"]).reshape(-1, 3, 3)
+            self.assertLess(np.abs(stress - np.diag([0, 0, -2100])).max(), 1e-3)
+            for name, value in (("principal_stress_1", 0), ("principal_stress_2", 0), ("principal_stress_3", -2100)):
+                self.assertLess(np.abs(volume[name] - value).max(), 1e-3, (model, name))
+
     @staticmethod
     def polar_moment_of_parabolas(n):
         """Of the disc of radius 10 whose n edges are parabolas through three points of the circle, mm^4: the integral of
@@ -66,6 +79,22 @@ class VerificationTest(program.RunTest):
         self.verified(name, *settings)
         contact = run_folder.RunFolder(self.folder / "run").contact(step)
         return np.hypot(*contact.points[:, :2].T), contact
+
+    def test_hertz_below_the_surface(self):
+        """On the axis (Johnson, Contact Mechanics, equation 3.45): the largest shear is 0.310 p0 at a depth of 0.481 a."""
+        self.verified("hertz", "Output/Volume fields=4")
+        volume, a, p0 = run_folder.RunFolder(self.folder / "run").contact(4, "volume"), 0.5, 734.56
+        on_axis = np.flatnonzero(volume.points[:, 0] == 0)
+        depth = volume.points[on_axis, 2] / a
+        largest, least = (np.ravel(volume[f"principal_stress_{i}"])[on_axis] / p0 for i in (1, 3))
+        near = (depth > 0) & (depth < 2)
+        zeta = depth[near]
+        radial = -1.3 * (1 - zeta * np.arctan(1 / zeta)) + 0.5 / (1 + zeta**2)
+        self.assertLess(np.abs(least[near] + 1 / (1 + zeta**2)).max(), 0.02)
+        self.assertLess(np.abs(largest[near] - radial).max(), 0.02)
+        shear = (largest - least) / 2
+        self.assertAlmostEqual(shear.max(), 0.310, delta=0.005)
+        self.assertAlmostEqual(depth[shear.argmax()], 0.481, delta=0.08)  # half the distance of nodes
 
     def test_hertz_of_a_nearly_incompressible_body(self):
         """The default is right, where full quadrature locks and says so."""

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
+#include <orthocone/results/fretting_loop.h>
 #include <orthocone/results/solved_step.h>
 #include <orthocone/results/wear_jumps.h>
 #include <orthocone/scene/cycle_row.h>
@@ -53,6 +54,7 @@ struct CycleMemory
   double change = 0;               ///< of the last completed cycle
   unsigned int periodic_since = 0; ///< first of the unbroken row of periodic cycles up to now; 0 = none
   std::vector<StepRange> jumped;
+  std::vector<LoopPoint> loop; ///< the start of the cycle and its steps so far
   WearMemory wear;
 
   /// Number of steps that were jumped.
@@ -64,9 +66,9 @@ struct CycleMemory
 class CycleWatch
 {
 public:
-  /// `reach`: reach_of() the body, mm.
-  CycleWatch(const LoadOptions &load, const Eigen::VectorXd &shares, double reach = 0,
-             WearJumps wear = {{}, {}});
+  /// `areas`: of the nodes of the model, mm^2. `reach`: reach_of() the body, mm.
+  CycleWatch(const LoadOptions &load, const Eigen::VectorXd &shares, const Eigen::VectorXd &areas,
+             double reach = 0, WearJumps wear = {{}, {}});
 
   /// To be called with every accepted step; `before` is the state before it. Returns the row of a cycle that
   /// this step completes.
@@ -101,6 +103,7 @@ private:
   const double reach_;           ///< mm
   const double length_;          ///< largest_way()
   const Eigen::VectorXd shares_; ///< ModelSymmetry::force_shares()
+  const Eigen::VectorXd areas_;
   WearJumps wear_;
   unsigned int n_to_jump_ = 0;
   std::string why_to_stop_;

@@ -2,8 +2,24 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
+#include <optional>
+
 namespace orthocone
 {
+/// What fretting tests read off the loop of tangential force over tangential motion; docs/theory.md, section
+/// 6, has definitions and sources. What a loop does not have is nothing.
+struct LoopFigures
+{
+  double stroke = 0;                          ///< between the ends of the motion, mm
+  double peak_force = 0;                      ///< largest tangential force along the stroke, N
+  std::optional<double> slip_ratio{};         ///< width at zero force over the stroke
+  std::optional<double> energy_ratio{};       ///< area of the loop over 2 peak_force stroke
+  std::optional<double> friction_largest{};   ///< peak_force over the normal force at that moment
+  std::optional<double> friction_energy{};    ///< area over twice normal force and width
+  std::optional<double> friction_geometric{}; ///< tangential over normal force in the middle of the stroke
+  std::optional<double> stiffness{};          ///< slope behind the reversals, N/mm
+};
+
 /// A row of cycles.csv: a completed cycle, or several that are jumped.
 struct CycleRow
 {
@@ -25,5 +41,8 @@ struct CycleRow
   double worn_volume = 0;          ///< at the end, mm^3
   double max_wear_depth = 0;       ///< at the end, mm
   double wear_error = 0;           ///< WearMemory::error at the end, mm^3
+  LoopFigures loop{};              ///< of the (last computed) cycle
+  double worst_energy = 0;         ///< largest dissipation per area of a node in the cycles of the row, N/mm
+  double worst_wear = 0;           ///< largest depth that a node loses in the cycles of the row, mm
 };
 } // namespace orthocone
