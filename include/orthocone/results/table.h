@@ -7,6 +7,7 @@
 #include <orthocone/base/text.h>
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -16,6 +17,10 @@ namespace orthocone
 inline std::string cell(const double value)
 {
   return to_text(value);
+}
+inline std::string cell(const std::optional<double> &value)
+{
+  return value ? to_text(*value) : "nan"; // a word that readers of tables take for a missing number
 }
 inline std::string cell(const unsigned int value)
 {
