@@ -30,9 +30,9 @@ public:
         is_on_border_(squared_errors_.size(), false)
   {
     for (const auto &cell : space.dof_handler().active_cell_iterators())
-      is_on_border_[cell->active_cell_index()] = cell->is_locally_owned() &&
-                                                 is_at(cell, Boundary::contact_surface) &&
-                                                 is_at(cell, Boundary::lateral_surface);
+      is_on_border_[cell->active_cell_index()] =
+          cell->is_locally_owned() && is_at(cell, Boundary::contact_surface) &&
+          (is_at(cell, Boundary::lateral_surface) || is_at_support(cell));
   }
 
   bool accepts(const MarchedStep &solved) override
@@ -46,7 +46,7 @@ public:
     if (!ends_leg_)
       return;
     const VectorXd elastic = scene_.body().elastic_displacement(state.force);
-    squared_errors_ += squared_jumps(space_, scene_.body().with_motion({}, elastic));
+    squared_errors_ += squared_jumps(space_, scene_.body().with_motion(strain_of(state.motion), elastic));
     for (std::size_t face = 0; face < space_.contact_cells().size(); ++face)
       if (space_.contact_cells()[face] < is_on_border_.size() && // in this process
           is_mixed(space_.contact_surface().faces[face], state.status))
@@ -107,6 +107,20 @@ private:
   {
     for (const unsigned int face : cell->face_indices())
       if (cell->face(face)->at_boundary() && cell->face(face)->boundary_id() == boundary)
+        return true;
+    return false;
+  }
+
+  /// A motion as far as it strains the body: a rigid one would only cost digits.
+  RigidMotion strain_of(const RigidMotion &motion) const
+  {
+    return scene_.body().driven() != nullptr ? motion : RigidMotion();
+  }
+
+  static bool is_at_support(const typename DisplacementSpace<dim>::Cell &cell)
+  {
+    for (const unsigned int face : cell->face_indices())
+      if (cell->face(face)->at_boundary() && cell->face(face)->boundary_id() >= Boundary::first_support)
         return true;
     return false;
   }

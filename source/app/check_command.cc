@@ -81,7 +81,9 @@ void print_lower_mesh(const Parameters &parameters, const ModelChoice &model)
 {
   if (parameters.obstacle.kind != ObstacleKind::body)
     return;
-  std::cout << describe_lower_mesh(parameters, Body(parameters.lower, model.symmetry).unknowns()) << "\n";
+  const Body lower(parameters.lower, model.symmetry);
+  require_hold(parameters.lower.geometry, lower.unknowns(), model.symmetry);
+  std::cout << describe_lower_mesh(parameters, lower.unknowns()) << "\n";
 }
 
 void print_model(const Parameters &parameters, const ModelChoice &model, const CostModel &costs)
@@ -89,6 +91,7 @@ void print_model(const Parameters &parameters, const ModelChoice &model, const C
   const ComputedSteps n_steps = computed_steps(parameters);
   const MemoryLimit limit = memory_limit();
   const Body body(parameters, model.symmetry);
+  require_hold(parameters.geometry, body.unknowns(), model.symmetry);
   std::cout << describe_model(parameters, model, body.unknowns()) << "\n";
   print_lower_mesh(parameters, model);
   try

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/base/errors.h>
 #include <orthocone/body/shapes/shape_kind.h>
+#include <orthocone/body/shapes/supports.h>
 
 #include <sstream>
 
@@ -203,6 +204,7 @@ void check_mesh_choice(const BodyOptions &body)
 void check_body(const BodyOptions &body)
 {
   check_quadrature(body.mesh);
+  check_supports(body.geometry, kind_of(body.geometry).surfaces(body.geometry));
   kind_of(body.geometry).check(body);
   check_material(body);
 }

@@ -14,7 +14,7 @@ double length_of_line(const ContactNode &node, const ModelSymmetry &symmetry)
 {
   if (!symmetry.is_section())
     return 0;
-  const bool is_halved = symmetry.planes().normal_to_x && !node.is_free[0];
+  const bool is_halved = symmetry.planes().normal_to_x && node.is_on_plane(0);
   return symmetry.section()->length_at(node.position[0]) / (is_halved ? 2 : 1);
 }
 } // namespace

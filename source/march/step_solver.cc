@@ -122,10 +122,10 @@ SolverReport StepSolver::solve_in_one(ContactState &state, const LoadStep &step)
   state.leg_begin = leg_begin(state, step);
   const ContactState begin = state;
   const Attempt whole = attempt(state, step.target(state.leg_begin));
-  SolverReport report = whole.target.is_release()
-                            ? release(state, whole)
-                            : solve_to(state, whole, start_of(whole, before, step), most_halvings);
-  if (!report.converged && report.verdict != Verdict::unbalanced && !whole.target.is_release())
+  const bool is_release = whole.target.is_release() && !whole.problem.face().has_stiffness();
+  SolverReport report = is_release ? release(state, whole)
+                                   : solve_to(state, whole, start_of(whole, before, step), most_halvings);
+  if (!report.converged && report.verdict != Verdict::unbalanced && !is_release)
   {
     state = begin;
     report = solve_from_no_force(state, whole, report);
@@ -170,7 +170,7 @@ VectorXd StepSolver::start_of(const Attempt &attempt, const ContactState &state,
 
 FaceState StepSolver::leg_begin(const ContactState &before, const LoadStep &step) const
 {
-  return step.step_of_leg == 1 ? FaceState{before.motion, scene_.held_wrench(before.force)}
+  return step.step_of_leg == 1 ? FaceState{before.motion, scene_.held_wrench(before.force, before.motion)}
                                : before.leg_begin;
 }
 
@@ -178,7 +178,7 @@ double StepSolver::carried_share(const ContactState &before, const LoadStep &ste
 {
   // Bisected by hand: Boost's bisection would solve both ends again, whose outcomes are known.
   constexpr double fine = 0.01; // of the leg
-  const FaceState now{before.motion, scene_.held_wrench(before.force)};
+  const FaceState now{before.motion, scene_.held_wrench(before.force, before.motion)};
   const FaceTarget end = step.target(leg_begin(before, step));
   const double first = step.share * (step.step_of_leg - 1) / step.step_of_leg;
   double carried = first, lost = step.share;
@@ -212,8 +212,8 @@ void StepSolver::accept_unknowns(ContactState &state, const Attempt &attempt, co
     state.wear_depth += attempt.worn;
     state.found_depth = state.wear_depth;
   }
-  state.work += 0.5 * (scene_.held_wrench(before.force).work(increment) +
-                       scene_.held_wrench(state.force).work(increment)) +
+  state.work += 0.5 * (scene_.held_wrench(before.force, before.motion).work(increment) +
+                       scene_.held_wrench(state.force, state.motion).work(increment)) +
                 scene_.symmetry().n_copies() * work_without_contact(before, state, opening_);
 }
 
@@ -275,7 +275,7 @@ SolverReport StepSolver::solve_halves(ContactState &state, const FaceTarget &tar
                                       const SolverReport &failure, const unsigned int n_halvings) const
 {
   const Attempt half =
-      attempt(state, on_the_way({state.motion, scene_.held_wrench(state.force)}, target, 0.5));
+      attempt(state, on_the_way({state.motion, scene_.held_wrench(state.force, state.motion)}, target, 0.5));
   const SolverReport first = solve_to(state, half, half.unknowns_of(state), n_halvings);
   SolverReport report = first;
   if (first.converged)

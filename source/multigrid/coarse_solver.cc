@@ -217,7 +217,7 @@ class ReplicatedCoarse : public CoarseSolver
 {
 public:
   /// `shared` belongs to this process and others; its mesh has no halved cells.
-  ReplicatedCoarse(const Discretization &shared, MeshOptions options, const TopFace top_face,
+  ReplicatedCoarse(const Discretization &shared, MeshOptions options, const HeldSurfaces &held,
                    const MaterialOptions &material, const CoarseMethod method)
       : triangulation_(dealii::Triangulation<3>::limit_level_difference_at_vertices)
   {
@@ -225,7 +225,7 @@ public:
     options.quadrature_points = shared.n_quadrature_points();
     options.volumetric_quadrature = shared.volumetric_quadrature();
     triangulation_.copy_triangulation(shared.dof_handler().get_triangulation());
-    whole_ = std::make_unique<Discretization>(triangulation_, options, top_face);
+    whole_ = std::make_unique<Discretization>(triangulation_, options, held);
     solver_ = make_coarse_solver(*whole_, material, method);
     number(shared);
   }
@@ -284,10 +284,10 @@ std::unique_ptr<CoarseSolver> make_coarse_solver(const Discretization &space, co
 }
 
 std::unique_ptr<CoarseSolver> make_shared_coarse_solver(const Discretization &shared, const MeshOptions &mesh,
-                                                        const TopFace top_face,
+                                                        const HeldSurfaces &held,
                                                         const MaterialOptions &material,
                                                         const CoarseMethod method)
 {
-  return std::make_unique<ReplicatedCoarse>(shared, mesh, top_face, material, method);
+  return std::make_unique<ReplicatedCoarse>(shared, mesh, held, material, method);
 }
 } // namespace orthocone

@@ -43,6 +43,6 @@ std::unique_ptr<CoarseSolver> make_coarse_solver(const Discretization &space, co
 /// The solver of a mesh without halved cells that several processes share: each of them solves the whole
 /// mesh, so that none waits for the answer of another. `shared` need not outlive it.
 std::unique_ptr<CoarseSolver> make_shared_coarse_solver(const Discretization &shared, const MeshOptions &mesh,
-                                                        TopFace top_face, const MaterialOptions &material,
-                                                        CoarseMethod method);
+                                                        const HeldSurfaces &held,
+                                                        const MaterialOptions &material, CoarseMethod method);
 } // namespace orthocone

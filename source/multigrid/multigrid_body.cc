@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace orthocone
 {
@@ -40,7 +41,8 @@ public:
         cycle_(timed(seconds.factorization, [&]
                      { return VCycle(mesh_.solid(), options.mesh, options.geometry, options.material); })),
         compliance_(frame_, stiffness_, cycle_, node_compliance(surface_, symmetry, options.material),
-                    accuracy)
+                    accuracy),
+        driven_(timed(seconds.condensation, [&] { return driven_field(symmetry); }))
   {
   }
   MultigridBody(const MultigridBody &) = delete; // its modules refer to each other
@@ -49,19 +51,11 @@ public:
   const Body &mesh() const override { return mesh_; }
   const ContactFrame &frame() const override { return frame_; }
   const Compliance &compliance() const override { return compliance_; }
+  const DrivenField *driven() const override { return driven_ ? &*driven_ : nullptr; }
 
   VectorXd elastic_displacement(const NodeVector &force) const override
   {
     return compliance_.body_displacement(force);
-  }
-
-  VectorXd with_motion(const RigidMotion &held, const VectorXd &elastic) const override
-  {
-    BodyVector<double> displacement = stiffness_.make_vector();
-    std::copy(elastic.begin(), elastic.end(), displacement.begin());
-    displacement.update_ghost_values();
-    return frame_.with_motion(
-        held, Eigen::Map<const VectorXd>(displacement.begin(), static_cast<Index>(unknowns().n_dofs())));
   }
 
   VectorXd prolonged(const VectorXd &coarser) const override { return cycle_.prolonged(coarser); }
@@ -69,13 +63,32 @@ public:
   unsigned long n_v_cycles() const override { return cycle_.n_cycles(); }
 
 private:
+  VectorXd with_rigid_motion(const RigidMotion &held, const VectorXd &elastic) const override
+  {
+    BodyVector<double> displacement = stiffness_.make_vector();
+    std::copy(elastic.begin(), elastic.end(), displacement.begin());
+    displacement.update_ghost_values();
+    return frame_.with_motion(
+        held, Eigen::Map<const VectorXd>(displacement.begin(), static_cast<Index>(unknowns().n_dofs())));
+  }
+  std::optional<DrivenField> driven_field(const ModelSymmetry &symmetry) const;
+
   Body mesh_;
   const ContactSurface &surface_;
   ContactFrame frame_;
   MatrixFreeStiffness<double> stiffness_;
   VCycle cycle_;
   MultigridCompliance compliance_;
+  std::optional<DrivenField> driven_; ///< with supports
 };
+
+std::optional<DrivenField> MultigridBody::driven_field(const ModelSymmetry &symmetry) const
+{
+  if (!any_rank(!mesh_.solid().supported().empty()))
+    return std::nullopt;
+  return orthocone::driven_field(mesh_, frame_, symmetry,
+                                 [this](const VectorXd &forces) { return compliance_.displacement(forces); });
+}
 
 // The check of a step asks for what no solver owns: a solution of the whole body under the final contact
 // forces, whose equilibrium K u = f is looked at with a product of its own, and whose displacement at the

@@ -63,6 +63,14 @@ BodyVector<double> MultigridCompliance::on_body(const NodeVector &force) const
   return forces;
 }
 
+VectorXd MultigridCompliance::displacement(const VectorXd &forces) const
+{
+  BodyVector<double> on_body = stiffness_.make_vector();
+  entries(on_body, forces.size()) = forces;
+  const BodyVector<double> displacement = memory_->elastic.solve(on_body, accuracy_);
+  return entries(displacement, forces.size());
+}
+
 VectorXd MultigridCompliance::body_displacement(const NodeVector &force) const
 {
   const BodyVector<double> displacement = solution(force);

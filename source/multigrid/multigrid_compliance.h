@@ -28,7 +28,10 @@ public:
   std::unique_ptr<ConditionSolver> condition_solver(double softness) const override;
   double softness() const override;
 
-  /// Displacement of the free degrees of freedom, mm.
+  /// Displacement of the free degrees of freedom (mm) under forces on them (N).
+  Eigen::VectorXd displacement(const Eigen::VectorXd &forces) const;
+
+  /// The same under contact forces.
   Eigen::VectorXd body_displacement(const NodeVector &force) const;
 
 private:

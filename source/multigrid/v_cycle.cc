@@ -83,9 +83,9 @@ void start_mpi()
 struct VCycle::Mesh
 {
   Mesh(std::shared_ptr<const dealii::Triangulation<3>> cells, const MeshOptions &options,
-       const TopFace top_face)
+       const HeldSurfaces &held)
       : triangulation(std::move(cells)),
-        space(*triangulation, options, top_face)
+        space(*triangulation, options, held)
   {
   }
 
@@ -106,12 +106,12 @@ VCycle::VCycle(const Discretization &space, const MeshOptions &mesh, const Geome
       space.dof_handler().get_triangulation());
   if (mesh.degree > 1)
     meshes_.push_back(
-        std::make_unique<Mesh>(triangulations.front(), with_degree(mesh, 1), geometry.top_face));
+        std::make_unique<Mesh>(triangulations.front(), with_degree(mesh, 1), held_surfaces(geometry)));
   for (std::size_t i = 0; i + 1 < triangulations.size(); ++i)
-    meshes_.push_back(std::make_unique<Mesh>(triangulations[i], mesh, geometry.top_face));
-  coarsest_ = space.is_shared()
-                  ? make_shared_coarse_solver(space_of(0), mesh, geometry.top_face, material, on_coarsest)
-                  : make_coarse_solver(space_of(0), material, on_coarsest);
+    meshes_.push_back(std::make_unique<Mesh>(triangulations[i], mesh, held_surfaces(geometry)));
+  coarsest_ = space.is_shared() ? make_shared_coarse_solver(space_of(0), mesh, held_surfaces(geometry),
+                                                            material, on_coarsest)
+                                : make_coarse_solver(space_of(0), material, on_coarsest);
   for (std::size_t level = 1; level <= meshes_.size(); ++level)
     levels_.push_back(std::make_unique<Level>(space_of(level), material));
   for (std::size_t level = 1; level <= meshes_.size(); ++level)

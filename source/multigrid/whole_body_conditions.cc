@@ -134,8 +134,8 @@ ContactChange WholeBodyConditions::solve_nodes(const std::vector<NodeRelation> &
   return contact_change(frame_, displacement, forces, residual);
 }
 
-/// With a face that forces drive, its motion y obeys C^T r = g. r is linear in y, r = r_0 + R y, where each
-/// column of R is the answer to a motion of 1. So y solves the small system (C^T R) y = g - C^T r_0.
+/// With a face that forces drive, its motion y obeys C^T r - S y = g. r is linear in y, r = r_0 + R y, where
+/// each column of R is the answer to a motion of 1. So y solves the small system (C^T R - S) y = g - C^T r_0.
 /// Eliminates the face, which takes one more solution for each of its columns.
 ContactChange WholeBodyConditions::solve(const ContactConditions &conditions, const double accuracy) const
 {
@@ -156,6 +156,8 @@ ContactChange WholeBodyConditions::solve(const ContactConditions &conditions, co
     columns.push_back(solve_nodes(relations_of(nodes), {}, std::min(bound, of_column)));
     answers.col(j) = conditions.face.transpose() * columns.back().force;
   }
+  if (conditions.face_stiffness.size() > 0)
+    answers -= conditions.face_stiffness;
   change.face =
       answers.fullPivLu().solve(conditions.face_right_side - conditions.face.transpose() * change.force);
   for (Index j = 0; j < m; ++j)

@@ -123,7 +123,8 @@ static std::pair<Vector2d, Vector2d> normal_and_slip(const FrictionLaw &law, con
 }
 
 ContactFieldEvaluator::ContactFieldEvaluator(const Scene &scene)
-    : unknowns_(scene.body().unknowns()),
+    : scene_(scene),
+      unknowns_(scene.body().unknowns()),
       surface_(scene.surface()),
       symmetry_(scene.symmetry()),
       compliance_(scene.compliance()),

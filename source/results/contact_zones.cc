@@ -37,7 +37,7 @@ std::vector<Side> outline(const std::vector<unsigned int> &face, const unsigned 
 /// Whether both nodes lie on the same plane of symmetry.
 bool is_mirrored(const ContactNode &a, const ContactNode &b)
 {
-  return (!a.is_free[0] && !b.is_free[0]) || (!a.is_free[1] && !b.is_free[1]);
+  return (a.is_on_plane(0) && b.is_on_plane(0)) || (a.is_on_plane(1) && b.is_on_plane(1));
 }
 } // namespace
 
@@ -81,7 +81,7 @@ void ContactZones::find_rim(const ContactSurface &surface)
   for (const auto &[side, n] : n_faces)
   {
     const auto &[a, b] = side;
-    if (is_section ? neighbours_[a].size() == 1 && surface.place(a).is_free[0] // not on axis or plane
+    if (is_section ? neighbours_[a].size() == 1 && !surface.place(a).is_on_plane(0) // not on axis or plane
                    : n == 1 && !is_beside_smaller(a) && !is_beside_smaller(b) &&
                          !is_mirrored(surface.place(a), surface.place(b)))
       is_at_rim_[a] = is_at_rim_[b] = true;

@@ -23,7 +23,14 @@ bool touches(const ContactState &state, const std::size_t node)
 /// Height of a body (mm). The centre of a held face that is very wide has lost its digits.
 double height(const GeometryOptions &geometry, const ElasticBody &body)
 {
-  return geometry.is_from_file() ? body.unknowns().held_centre()[2] : geometry.held_height();
+  if (!geometry.is_from_file())
+    return geometry.held_height();
+  if (!geometry.held_surface.empty())
+    return body.unknowns().held_centre()[2];
+  double highest = 0; // of a lower body that supports hold; one process has all of it
+  for (unsigned int dof = 0; dof < body.unknowns().n_dofs(); ++dof)
+    highest = std::max(highest, body.unknowns().position(dof)[2]);
+  return highest;
 }
 
 /// Takes displacements (3 n, mm) of a body of this height (mm) into account.

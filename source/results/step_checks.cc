@@ -17,12 +17,11 @@ namespace orthocone
 {
 namespace
 {
-/// Work (N mm) of force and moment of the held face, which balance those of the plane, on the motion of a
-/// step.
+/// Work (N mm) of force and moment of the held face on the motion of a step.
 double work_of(const Totals &totals, const RigidMotion &before, const RigidMotion &after)
 {
-  return -(totals.force.dot(after.translation() - before.translation()) +
-           totals.moment.dot(after.rotation() - before.rotation()));
+  return totals.held.force().dot(after.translation() - before.translation()) +
+         totals.held.moment().dot(after.rotation() - before.rotation());
 }
 
 bool is_finite(const ContactState &state, const Totals &totals)

@@ -36,9 +36,11 @@ Columns<SolvedStep> first_history_columns()
           {"ux", "mm", "motion of the held face along x", [](const Step &s) { return s.state.motion[0]; }},
           {"uy", "mm", "motion of the held face along y", [](const Step &s) { return s.state.motion[1]; }},
           {"uz", "mm", "motion of the held face along z", [](const Step &s) { return s.state.motion[2]; }},
-          {"force_x", "N", "force of the counterface on the body along x; the held face carries -force_x",
+          {"force_x", "N",
+           "force of the counterface on the body along x; without supports the held face carries -force_x",
            [](const Step &s) { return s.totals.force[0]; }},
-          {"force_y", "N", "force of the counterface on the body along y; the held face carries -force_y",
+          {"force_y", "N",
+           "force of the counterface on the body along y; without supports the held face carries -force_y",
            [](const Step &s) { return s.totals.force[1]; }},
           {"force_z", "N", "force of the counterface on the body along z, > 0 where it is pressed",
            [](const Step &s) { return s.totals.force[2]; }},
@@ -92,20 +94,20 @@ Columns<SolvedStep> columns_of_held_face_and_contact()
 {
   constexpr const char *on_face = "moment on the held face, about its centre, as Mx, My and Mz of the legs";
   // Zero has no sign.
-  return {{"contact_area", "mm^2", "sum of the areas of the nodes in contact",
-           [](const Step &s) { return s.totals.contact_area; }},
-          {"held_force_x", "N", "force on the held face along x, as Fx of the legs",
-           [](const Step &s) { return 0. - s.totals.force[0]; }},
-          {"held_force_y", "N", "force on the held face along y, as Fy of the legs",
-           [](const Step &s) { return 0. - s.totals.force[1]; }},
-          {"held_force_z", "N", "force on the held face along z, as Fz of the legs: -force_z",
-           [](const Step &s) { return 0. - s.totals.force[2]; }},
-          {"held_moment_x", "N mm", on_face, [](const Step &s) { return 0. - s.totals.moment[0]; }},
-          {"held_moment_y", "N mm", on_face, [](const Step &s) { return 0. - s.totals.moment[1]; }},
-          {"held_moment_z", "N mm", on_face, [](const Step &s) { return 0. - s.totals.moment[2]; }},
-          {"time", "s",
-           "time of the program file at the end of the step; without one, the number of the step",
-           [](const Step &s) { return s.step.time.value_or(s.step.number); }}};
+  return {
+      {"contact_area", "mm^2", "sum of the areas of the nodes in contact",
+       [](const Step &s) { return s.totals.contact_area; }},
+      {"held_force_x", "N", "force on the held face along x, as Fx of the legs",
+       [](const Step &s) { return s.totals.held[0] + 0.; }},
+      {"held_force_y", "N", "force on the held face along y, as Fy of the legs",
+       [](const Step &s) { return s.totals.held[1] + 0.; }},
+      {"held_force_z", "N", "force on the held face along z, as Fz of the legs: -force_z without supports",
+       [](const Step &s) { return s.totals.held[2] + 0.; }},
+      {"held_moment_x", "N mm", on_face, [](const Step &s) { return s.totals.held[3] + 0.; }},
+      {"held_moment_y", "N mm", on_face, [](const Step &s) { return s.totals.held[4] + 0.; }},
+      {"held_moment_z", "N mm", on_face, [](const Step &s) { return s.totals.held[5] + 0.; }},
+      {"time", "s", "time of the program file at the end of the step; without one, the number of the step",
+       [](const Step &s) { return s.step.time.value_or(s.step.number); }}};
 }
 
 Columns<CycleRow> first_cycle_columns()

@@ -80,7 +80,13 @@ Totals compute_totals(const ContactFieldEvaluator &evaluator, const ContactState
   totals.zones = evaluator.zones(state);
   NodeVector moved;
   evaluator.compliance().vmult(moved, state.force);
-  totals.elastic_energy = 0.5 * n_copies * state.force.dot(moved);
+  // Contact forces do no work on what supports add to the motion of the face, so that energies only add up.
+  const Scene &scene = evaluator.scene();
+  totals.elastic_energy = 0.5 * n_copies * state.force.dot(moved) +
+                          0.5 * n_copies * scene.body().resistance(state.motion).work(state.motion);
+  totals.held.components << -totals.force, -totals.moment; // without supports it balances the counterface
+  if (scene.body().driven() != nullptr)
+    totals.held = scene.held_wrench(state.force, state.motion);
   return totals;
 }
 } // namespace orthocone

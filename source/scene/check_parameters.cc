@@ -109,6 +109,36 @@ void check_lower_section(const Parameters &parameters, const std::string &with)
                      " with Obstacle/Kind = body: allowed is a whole number from 1 to 3");
 }
 
+/// Refuses loads along directions in which a guided top is free, where supports hold the body instead.
+void check_guided(const Parameters &parameters)
+{
+  constexpr unsigned int normal = 2, first_in_plane = 3, about_normal = 5;
+  if (parameters.geometry.top_face != TopFace::guided || parameters.geometry.supports.empty())
+    return;
+  for (const PathLeg &leg : load_path(parameters.load))
+    for (unsigned int i = 0; i < n_rigid_components; ++i)
+      if ((i < normal || i == about_normal) && (leg.after[i].by_force || leg.after[i].value != 0))
+        throw InputError(leg.entry + ": " + (leg.after[i].by_force ? wrench_names : motion_names)[i] +
+                         " in " + leg.place + " with Geometry/Top face = guided, which is free " +
+                         (i < first_in_plane ? "sideways" : "to turn") +
+                         ": allowed are uz, Fz, rx, ry, Mx and My, or Top face = clamped");
+}
+
+/// Refuses problem files of faces whose motion supports resist: their format has no such term.
+void check_problem_files(const Parameters &parameters)
+{
+  if (parameters.output.problem_interval == 0 || parameters.geometry.supports.empty())
+    return;
+  for (const PathLeg &leg : load_path(parameters.load))
+    for (unsigned int i = 0; i < n_rigid_components; ++i)
+      if (leg.after[i].by_force)
+        throw InputError(
+            "Output/Problems with Geometry/Supports and " + std::string(wrench_names[i]) + " in " +
+            leg.place + " of " + leg.entry +
+            ": a problem has no stiffness of the supports against the face; allowed are motions, "
+            "or Problems = 0");
+}
+
 /// Refuses what has no plane strain.
 void check_plane_strain(const Parameters &parameters)
 {
@@ -138,6 +168,8 @@ void check_parameters(const Parameters &parameters)
   check_wear(parameters.wear, parameters.load);
   check_compression(parameters.load, parameters.geometry);
   check_body(parameters);
+  check_guided(parameters);
+  check_problem_files(parameters);
   check_probes(parameters.geometry, parameters.output.probes);
   check_lower_body(parameters);
   check_obstacle(parameters.obstacle);

@@ -55,6 +55,10 @@ void require_contact_before_force(const Parameters &parameters, const Obstacle &
                                   const SurfaceSample &sample)
 {
   constexpr double rounding = 1e-12;
+  const std::vector<Support> &supports = parameters.geometry.supports;
+  if (std::any_of(supports.begin(), supports.end(),
+                  [](const Support &support) { return support.directions[normal_component]; }))
+    return; // they carry the force until the body touches
   const double height = sample.held_centre[2];
   for (const PathLeg &leg : load_path(parameters.load))
     if (leaves_motion(leg))

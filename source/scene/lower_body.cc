@@ -5,6 +5,7 @@
 #include <orthocone/base/errors.h>
 #include <orthocone/base/stopwatch.h>
 #include <orthocone/base/text.h>
+#include <orthocone/scene/model_choice.h>
 #include <orthocone/scene/surface_sample.h>
 #include <orthocone/surface/strip.h>
 
@@ -83,7 +84,8 @@ NodeVector depths(const ContactSurface &own)
 LowerBody::LowerBody(const Parameters &parameters, const ModelSymmetry &symmetry,
                      const ContactSurface &surface, const LocalAxes &axes, PhaseSeconds &seconds)
     : body_(
-          parameters.lower, symmetry, [](const ContactSurface &) { return own_axes(); }, [](const Body &) {},
+          parameters.lower, symmetry, [](const ContactSurface &) { return own_axes(); },
+          [&](const Body &meshed) { require_hold(parameters.lower.geometry, meshed.unknowns(), symmetry); },
           seconds),
       map_(timed(seconds.condensation,
                  [&] {

@@ -5,6 +5,7 @@
 #include <orthocone/base/errors.h>
 #include <orthocone/base/ranks.h>
 #include <orthocone/base/text.h>
+#include <orthocone/body/free_motion.h>
 #include <orthocone/scene/asymmetry.h>
 #include <orthocone/scene/load_path.h>
 #include <orthocone/scene/options.h>
@@ -34,6 +35,8 @@ std::string possible_models(const Asymmetry &asymmetry)
 void check_guided_top(const Parameters &parameters, const Asymmetry &asymmetry, const ModelSymmetry &symmetry)
 {
   const bool is_plane = symmetry.is_plane_strain();
+  if (!parameters.geometry.supports.empty())
+    return; // what they leave free is known when the body is meshed
   if (parameters.geometry.top_face != TopFace::guided || symmetry.is_axisymmetric() ||
       symmetry.n_copies() == (is_plane ? 2 : 4))
   {
@@ -206,6 +209,16 @@ ModelSymmetry requested_symmetry(const Parameters &parameters, const Asymmetry &
   return {};
 }
 } // namespace
+
+void require_hold(const GeometryOptions &geometry, const BodyUnknowns &unknowns,
+                  const ModelSymmetry &symmetry)
+{
+  const std::string motion = free_motion(unknowns, symmetry);
+  if (!motion.empty())
+    throw InputError(geometry.section + "/Supports leave the " + symmetry.full_name() +
+                     " model free to move " + motion + ": allowed are supports that hold it" +
+                     (geometry.is_from_file() ? ", or a Held surface" : ", or Top face = clamped"));
+}
 
 ModelChoice choose_model(const Parameters &parameters)
 {

@@ -33,6 +33,7 @@ void declare_parameters(Parameters &parameters, EntryList &list)
       lower_mesh(list, lower.mesh.section, has_lower),
       lower_material(list, lower.material.section, has_lower);
   declare_shape(lower.geometry, lower_geometry);
+  declare_top_face(lower.geometry, lower_geometry);
   declare_cells(lower.mesh, lower.geometry, lower_mesh);
   declare_material(lower.material, lower_material);
   section("Wear", declare_wear, parameters.wear);

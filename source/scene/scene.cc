@@ -77,6 +77,15 @@ std::unique_ptr<const Compliance> sum_of(const ElasticBody &body, Eigen::MatrixX
   return std::make_unique<DenseCompliance>(std::move(of_obstacle));
 }
 
+/// The motion of the components that motions drive, without the others.
+RigidMotion driven_motion(const FaceTarget &target)
+{
+  RigidMotion motion;
+  for (unsigned int i = 0; i < n_rigid_components; ++i)
+    motion[i] = target.by_force[i] ? 0 : target.motion[i];
+  return motion;
+}
+
 /// Material on a rigid plane with the compliances in plane strain, (1 - nu^2)/E, and in antiplane shear,
 /// (1 + nu)/E, of both bodies together.
 MaterialOptions as_one(const MaterialOptions &a, const MaterialOptions &b)
@@ -108,6 +117,7 @@ Scene::Scene(const Parameters &parameters, const ModelChoice &choice, const Obst
           [&](const Body &meshed)
           {
             check_fields(obstacle, friction_, meshed.unknowns().contact_surface(), choice.symmetry);
+            require_hold(parameters.geometry, meshed.unknowns(), choice.symmetry);
             if (on_meshed)
               on_meshed(meshed);
           },
@@ -149,21 +159,19 @@ MaterialOptions Scene::contact_material() const
   return obstacle_material_ ? as_one(body, *obstacle_material_) : body;
 }
 
-Wrench Scene::held_wrench(const NodeVector &force) const
+Wrench Scene::held_wrench(const NodeVector &force, const RigidMotion &motion) const
 {
-  const Wrench contact = body_->wrench(force);
+  const Wrench contact = body_->wrench(force), supports = body_->resistance(motion);
   Wrench held;
   for (unsigned int i = 0; i < n_rigid_components; ++i)
-    held[i] = symmetry().carries(i) ? -static_cast<double>(symmetry().n_copies()) * contact[i] : 0;
+    held[i] =
+        symmetry().carries(i) ? static_cast<double>(symmetry().n_copies()) * (supports[i] - contact[i]) : 0;
   return held;
 }
 
 NodeVector Scene::free_displacement(const FaceTarget &target) const
 {
-  RigidMotion motion;
-  for (unsigned int i = 0; i < n_rigid_components; ++i)
-    motion[i] = target.by_force[i] ? 0 : target.motion[i];
-  return gaps_ + body_->moved_with(motion);
+  return gaps_ + body_->moved_with(driven_motion(target));
 }
 
 std::vector<unsigned int> Scene::free_components(const FaceTarget &target) const
@@ -181,15 +189,19 @@ FreeFace Scene::free_face(const FaceTarget &target) const
   const auto n = static_cast<Eigen::Index>(components.size());
   if (n == 0)
     return {};
-  Eigen::MatrixXd columns(3 * system_.n_nodes(), n);
+  Eigen::MatrixXd columns(3 * system_.n_nodes(), n), stiffness(n, n);
   Eigen::VectorXd balance(n);
+  const Wrench of_supports = body_->resistance(driven_motion(target));
   for (Eigen::Index j = 0; j < n; ++j)
   {
     RigidMotion unit;
     unit[components[j]] = 1;
     columns.col(j) = body_->moved_with(unit);
-    balance[j] = -target.force[components[j]] / symmetry().n_copies();
+    const Wrench resistance = body_->resistance(unit);
+    for (Eigen::Index i = 0; i < n; ++i)
+      stiffness(i, j) = resistance[components[i]];
+    balance[j] = of_supports[components[j]] - target.force[components[j]] / symmetry().n_copies();
   }
-  return FreeFace(columns, balance);
+  return FreeFace(columns, balance, stiffness);
 }
 } // namespace orthocone

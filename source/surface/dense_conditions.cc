@@ -73,10 +73,11 @@ private:
   std::vector<Row> rows_;
   Index n_ = 0;
   Index n_face_;
-  MatrixXf face_;         ///< 3 nodes x m
-  MatrixXf face_columns_; ///< motions of the face in the nodes' equations, n x m
-  MatrixXf face_rows_;    ///< the unknowns in the balance of the face, m x n
-  MatrixXf corrections_;  ///< the nodes' preconditioner times face_columns_
+  MatrixXf face_;           ///< 3 nodes x m
+  MatrixXf face_columns_;   ///< motions of the face in the nodes' equations, n x m
+  MatrixXf face_rows_;      ///< the unknowns in the balance of the face, m x n
+  MatrixXf face_stiffness_; ///< in its balance, m x m
+  MatrixXf corrections_;    ///< the nodes' preconditioner times face_columns_
   Eigen::FullPivLU<MatrixXf> schur_;
 };
 
@@ -112,7 +113,10 @@ void System::prepare_face()
     if (const Row &row = rows_[i]; row.n > 0)
       face_rows_.middleCols(row.first, row.n).noalias() =
           face_.middleRows<3>(3 * static_cast<Index>(i)).transpose() * row.basis.leftCols(row.n);
-  schur_.compute(face_rows_ * corrections_);
+  face_stiffness_ = MatrixXf::Zero(n_face_, n_face_);
+  if (conditions_.face_stiffness.size() > 0)
+    face_stiffness_ = (inner_.scale() * conditions_.face_stiffness).cast<float>();
+  schur_.compute(face_rows_ * corrections_ + face_stiffness_);
 }
 
 VectorXf System::forces(const VectorXf &unknowns) const
@@ -149,6 +153,8 @@ VectorXf System::apply(const VectorXf &unknowns) const
   {
     result.head(n_).noalias() += face_columns_ * unknowns.tail(n_face_);
     result.tail(n_face_).noalias() = face_rows_ * unknowns.head(n_);
+    if (conditions_.face_stiffness.size() > 0)
+      result.tail(n_face_).noalias() -= face_stiffness_ * unknowns.tail(n_face_);
   }
   return result;
 }
@@ -247,6 +253,9 @@ ContactChange DenseConditionSolver::solve(const ContactConditions &conditions, c
   if (!solution.converged && compliance_.rows() <= most_rows)
     if (auto change = eliminate(conditions, compliance_, softness_))
       return *std::move(change);
-  return system.change(solution.unknowns, size);
+  ContactChange change = system.change(solution.unknowns, size);
+  if (!system.resists())
+    change.face = face_alone(conditions, change.force);
+  return change;
 }
 } // namespace orthocone

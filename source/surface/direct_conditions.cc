@@ -77,6 +77,8 @@ Equations equations_of(const ContactConditions &conditions, const std::vector<In
       equations.matrix.block(n, k, m, u).noalias() =
           conditions.face.middleRows<3>(place).transpose() * node.basis.leftCols(u);
   }
+  if (conditions.face_stiffness.size() > 0)
+    equations.matrix.bottomRightCorner(m, m) = -softness * conditions.face_stiffness;
   if (m > 0)
     equations.right_side.tail(m) = conditions.face_right_side - conditions.face.transpose() * fixed;
   return equations;
@@ -157,6 +159,14 @@ std::optional<ContactChange> held(const ContactConditions &conditions, const std
 }
 } // namespace
 
+VectorXd face_alone(const ContactConditions &conditions, const NodeVector &force)
+{
+  if (conditions.face_stiffness.size() == 0)
+    return VectorXd::Zero(conditions.face.cols());
+  return conditions.face_stiffness.completeOrthogonalDecomposition().solve(
+      conditions.face.transpose() * force - conditions.face_right_side);
+}
+
 std::optional<ContactChange> solve_directly(const ContactConditions &conditions, const DenseView &compliance,
                                             const double softness)
 {
@@ -182,7 +192,7 @@ ContactChange eliminate_whatever_it_gives(const ContactConditions &conditions, c
   NodeVector fixed = fixed_forces(conditions);
   const Index m = conditions.face.cols();
   if (first.back() == 0)
-    return {std::move(fixed), VectorXd::Zero(m)};
+    return {fixed, face_alone(conditions, fixed)};
   const NodeVector moved = compliance * fixed;
   Equations equations = equations_of(conditions, first, fixed, moved, compliance, softness);
   VectorXd unknowns = VectorXd::Constant(first.back() + m, std::numeric_limits<double>::quiet_NaN());

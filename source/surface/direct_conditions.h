@@ -22,4 +22,8 @@ std::optional<ContactChange> eliminate(const ContactConditions &conditions, cons
 /// Without unknowns the forces are those that are given; they are no numbers where the system has none.
 ContactChange eliminate_whatever_it_gives(const ContactConditions &conditions, const DenseView &compliance,
                                           double softness);
+
+/// How the face moves under given contact forces (3 n): as far as its own stiffness lets it, or not at all
+/// where it has none.
+Eigen::VectorXd face_alone(const ContactConditions &conditions, const NodeVector &force);
 } // namespace orthocone

@@ -144,8 +144,9 @@ unsigned int ModelSymmetry::n_images(const ContactSurface &surface, const Contac
   if (is_axisymmetric())
     return node.position[0] == 0 ? 1 : n_sectors * surface.degree;
   if (is_plane_strain())
-    return (planes_.normal_to_x && node.is_free[0] ? 2 : 1) * n_across(surface);
-  return (planes_.normal_to_x && node.is_free[0] ? 2 : 1) * (planes_.normal_to_y && node.is_free[1] ? 2 : 1);
+    return (planes_.normal_to_x && !node.is_on_plane(0) ? 2 : 1) * n_across(surface);
+  return (planes_.normal_to_x && !node.is_on_plane(0) ? 2 : 1) *
+         (planes_.normal_to_y && !node.is_on_plane(1) ? 2 : 1);
 }
 
 Eigen::VectorXd ModelSymmetry::force_shares(const ContactSurface &surface) const
@@ -191,7 +192,7 @@ WholeSurface ModelSymmetry::mirrored(const ContactSurface &surface) const
         // A node on a plane of symmetry coincides with its mirror image.
         unsigned int own_image = image;
         for (unsigned int direction = 0; direction < 2; ++direction)
-          if (!surface.place(node).is_free[direction])
+          if (surface.place(node).is_on_plane(direction))
             own_image &= ~bit[direction];
         whole.faces.back().push_back(numbers.of(node, own_image));
       }
@@ -218,7 +219,7 @@ WholeSurface ModelSymmetry::extruded(const ContactSurface &surface) const
         for (unsigned int i = 0; i < n_side; ++i)
         {
           const unsigned int node = line[copy == 1 ? surface.degree - i : i];
-          const unsigned int own_copy = surface.place(node).is_free[0] ? copy : 0;
+          const unsigned int own_copy = surface.place(node).is_on_plane(0) ? 0 : copy;
           whole.faces.back().push_back(numbers.of(node, own_copy * n_side + j));
         }
     }

@@ -3,6 +3,7 @@
 #include <orthocone/surface/sparse_compliance.h>
 
 #include "dense_conditions.h"
+#include "direct_conditions.h"
 #include "joined_conditions.h"
 
 #include <Eigen/SparseLU>
@@ -65,6 +66,10 @@ SparseMatrix SparseElimination::system_of(const ContactConditions &conditions,
       triplets.emplace_back(i, n + j, right(i, j));
       triplets.emplace_back(n + j, i, below(j, i));
     }
+  if (conditions.face_stiffness.size() > 0)
+    for (Index j = 0; j < m; ++j)
+      for (Index i = 0; i < m; ++i)
+        triplets.emplace_back(n + i, n + j, -softness_ * conditions.face_stiffness(i, j));
   SparseMatrix system(n + m, n + m);
   system.setFromTriplets(triplets.begin(), triplets.end());
   return system;
@@ -75,7 +80,7 @@ ContactChange SparseElimination::solve(const ContactConditions &conditions, cons
   constexpr double solved = 1e-6; // of the right side: what is left where a singular system went unnoticed
   const JoinedConditions nodes(conditions);
   const Index n = nodes.right_side.size(), m = conditions.face.cols();
-  ContactChange change{nodes.fixed, VectorXd::Zero(m)};
+  ContactChange change{nodes.fixed, face_alone(conditions, nodes.fixed)};
   if (n == 0)
     return change;
   const SparseMatrix system = system_of(conditions, nodes);

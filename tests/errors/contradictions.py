@@ -94,6 +94,40 @@ ROWS = [
      PLANE + "subsection Lower geometry\n  set Shape = box\n  set Sizes = 20, 5, 10\nend\n" + ON_BODY,
      "{file}: Lower geometry/Sizes: l_y = 5 mm with Geometry/Kind = plane strain: allowed is the thickness of the upper "
      "body, 20 mm"),
+    ("support_on_base", "subsection Geometry\n  set Supports = base: z\nend\n",
+     "{file}: Geometry/Supports = base: z is the contact surface, which only the counterface may hold: allowed are top, "
+     "side"),
+    ("support_of_a_box_on_a_cylinder", "subsection Geometry\n  set Supports = x+: x\nend\n",
+     "{file}: Geometry/Supports = x+: x names no surface of Geometry/Shape = cylinder: allowed are top, side"),
+    ("support_across_plane_strain",
+     "subsection Geometry\n  set Kind = plane strain\n  set Shape = box\n  set Supports = y+: y\nend\n",
+     "{file}: Geometry/Supports = y+: y names no surface of Geometry/Shape = box in plane strain: allowed are top, x-, x+"),
+    ("support_twice", "subsection Geometry\n  set Supports = side: x ; side: y\nend\n",
+     "{file}: Geometry/Supports names side twice: allowed is once, with all its directions"),
+    ("support_all_around",
+     "subsection Geometry\n  set Supports = side: x\nend\nsubsection Mesh\n  set Model = axisymmetric\nend\nsubsection "
+     "Friction\n  set Coefficients = 0.2, 0.2\nend\n",
+     "{file}: Mesh/Model = axisymmetric is not possible: Geometry/Supports = side: x is not the same all around; possible "
+     "models are full, half, quarter"),
+    ("support_of_one_side",
+     "subsection Geometry\n  set Shape = box\n  set Supports = x+: x\nend\nsubsection Mesh\n  set Model = quarter\nend\n",
+     "{file}: Mesh/Model = quarter is not possible: Geometry/Supports = x+: x has no mirror image on x-; possible models "
+     "are full, half"),
+    ("guided_pushed_with_supports",
+     "subsection Geometry\n  set Shape = box\n  set Top face = guided\n  set Supports = x-: x ; y-: y\nend\nsubsection Load "
+     "program\n  set Legs = Fx 10 : 1\nend\n",
+     "{file}: Load program/Legs: Fx in leg 1 with Geometry/Top face = guided, which is free sideways: allowed are uz, Fz, "
+     "rx, ry, Mx and My, or Top face = clamped"),
+    ("guided_with_one_roller",
+     "subsection Geometry\n  set Shape = box\n  set Top face = guided\n  set Supports = x-: x\nend\nsubsection Mesh\n  set "
+     "Model = full\nend\n",
+     "{file}: Geometry/Supports leave the full model free to move along y: allowed are supports that hold it, or Top face "
+     "= clamped"),
+    ("problems_with_supports",
+     "subsection Geometry\n  set Shape = box\n  set Supports = x-: x\nend\nsubsection Load program\n  set Legs = Fz -10 : "
+     "1\nend\nsubsection Output\n  set Problems = 1\nend\n",
+     "{file}: Output/Problems with Geometry/Supports and Fz in leg 1 of Load program/Legs: a problem has no stiffness of "
+     "the supports against the face; allowed are motions, or Problems = 0"),
     ("guided_full", "subsection Geometry\n  set Top face = guided\nend\nsubsection Mesh\n  set Model = full\nend\n",
      "{file}: Geometry/Top face = guided with Mesh/Model = full is not possible: the model could drift sideways; "
      "possible models are quarter and auto"),

@@ -3,6 +3,7 @@
 """Values of mesh files and materials that are not allowed: name of the file, its text without the message, the message."""
 FOLDER = "values"
 NAME = "a name without '#', '\\', ',', ';' and ':', a number, or nothing"
+SUPPORTS = "nothing, or surfaces with their directions, such as 'x+: x ; side: x y z'"
 REGIONS = ('nothing, or regions "name: E, nu" (E > 0 in MPa, nu > -1 and < 0.5; each volume once), separated by \';\'')
 
 
@@ -16,6 +17,9 @@ ROWS = [
     row("contact_surface_list", "Geometry", "Contact surface", "base, side", NAME),
     row("held_surface_colon", "Geometry", "Held surface", "top: clamped", NAME),
     row("symmetry_surfaces_comma_twice", "Geometry", "Symmetry surfaces", "x0,, y0", "names or numbers separated by commas, or nothing"),
+    *(row(f"supports_{name}", "Geometry", "Supports", value, SUPPORTS)
+      for name, value in (("without_directions", "x+"), ("of_nothing", ": x"), ("along_r", "side: r"),
+                          ("along_x_twice", "side: x x"), ("without_semicolon", "x-: x, x+: x"))),
     row("law_plastic", "Material", "Law", "plastic", "isotropic | orthotropic"),
     row("young_moduli_two", "Material", "Young moduli", "14000, 900", "three numbers > 0 separated by commas"),
     row("poisson_ratios_four", "Material", "Poisson ratios", "0.3, 0.3, 0.3, 0.3", "three numbers separated by commas"),
@@ -33,7 +37,8 @@ OF_CELLS = [("Core cells", "0", COUNT), ("Rings", "-1", "a whole number from 0 t
             ("Edge grading", "0", GRADING), ("Layer grading", "10.1", GRADING),
             ("Refinements", "8", "a whole number from 0 to 7")]
 OF_SIZES = [("Shape", "sphere", "cylinder | box | file"), ("Radius", "0", POSITIVE), ("Height", "-10", POSITIVE),
-            ("Sizes", "20, 0, 10", "three numbers > 0 separated by commas")]
+            ("Sizes", "20, 0, 10", "three numbers > 0 separated by commas"), ("Top face", "free", "clamped | guided"),
+            ("Supports", "top x", SUPPORTS)]
 OF_CONSTANTS = [("Young modulus", "210 GPa", POSITIVE), ("Poisson ratio", "0.5", "a number > -1 and < 0.5")]
 GIVEN = [(text.split("set ")[1].split(" = "), message.split("allowed is ", 1)[1], text) for _, text, message in ROWS]
 for section, entries in (("Lower mesh", OF_CELLS), ("Lower geometry", OF_SIZES), ("Lower material", OF_CONSTANTS)):

@@ -12,6 +12,8 @@ REFUSED = {
     "Geometry/Height": ["-1e-300", "1,000.5", "e5", ".", "+", "+-5", "-", "10d0"],
     "Geometry/Kind": ["Plane strain", "plane", "2"], "Geometry/Thickness": ["-0", "1 mm", "inf"],
     "Geometry/Top face": ["Clamped", "clamped | guided", "0"],
+    "Geometry/Supports": ["x", "x:", ":", ";", "side: X", "side: x,y", "side: x ;; top: x", "a\\b: x", "side: x: y", "0"],
+    "Lower geometry/Supports": ["side", "side: xy"], "Lower geometry/Top face": ["free", ""],
     "Mesh/Model": ["AUTO", "quarter half", "1/4"], "Mesh/Resolution": ["Coarse", "medium,fine"],
     "Load program/Accuracy": ["1 % %", "%", "nan %", "0.009 %", "50.1 %", "1e-2", "-0 %x", "1 percent"],
     "Mesh/Accuracy": ["1 % %", "%", "nan %", "0.009 %", "50.1 %", "1e-2", "-0 %x", "1 percent"],

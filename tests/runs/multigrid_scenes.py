@@ -49,6 +49,8 @@ SCENES = {
                                        "Mesh/Refinements=1", "Load program/Cycles=1",
                                        "Load program/Legs=uz -0.05 : 2 ; ux 0.02 : 2 ; uy 0.02 : 2"]),
     "guided": ("paper/case_b.prm", [*ISOTROPIC, *ONE_CYCLE, "Geometry/Top face=guided", "Mesh/Refinements=1"]),
+    "box between supports": ("paper/case_c.prm", [*BOX, *FRETTING, "Mesh/Refinements=1", "Mesh/Refined cells=0-1 5",
+                                                  "Geometry/Supports=x+: x z ; y-: y"]),
     "polar friction": ("verification/polar_friction.prm", [*ISOTROPIC, *ONE_CYCLE, "Mesh/Model=quarter",
                                                            "Mesh/Refinements=1"]),
     "fretting under a force": ("paper/case_b.prm", [*ISOTROPIC, *FRETTING, "Mesh/Refinements=1",

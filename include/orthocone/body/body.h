@@ -53,7 +53,7 @@ private:
   {
     Solid(const BodyOptions &options, const ModelSymmetry &symmetry)
         : mesh(options.geometry, options.mesh, symmetry.planes()),
-          discretization(mesh.triangulation(), options.mesh, options.geometry.top_face)
+          discretization(mesh.triangulation(), options.mesh, held_surfaces(options.geometry))
     {
     }
     BodyMesh mesh;
@@ -63,7 +63,8 @@ private:
   {
     Section(const BodyOptions &options, const ModelSymmetry &symmetry)
         : mesh(options.geometry, options.mesh, symmetry),
-          discretization(mesh.triangulation(), options.mesh, options.geometry.top_face, *symmetry.section())
+          discretization(mesh.triangulation(), options.mesh, held_surfaces(options.geometry),
+                         *symmetry.section())
     {
     }
     SectionMesh mesh;

@@ -4,6 +4,7 @@
 
 #include <orthocone/body/backends/contact_frame.h>
 #include <orthocone/body/body.h>
+#include <orthocone/body/driven_field.h>
 #include <orthocone/surface/compliance.h>
 #include <orthocone/surface/rigid_motion.h>
 
@@ -38,21 +39,25 @@ public:
   /// The contact nodes in their local axes.
   virtual const ContactFrame &frame() const = 0;
 
+  /// What supports add to the rigid motion of the held face; null where nothing keeps the body from following
+  /// it.
+  virtual const DrivenField *driven() const { return nullptr; }
+
   /// Displacement of every contact node (3 n, mm), without contact forces, when the held face moves by
   /// `held`.
-  NodeVector moved_with(const RigidMotion &held) const { return frame().moved_with(held); }
+  NodeVector moved_with(const RigidMotion &held) const;
 
   /// Wrench of contact forces (3 n) on the nodes of the model about the centre of the held face, without the
   /// copies of the model: its components are the work of the forces on moved_with() of unit motions.
-  Wrench wrench(const NodeVector &force) const { return frame().wrench(force); }
+  Wrench wrench(const NodeVector &force) const;
+
+  /// Wrench on the held face of the model that its motion takes against the supports, without contact forces.
+  Wrench resistance(const RigidMotion &held) const;
 
   /// Displacements of the free degrees of freedom (mm) under contact forces (3 n, N), and displacements of
   /// all degrees of freedom when the held face moves, too.
   virtual Eigen::VectorXd elastic_displacement(const NodeVector &force) const = 0;
-  virtual Eigen::VectorXd with_motion(const RigidMotion &held, const Eigen::VectorXd &elastic) const
-  {
-    return frame().with_motion(held, elastic);
-  }
+  Eigen::VectorXd with_motion(const RigidMotion &held, const Eigen::VectorXd &elastic) const;
 
   /// A displacement (mm) of the free degrees of freedom of the mesh before the last refinement, interpolated
   /// to the free degrees of freedom of this one. Throws std::logic_error where the body has no such mesh.
@@ -68,5 +73,12 @@ public:
 
   /// Number of V-cycles on the finest mesh so far, the measure of all work; 0 where the body is factorized.
   virtual unsigned long n_v_cycles() const { return 0; }
+
+private:
+  /// with_motion() of a body that follows its face as a rigid one.
+  virtual Eigen::VectorXd with_rigid_motion(const RigidMotion &held, const Eigen::VectorXd &elastic) const
+  {
+    return frame().with_motion(held, elastic);
+  }
 };
 } // namespace orthocone

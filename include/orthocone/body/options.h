@@ -133,6 +133,13 @@ struct Words<BodyBackend>
        {BodyBackend::multigrid, "multigrid"}}};
 };
 
+/// A surface that is held at zero in some directions, and does not follow the held face.
+struct Support
+{
+  std::string surface;            ///< its name
+  std::array<bool, 3> directions; ///< x, y, z
+};
+
 /// The entries of section Geometry; lengths in mm.
 struct GeometryOptions
 {
@@ -146,6 +153,7 @@ struct GeometryOptions
   std::string contact_surface{};
   std::string held_surface{};
   std::vector<std::string> symmetry_surfaces{};
+  std::vector<Support> supports{};         ///< of any shape
   GeometryKind kind = GeometryKind::solid; ///< of the scene: the lower body has the upper one's
   double thickness = 1;                    ///< of a file in plane strain, mm
   SectionName section = "Geometry";
@@ -246,11 +254,11 @@ struct BodyOptions
   static BodyOptions lower();
 };
 
-/// Adds the entries of Geometry, but Top face, which is that of the upper body alone, and Kind, which is that
-/// of the scene.
+/// Adds the entries of Geometry, but Top face and Kind, which is that of the scene.
 void declare_shape(GeometryOptions &geometry, Section &section);
 void declare_top_face(GeometryOptions &geometry, Section &section);
 void declare_kind(GeometryOptions &geometry, Section &section);
+void declare_supports(GeometryOptions &geometry, Section &section);
 
 /// Adds the entries that choose a mesh as a whole.
 void declare_mesh_choice(MeshOptions &mesh, Section &section);

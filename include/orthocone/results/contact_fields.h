@@ -77,11 +77,13 @@ public:
   const ContactSurface &surface() const { return surface_; }
   const ModelSymmetry &symmetry() const { return symmetry_; }
   const Compliance &compliance() const { return compliance_; }
+  const Scene &scene() const { return scene_; }
 
 private:
   double load_width(const ContactState &state) const;
   StickSample stick_sample(const ContactState &state, unsigned int node, double unresolved) const;
 
+  const Scene &scene_;
   const BodyUnknowns &unknowns_;
   const ContactSurface &surface_;
   const ModelSymmetry &symmetry_;

@@ -11,6 +11,7 @@ struct Totals
 {
   Eigen::Vector3d force = Eigen::Vector3d::Zero();  ///< of the plane on the body (x, y, z), N
   Eigen::Vector3d moment = Eigen::Vector3d::Zero(); ///< its moment about the centre of the held face, N mm
+  Wrench held{};                                    ///< on the held face, N and N mm
   double max_slip = 0;                              ///< of the nodes in contact, mm
   double max_accumulated_slip = 0;                  ///< mm
   double min_pressure = 0;                          ///< MPa

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
+#include <orthocone/body/body_unknowns.h>
 #include <orthocone/scene/options.h>
 #include <orthocone/surface/model_symmetry.h>
 
@@ -17,4 +18,9 @@ struct ModelChoice
 /// The model that the parameters ask for; `auto` takes the smallest one that is exact for the scene. Throws
 /// InputError, which names the possible models, for a model that is not exact.
 ModelChoice choose_model(const Parameters &parameters);
+
+/// Throws InputError where neither the held face nor supports nor symmetry hold a body, and names its free
+/// motion. All processes must call it.
+void require_hold(const GeometryOptions &geometry, const BodyUnknowns &unknowns,
+                  const ModelSymmetry &symmetry);
 } // namespace orthocone

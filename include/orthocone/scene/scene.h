@@ -60,8 +60,9 @@ public:
   /// Orthotropic materials count with the averages of MaterialOptions::isotropic().
   MaterialOptions contact_material() const;
 
-  /// Wrench on the held face of the whole body that balances the contact forces (local axes, N) of the model.
-  Wrench held_wrench(const NodeVector &force) const;
+  /// Wrench on the held face of the whole body at this motion that balances the contact forces (local axes,
+  /// N) of the model and the supports.
+  Wrench held_wrench(const NodeVector &force, const RigidMotion &motion) const;
 
   /// Displacement of the contact nodes relative to the obstacle before anything moves: their gaps, 3 n, mm.
   const NodeVector &gaps() const { return gaps_; }

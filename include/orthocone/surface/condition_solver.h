@@ -34,13 +34,14 @@ struct NodeCondition
 };
 
 /// The conditions of all n nodes, and of a face that is free to move: its m unknowns y (mm) move the nodes by
-/// face y, and the change of force must obey face^T (change of force) = face_right_side.
+/// face y, and the change of force must obey face^T (change of force) - S y = face_right_side.
 struct ContactConditions
 {
   std::vector<NodeCondition> nodes;
-  Eigen::MatrixXd face;            ///< 3 n x m, orthonormal columns; no columns: the face does not move
-  Eigen::VectorXd face_right_side; ///< m, N
-  Eigen::VectorXd residual{};      ///< BodyPart::residual of the present state
+  Eigen::MatrixXd face;             ///< 3 n x m, orthonormal columns; no columns: the face does not move
+  Eigen::VectorXd face_right_side;  ///< m, N
+  Eigen::MatrixXd face_stiffness{}; ///< S, m x m, N/mm, or empty: nothing but the nodes resists y
+  Eigen::VectorXd residual{};       ///< BodyPart::residual of the present state
 };
 
 /// The body behind the contact nodes, where no dense compliance replaces it: displacement (mm) of all free

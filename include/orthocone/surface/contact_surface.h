@@ -13,11 +13,18 @@ struct ContactNode
 {
   static constexpr unsigned int no_dof = std::numeric_limits<unsigned int>::max();
 
-  std::array<double, 2> position;   ///< x, y in mm
-  double area;                      ///< lumped weight on the model's faces, or on their rings (mm^2)
-  std::array<unsigned int, 3> dofs; ///< of u_x, u_y, u_z, where this process has them
-  std::array<bool, 3> is_free;      ///< false where symmetry holds the direction
-  double height = 0;                ///< z in mm; 0 where the base is flat
+  std::array<double, 2> position;     ///< x, y in mm
+  double area;                        ///< lumped weight on the model's faces, or on their rings (mm^2)
+  std::array<unsigned int, 3> dofs;   ///< of u_x, u_y, u_z, where this process has them
+  std::array<bool, 3> is_free;        ///< false where symmetry or a support holds the direction
+  double height = 0;                  ///< z in mm; 0 where the base is flat
+  std::array<bool, 3> is_supported{}; ///< whether it is a support that holds the direction
+
+  /// Whether the node lies on the plane of symmetry that is normal to x (0) or y (1), or on the axis.
+  bool is_on_plane(const unsigned int direction) const
+  {
+    return !is_free[direction] && !is_supported[direction];
+  }
 
   /// Whether this process has the node's part of the body; exactly one process does.
   bool is_here() const { return dofs[2] != no_dof; }

@@ -24,7 +24,22 @@ FactorizedBody::FactorizedBody(const BodyOptions &options, const ModelSymmetry &
       factor_(timed(seconds.factorization,
                     [&] { return StiffnessFactor(stiffness_.matrix(), mesh_.unknowns().n_interior()); })),
       condensed_(timed(seconds.condensation,
-                       [&] { return CondensedBody(mesh_.unknowns(), factor_, axes_of(surface())); }))
+                       [&] { return CondensedBody(mesh_.unknowns(), factor_, axes_of(surface())); })),
+      driven_(timed(seconds.condensation, [&] { return driven_field(symmetry); }))
 {
+}
+
+std::optional<DrivenField> FactorizedBody::driven_field(const ModelSymmetry &symmetry) const
+{
+  const bool follows = mesh_.visit([](const auto &space) { return space.supported().empty(); });
+  if (follows)
+    return std::nullopt;
+  const auto solve = [this](const Eigen::VectorXd &forces)
+  {
+    Eigen::VectorXd u = factor_.solve(forces);
+    u += factor_.solve(forces - stiffness_.vmult(u)); // rounding, as in CondensedBody::mismatch()
+    return u;
+  };
+  return orthocone::driven_field(mesh_, frame(), symmetry, solve);
 }
 } // namespace orthocone

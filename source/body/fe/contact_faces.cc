@@ -57,7 +57,8 @@ public:
 private:
   ContactNode contact_node(const FaceNode &node) const
   {
-    ContactNode result{{{node.place[0], node.place[1]}}, 0, {}, node.is_free, node.place[2]};
+    ContactNode result{
+        {{node.place[0], node.place[1]}}, 0, {}, node.is_free, node.place[2], node.is_supported};
     for (unsigned int d = 0; d < 3; ++d)
       result.dofs[d] =
           node.dofs[d] != dealii::numbers::invalid_dof_index && partitioner_.in_local_range(node.dofs[d])

@@ -23,7 +23,7 @@ struct FaceNode
   using Dof = dealii::types::global_dof_index;
 
   std::array<Dof, 3> dofs; ///< of u_x, u_y, u_z
-  std::array<bool, 3> is_free;
+  std::array<bool, 3> is_free, is_supported;
   std::array<double, 3> place; ///< mm
   double weight;               ///< mm^2
   bool hangs;
@@ -32,7 +32,7 @@ struct FaceNode
   template<typename Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &dofs &is_free &place &weight &hangs &movers;
+    archive &dofs &is_free &is_supported &place &weight &hangs &movers;
   }
 };
 

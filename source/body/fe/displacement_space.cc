@@ -56,7 +56,7 @@ std::vector<double> gauss_lobatto_jacobi_points(const unsigned int degree)
 
 template<int dim>
 DisplacementSpace<dim>::DisplacementSpace(const dealii::Triangulation<dim> &triangulation,
-                                          const MeshOptions &options, const TopFace top_face,
+                                          const MeshOptions &options, const HeldSurfaces &held,
                                           const SectionModel &section)
     : section_(section),
       scalar_fe_(options.degree),
@@ -68,17 +68,20 @@ DisplacementSpace<dim>::DisplacementSpace(const dealii::Triangulation<dim> &tria
       hierarchic_(dealii::FETools::lexicographic_to_hierarchic_numbering<dim>(options.degree))
 {
   dof_handler_.distribute_dofs(fe_);
-  const DofRanges ranges = number_by_range(dof_handler_, held_dofs(top_face));
+  const DofRanges ranges = number_by_range(dof_handler_, held_dofs(held).all);
   n_interior_ = ranges.n_interior;
   n_free_ = ranges.n_free;
   n_owned_ = dof_handler_.n_locally_owned_dofs();
   size_ = {static_cast<unsigned int>(triangulation.n_global_active_cells()),
            static_cast<unsigned int>(dof_handler_.n_dofs()),
            static_cast<unsigned int>(is_shared() ? sum_over_ranks(n_free_) : n_free_)};
-  held_ = held_dofs(top_face);
+  held_ = held_dofs(held);
   const auto hanging = hanging_constraints(dof_handler_);
   partitioner_ = make_partitioner(dof_handler_, hanging);
-  hanging_ = local_hanging_dofs(*partitioner_, hanging, held_);
+  hanging_ = local_hanging_dofs(*partitioner_, hanging, held_.all);
+  for (const auto dof : held_.supported)
+    if (partitioner_->in_local_range(dof) || partitioner_->is_ghost_entry(dof))
+      supported_.push_back(local_dof(dof));
   DofPlaces places = places_of<dim>(mapping_, dof_handler_, *partitioner_,
                                     [this](const unsigned int component) { return direction_of(component); });
   directions_ = std::move(places.directions);
@@ -90,28 +93,37 @@ DisplacementSpace<dim>::DisplacementSpace(const dealii::Triangulation<dim> &tria
 }
 
 template<int dim>
-dealii::IndexSet DisplacementSpace<dim>::held_dofs(const TopFace top_face) const
+dealii::IndexSet DisplacementSpace<dim>::dofs_on(const dealii::types::boundary_id boundary,
+                                                 const std::array<bool, 3> &directions) const
 {
-  constexpr unsigned int x = 0, y = 1;
-  dealii::IndexSet held(dof_handler_.n_dofs());
-  const auto hold_directions = [&](const Boundary boundary, const std::array<bool, 3> &directions)
-  {
-    std::vector<bool> components(n_components());
-    for (unsigned int c = 0; c < components.size(); ++c)
-      components[c] = directions[direction_of(c)];
-    hold(dof_handler_, boundary, components, held);
-  };
-  const bool is_clamped = top_face == TopFace::clamped;
-  std::array<bool, 3> only_x{}, only_y{};
-  only_x[x] = only_y[y] = true;
-  hold_directions(Boundary::top_face, {{is_clamped, is_clamped, true}});
-  hold_directions(Boundary::plane_normal_to_x, only_x);
+  std::vector<bool> components(n_components());
+  for (unsigned int c = 0; c < components.size(); ++c)
+    components[c] = directions[direction_of(c)];
+  return dealii::DoFTools::extract_boundary_dofs(dof_handler_, dealii::ComponentMask(components), {boundary});
+}
+
+// The held face is one rigid plate: what it holds it moves, also where a support has the same node. Nodes of
+// the contact surface stay free along the normal, because only the counterface may hold them there.
+template<int dim>
+typename DisplacementSpace<dim>::HeldDofs DisplacementSpace<dim>::held_dofs(const HeldSurfaces &held) const
+{
+  constexpr std::array<bool, 3> x{{true, false, false}}, y{{false, true, false}}, z{{false, false, true}};
+  const bool is_clamped = held.top_face == TopFace::clamped;
+  HeldDofs dofs{dealii::IndexSet(dof_handler_.n_dofs()), dealii::IndexSet(dof_handler_.n_dofs())};
+  dofs.all.add_indices(dofs_on(Boundary::top_face, {{is_clamped, is_clamped, true}}));
+  dofs.all.add_indices(dofs_on(Boundary::plane_normal_to_x, x));
   if (dim == 3)
-    hold_directions(Boundary::plane_normal_to_y, only_y);
-  else
-    hold_directions(Boundary::axis, {{true, true, false}}); // what is the same all around does not move there
-  held.compress();
-  return held;
+    dofs.all.add_indices(dofs_on(Boundary::plane_normal_to_y, y));
+  else // what is the same all around does not move on the axis
+    dofs.all.add_indices(dofs_on(Boundary::axis, {{true, true, false}}));
+  for (const HeldBoundary &support : held.supports)
+    dofs.supported.add_indices(dofs_on(support.id, support.directions));
+  if (!held.supports.empty())
+    dofs.supported.subtract_set(dofs_on(Boundary::contact_surface, z));
+  dofs.supported.subtract_set(dofs.all);
+  dofs.all.add_indices(dofs.supported);
+  dofs.all.compress();
+  return dofs;
 }
 
 template<int dim>
@@ -125,7 +137,7 @@ dealii::AffineConstraints<double> DisplacementSpace<dim>::constraints() const
 {
   const auto hanging = hanging_constraints(dof_handler_);
   dealii::AffineConstraints<double> all(hanging.get_local_lines());
-  for (const auto dof : held_)
+  for (const auto dof : held_.all)
     all.add_line(dof);
   all.close();
   all.merge(hanging, dealii::AffineConstraints<double>::left_object_wins, true);
@@ -202,10 +214,10 @@ ContactFace DisplacementSpace<dim>::contact_face(const Cell &cell, const std::ve
     face.nodes.push_back(face_node(cell, nodes[point]));
     FaceNode &node = face.nodes.back();
     node.weight = weights[point];
-    node.hangs = hanging.is_constrained(node.dofs[2]) && !held_.is_element(node.dofs[2]);
+    node.hangs = hanging.is_constrained(node.dofs[2]) && !held_.all.is_element(node.dofs[2]);
     if (node.hangs)
       for (const auto &mover : *hanging.get_constraint_entries(node.dofs[2]))
-        if (!held_.is_element(mover.first))
+        if (!held_.all.is_element(mover.first))
           node.movers.push_back(mover);
   }
   return face;
@@ -230,7 +242,8 @@ FaceNode DisplacementSpace<dim>::face_node(const Cell &cell, const unsigned int 
     const unsigned int direction = direction_of(c);
     const auto dof = dofs[fe_.component_to_system_index(c, hierarchic_[point])];
     node.dofs[direction] = dof;
-    node.is_free[direction] = !held_.is_element(dof);
+    node.is_free[direction] = !held_.all.is_element(dof);
+    node.is_supported[direction] = held_.supported.is_element(dof);
     positions_.col(local_dof(dof)) = place;
   }
   return node;

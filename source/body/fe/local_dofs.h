@@ -82,15 +82,6 @@ struct DofRanges
   unsigned int n_free;
 };
 
-/// Adds the degrees of freedom of these components on a boundary.
-template<int dim>
-void hold(const dealii::DoFHandler<dim> &dof_handler, const Boundary boundary,
-          const std::vector<bool> &components, dealii::IndexSet &held)
-{
-  held.add_indices(
-      dealii::DoFTools::extract_boundary_dofs(dof_handler, dealii::ComponentMask(components), {boundary}));
-}
-
 /// Constraints of the nodes where cells border on smaller ones, in all cells that this process knows: their
 /// displacement as a sum over other nodes.
 template<int dim>

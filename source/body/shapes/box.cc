@@ -4,7 +4,7 @@
 #include "size_formula.h"
 
 #include <orthocone/base/grading.h>
-#include <orthocone/body/shapes/boundary.h>
+#include <orthocone/body/shapes/supports.h>
 
 #include <deal.II/grid/grid_generator.h>
 #include <deal.II/grid/grid_tools.h>
@@ -43,6 +43,11 @@ public:
   ModelSize size(const ModelSymmetry &symmetry) const override;
 
 private:
+  dealii::types::boundary_id side(const std::string &name) const
+  {
+    return boundary_of_surface(geometry_, name, Boundary::lateral_surface);
+  }
+
   /// Places of the faces of the modelled cells along x, y or z.
   std::vector<double> places(unsigned int direction, const SymmetryPlanes &planes) const;
 
@@ -100,7 +105,8 @@ void Box::make_cells(const SymmetryPlanes &planes, const std::array<unsigned int
 }
 
 template<int dim, std::size_t n>
-void set_boundaries(const std::array<Boundary, n> &boundaries, dealii::Triangulation<dim> &triangulation)
+void set_boundaries(const std::array<dealii::types::boundary_id, n> &boundaries,
+                    dealii::Triangulation<dim> &triangulation)
 {
   for (const auto &face : triangulation.active_face_iterators())
     if (face->at_boundary())
@@ -111,11 +117,10 @@ void Box::make_solid(const SymmetryPlanes &planes, dealii::Triangulation<3> &tri
 {
   make_cells<3>(planes, {{0, 1, 2}}, triangulation);
   // The order of the faces of a coloured box: left, right, front, back, lower, upper.
-  const std::array<Boundary, 6> boundaries{
-      {planes.normal_to_x ? Boundary::plane_normal_to_x : Boundary::lateral_surface,
-       Boundary::lateral_surface,
-       planes.normal_to_y ? Boundary::plane_normal_to_y : Boundary::lateral_surface,
-       Boundary::lateral_surface, Boundary::contact_surface, Boundary::top_face}};
+  const std::array<dealii::types::boundary_id, 6> boundaries{
+      {planes.normal_to_x ? Boundary::plane_normal_to_x : side("x-"), side("x+"),
+       planes.normal_to_y ? Boundary::plane_normal_to_y : side("y-"), side("y+"), Boundary::contact_surface,
+       Boundary::top_face}};
   set_boundaries(boundaries, triangulation);
 }
 
@@ -125,9 +130,9 @@ void Box::make_section(const ModelSymmetry &symmetry, dealii::Triangulation<2> &
     return Shape::make_section(symmetry, triangulation);
   const SymmetryPlanes &planes = symmetry.planes();
   make_cells<2>(planes, {{0, 2}}, triangulation);
-  const std::array<Boundary, 4> boundaries{
-      {planes.normal_to_x ? Boundary::plane_normal_to_x : Boundary::lateral_surface,
-       Boundary::lateral_surface, Boundary::contact_surface, Boundary::top_face}};
+  const std::array<dealii::types::boundary_id, 4> boundaries{
+      {planes.normal_to_x ? Boundary::plane_normal_to_x : side("x-"), side("x+"), Boundary::contact_surface,
+       Boundary::top_face}};
   set_boundaries(boundaries, triangulation);
 }
 
@@ -135,6 +140,8 @@ std::string Box::asymmetry(const ModelSymmetry &symmetry) const
 {
   if (symmetry.is_axisymmetric())
     return no_body_of_revolution(geometry_);
+  if (const std::string why = asymmetry_of_supports(geometry_, symmetry); !why.empty())
+    return why;
   if (symmetry.is_plane_strain() && !symmetry.planes().normal_to_x)
     return {};
   const unsigned int direction = symmetry.planes().normal_to_x ? 0 : 1;
@@ -198,6 +205,13 @@ public:
                     std::to_string(mesh.cells[d]) + " cells along " + (d == 0 ? "x" : "y") +
                         ": allowed is what leaves every cell 1e-6 of the side");
     check_layers(mesh, mesh.cells[2]);
+  }
+
+  std::vector<std::string> surfaces(const GeometryOptions &geometry) const override
+  {
+    if (geometry.is_plane_strain())
+      return {"base", "top", "x-", "x+"};
+    return {"base", "top", "x-", "x+", "y-", "y+"};
   }
 
   std::string chooser_of_mesh() const override { return "Mesh/Cells chooses the mesh of a box"; }

@@ -6,7 +6,7 @@
 #include "size_formula.h"
 
 #include <orthocone/base/grading.h>
-#include <orthocone/body/shapes/boundary.h>
+#include <orthocone/body/shapes/supports.h>
 
 #include <deal.II/grid/grid_generator.h>
 
@@ -43,8 +43,8 @@ bool lies_in_plane(const dealii::Triangulation<3>::face_iterator &face, const un
   return true;
 }
 
-Boundary boundary_of(const dealii::Triangulation<3>::face_iterator &face, const GeometryOptions &geometry,
-                     const SymmetryPlanes &planes)
+dealii::types::boundary_id boundary_of(const dealii::Triangulation<3>::face_iterator &face,
+                                       const GeometryOptions &geometry, const SymmetryPlanes &planes)
 {
   constexpr double relative_tolerance = 1e-12;
   const double z_tolerance = relative_tolerance * geometry.height;
@@ -57,8 +57,9 @@ Boundary boundary_of(const dealii::Triangulation<3>::face_iterator &face, const 
     return Boundary::plane_normal_to_x;
   if (planes.normal_to_y && lies_in_plane(face, 1, 0, r_tolerance))
     return Boundary::plane_normal_to_y;
-  return Boundary::lateral_surface;
+  return boundary_of_surface(geometry, "side", Boundary::lateral_surface);
 }
+
 std::vector<double> radii(const double radius, const MeshOptions &options)
 {
   const unsigned int n_core = (options.core_cells + 1) / 2;
@@ -109,6 +110,8 @@ std::string Cylinder::asymmetry(const ModelSymmetry &symmetry) const
 {
   if (symmetry.is_plane_strain())
     return geometry_.shape_entry() + " is the same along y nowhere";
+  if (const std::string why = asymmetry_of_supports(geometry_, symmetry); !why.empty())
+    return why;
   return symmetry.is_axisymmetric() || mesh_.core_cells % 2 == 0
              ? ""
              : mesh_.section + "/Core cells = " + std::to_string(mesh_.core_cells) + " is odd";
@@ -149,7 +152,9 @@ void Cylinder::make_section(const ModelSymmetry &symmetry, dealii::Triangulation
       dealii::Point<2>(0, 0), dealii::Point<2>(geometry_.radius, geometry_.height), colourize);
   for (const auto &face : triangulation.active_face_iterators())
     if (face->at_boundary())
-      face->set_boundary_id(section_boundaries[face->boundary_id()]);
+      face->set_boundary_id(section_boundaries[face->boundary_id()] == Boundary::lateral_surface
+                                ? boundary_of_surface(geometry_, "side", Boundary::lateral_surface)
+                                : section_boundaries[face->boundary_id()]);
 }
 
 ModelSize Cylinder::size(const ModelSymmetry &symmetry) const
@@ -203,6 +208,11 @@ public:
         .add("Rim grading", mesh.rim_grading, number_codec(NumberRange{0, 10, false, true}),
              "Each ring is this many times as thick as the next inner one; 1 = uniform.")
         .only_if(is_chosen);
+  }
+
+  std::vector<std::string> surfaces(const GeometryOptions &) const override
+  {
+    return {"base", "top", "side"};
   }
 
   double held_height(const GeometryOptions &geometry) const override { return geometry.height; }

@@ -94,9 +94,13 @@ void check_mesh_file(const GeometryOptions &geometry)
       geometry.is_plane_strain() ? std::optional(geometry.section_thickness()) : std::nullopt);
   SurfaceCheck check(file);
   check.require(geometry.section + "/Contact surface", geometry.contact_surface);
-  check.require(geometry.section + "/Held surface", geometry.held_surface);
+  const bool holds_itself = geometry.section + "" != "Geometry" && !geometry.supports.empty();
+  if (!geometry.held_surface.empty() || !holds_itself) // no load drives the lower body
+    check.require(geometry.section + "/Held surface", geometry.held_surface);
   for (const std::string &surface : geometry.symmetry_surfaces)
     check.require(geometry.section + "/Symmetry surfaces", surface);
+  for (const Support &support : geometry.supports)
+    check.require(geometry.section + "/Supports", support.surface);
   check.throw_if_any();
 }
 } // namespace orthocone

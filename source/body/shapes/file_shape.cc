@@ -210,7 +210,8 @@ public:
         .only_if(is_chosen);
     section
         .add("Held surface", geometry.held_surface, group_codec(),
-             "Of a file: surface that moves as a rigid one, of any shape, by its name or place (z max).")
+             "Of a file: surface that moves as a rigid one, of any shape, by its name or place (z max). A "
+             "lower body with Supports may have none.")
         .only_if(is_chosen);
     section
         .add("Symmetry surfaces", geometry.symmetry_surfaces, groups_codec(),

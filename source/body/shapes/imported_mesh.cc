@@ -41,37 +41,6 @@ std::set<unsigned int> vertices_of(const std::vector<dealii::Triangulation<3>::a
       all.insert(face->vertex_index(v));
   return all;
 }
-struct Part
-{
-  std::size_t n = 0;
-  double size = 0; ///< mm^2 or mm^3
-};
-
-void append(std::ostream &text, const GmshFile &file, const unsigned int dimension,
-            const std::map<unsigned int, Part> &parts)
-{
-  const bool is_volume = dimension == 3;
-  for (const auto &[number, part] : parts)
-  {
-    const PhysicalGroup *const group = file.find(dimension, std::to_string(number));
-    text << (is_volume ? "volume         " : "surface        ")
-         << (group != nullptr && !group->name.empty()
-                 ? shown(group->name) + " (" + std::to_string(number) + ")"
-             : number == 0 ? "without a group"
-                           : std::to_string(number))
-         << ": " << part.n << (is_volume ? " cells, " : " faces, ") << part.size
-         << (is_volume ? " mm^3\n" : " mm^2\n");
-  }
-}
-/// A surface that is named by its place, which may have faces of the groups above.
-void append_place(std::ostream &text, const std::string &surface,
-                  const std::vector<dealii::Triangulation<3>::active_face_iterator> &faces)
-{
-  double area = 0;
-  for (const auto &face : faces)
-    area += area_vector(face).norm();
-  text << "surface        " << shown(surface) << ": " << faces.size() << " faces, " << area << " mm^2\n";
-}
 } // namespace
 
 GmshFile read_mesh_file(const GeometryOptions &geometry)
@@ -101,6 +70,8 @@ ImportedMesh::ImportedMesh(const GeometryOptions &geometry)
     extent_ = std::max(extent_, highest_[d] - lowest_[d]);
   contact_ = faces_of(geometry_.contact_surface);
   held_ = faces_of(geometry_.held_surface);
+  for (const Support &support : geometry_.supports)
+    supports_.push_back(faces_of(support.surface));
   find_planes();
   align();
   check_cells();
@@ -227,8 +198,34 @@ void ImportedMesh::check_surfaces() const
     faults.add(geometry_.section + "/Held surface = " + shown(geometry_.held_surface) +
                " has nodes of the contact surface, such as " + common.front() +
                ": allowed are surfaces that do not touch");
+  check_supports(faults);
   check_contact(faults);
   faults.throw_if_any();
+}
+
+/// Finds supports with faces of another surface that counts: each face is held in one way.
+void ImportedMesh::check_supports(FaultList &faults) const
+{
+  for (std::size_t i = 0; i < supports_.size(); ++i)
+  {
+    const std::string given = geometry_.section + "/Supports: " + shown(geometry_.supports[i].surface);
+    check_outside("Supports", geometry_.supports[i].surface, faults);
+    for (const Face &face : supports_[i])
+    {
+      const auto id = id_of(face);
+      const std::string other = id == Boundary::contact_surface ? "the contact surface"
+                                : id == Boundary::top_face      ? "the held surface"
+                                : id < Boundary::first_support  ? "a plane of symmetry"
+                                : id < Boundary::first_support + i
+                                    ? shown(geometry_.supports[id - Boundary::first_support].surface)
+                                    : "";
+      if (other.empty())
+        continue;
+      faults.add(given + " has faces of " + other + ", such as the one at " + place(face->center()) +
+                 ": allowed are surfaces without common faces");
+      break;
+    }
+  }
 }
 
 std::vector<ImportedMesh::Face> ImportedMesh::faces_of(const std::string &surface) const
@@ -272,7 +269,12 @@ dealii::types::boundary_id ImportedMesh::id_of(const Face &face) const
     return Boundary::top_face;
   if (planes_.normal_to_x && lies_in(0))
     return Boundary::plane_normal_to_x;
-  return planes_.normal_to_y && lies_in(1) ? Boundary::plane_normal_to_y : Boundary::lateral_surface;
+  if (planes_.normal_to_y && lies_in(1))
+    return Boundary::plane_normal_to_y;
+  for (std::size_t i = 0; i < supports_.size(); ++i)
+    if (std::binary_search(supports_[i].begin(), supports_[i].end(), face))
+      return static_cast<dealii::types::boundary_id>(Boundary::first_support + i);
+  return Boundary::lateral_surface;
 }
 
 void ImportedMesh::copy_to(dealii::Triangulation<3> &triangulation) const
@@ -293,48 +295,10 @@ void ImportedMesh::copy_to(dealii::Triangulation<2> &section) const
   copy_to(layer);
   flatten(layer, section);
   for (const auto &face : section.active_face_iterators())
-    if (face->at_boundary() && face->boundary_id() == Boundary::top_face)
+    if (geometry_.held_surface.empty() || (face->at_boundary() && face->boundary_id() == Boundary::top_face))
       return;
   throw InputError(geometry_.section + "/Held surface = " + shown(geometry_.held_surface) +
                    " has no line of the plane (x, z): allowed is a physical line, or a place such as z max");
-}
-
-std::string ImportedMesh::describe() const
-{
-  std::map<unsigned int, Part> volumes, surfaces;
-  const auto add = [](Part &part, const double size)
-  {
-    ++part.n;
-    part.size += size;
-  };
-  for (const auto &cell : triangulation_.active_cell_iterators())
-    add(volumes[cell->material_id()], cell->measure());
-  for (const auto &[number, faces] : faces_of_group_)
-    for (const Face &face : faces)
-      add(surfaces[number], area_vector(face).norm());
-  for (const Face &face : triangulation_.active_face_iterators())
-    if (face->at_boundary() && face->boundary_id() == 0)
-      add(surfaces[0], area_vector(face).norm());
-  double least = highest_[2], largest = lowest_[2];
-  for (const Face &face : contact_)
-    for (const unsigned int v : face->vertex_indices())
-    {
-      least = std::min(least, face->vertex(v)[2]);
-      largest = std::max(largest, face->vertex(v)[2]);
-    }
-  std::ostringstream text;
-  text << std::setprecision(6) << "mesh file      " << file_.path << "\n";
-  append(text, file_, 3, volumes);
-  append(text, file_, 2, surfaces);
-  std::vector<std::string> named{geometry_.contact_surface, geometry_.held_surface};
-  named.insert(named.end(), geometry_.symmetry_surfaces.begin(), geometry_.symmetry_surfaces.end());
-  for (const std::string &surface : named)
-    if (file_.find(2, surface) == nullptr)
-      append_place(text, surface, faces_of(surface));
-  text << "worst cell     at (" << worst_place_ << ") mm, scaled Jacobian " << std::setprecision(3)
-       << worst_quality_ << " (1: a brick)\ncontact height " << least << " to " << largest
-       << " mm above z = 0\n";
-  return text.str();
 }
 
 /// Whether faces of a surface meet at angles that are neither nearly 0 nor as large as at an edge.

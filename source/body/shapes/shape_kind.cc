@@ -67,14 +67,15 @@ void declare_shape(GeometryOptions &geometry, Section &section)
     kind->declare(geometry,
                   where_shape(geometry, [kind](const ShapeKind &chosen) { return &chosen == kind; }),
                   section);
+  declare_supports(geometry, section);
 }
 
 void declare_top_face(GeometryOptions &geometry, Section &section)
 {
-  section.add_word(
-      "Top face", geometry.top_face,
-      "The upper face moves as a rigid plate (clamped), or has u_z prescribed and is free sideways (guided; "
-      "only in a quarter or axisymmetric model, where symmetry holds the body).");
+  section.add_word("Top face", geometry.top_face,
+                   "The upper face (of the lower body: the far one) moves as a rigid plate (clamped), or has "
+                   "u_z prescribed "
+                   "and is free sideways (guided; where symmetry or Supports hold the body sideways).");
 }
 
 void declare_kind(GeometryOptions &geometry, Section &section)

@@ -109,8 +109,12 @@ VectorXd ContactStep::admissible(VectorXd unknowns) const
 
 VectorXd ContactStep::imbalance(const VectorXd &unknowns) const
 {
-  return face_.n() == 0 ? VectorXd()
-                        : VectorXd(face_.columns().transpose() * unknowns.head(q_.size()) - face_.balance());
+  if (face_.n() == 0)
+    return {};
+  VectorXd imbalance = face_.columns().transpose() * unknowns.head(q_.size()) - face_.balance();
+  if (face_.has_stiffness())
+    imbalance.noalias() -= face_.stiffness() * unknowns.tail(face_.n());
+  return imbalance;
 }
 
 VectorXd ContactStep::natural_map(const VectorXd &unknowns, const NodeVector &displacement) const

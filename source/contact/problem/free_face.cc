@@ -9,7 +9,7 @@ namespace orthocone
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
-FreeFace::FreeFace(const MatrixXd &motions, const VectorXd &balance)
+FreeFace::FreeFace(const MatrixXd &motions, const VectorXd &balance, const MatrixXd &stiffness)
 {
   constexpr double dependent = 1e-10; // a column's own part, relative to the column
   const Eigen::HouseholderQR<MatrixXd> factorization(motions);
@@ -20,6 +20,10 @@ FreeFace::FreeFace(const MatrixXd &motions, const VectorXd &balance)
       throw std::invalid_argument(
           "motions of a face that forces drive do not move the contact surface independently");
   balance_ = triangle_.transpose().triangularView<Eigen::Lower>().solve(balance);
+  if (stiffness.isZero(0))
+    return;
+  const MatrixXd half = triangle_.transpose().triangularView<Eigen::Lower>().solve(stiffness);
+  stiffness_ = triangle_.transpose().triangularView<Eigen::Lower>().solve(MatrixXd(half.transpose()));
 }
 
 VectorXd FreeFace::motions(const VectorXd &unknowns) const

@@ -270,7 +270,7 @@ TEST(March, LeavesNothingOfAStepWhosePartIsNotSolved)
   MarchObserver silent;
   const LoadOptions pressed{{}, {parameters.load.legs[0]}};
   ASSERT_EQ(march(LoadProgram(pressed).steps(), solver, state, silent), MarchEnd::done);
-  const double carried = parameters.friction.mu[0] * scene.held_wrench(state.force)[2];
+  const double carried = parameters.friction.mu[0] * scene.held_wrench(state.force, state.motion)[2];
   parameters.load.legs[1].targets[0] = Drive{true, 1.2 * std::abs(carried)};
   Recorder recorder;
   const ContactState before = state;

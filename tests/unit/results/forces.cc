@@ -55,7 +55,7 @@ TEST(Forces, GiveTheStatesOfTheMotionsThatTheyTake)
   TestScene moved(by_motion);
   std::vector<Wrench> wrenches;
   moved.march([&](const ContactState &, const ContactState &after, const LoadStep &)
-              { wrenches.push_back(moved.scene.held_wrench(after.force)); });
+              { wrenches.push_back(moved.scene.held_wrench(after.force, after.motion)); });
   for (const char *const method : {"newton", "gauss-seidel", "uzawa", "feng2006"})
   {
     Parameters by_force = by_motion;
@@ -192,14 +192,14 @@ TEST(Rotations, AreDrivenByMotionsAndByMoments)
   const ContactState turned = checked_march(parameters);
   EXPECT_NEAR(turned.motion[rz], 0.02 * pi / 180, 1e-15);
   const TestScene scene(parameters);
-  const Wrench wrench = scene.scene.held_wrench(turned.force);
+  const Wrench wrench = scene.scene.held_wrench(turned.force, turned.motion);
   EXPECT_GT(std::abs(wrench[rz]), 0);
   Parameters by_moment = parameters;
   by_moment.load.legs[1] = leg_of({{rz, force, wrench[rz]}, {ry, force, wrench[ry]}}, 2);
   const ContactState back = checked_march(by_moment);
   // The moments of the legs rise evenly, the motions do not quite: slip depends on the path a little.
   EXPECT_NEAR(back.motion[rz], turned.motion[rz], 2e-3 * turned.motion[rz]);
-  EXPECT_NEAR(scene.scene.held_wrench(back.force)[rz], wrench[rz], 1e-6 * std::abs(wrench[rz]));
+  EXPECT_NEAR(scene.scene.held_wrench(back.force, back.motion)[rz], wrench[rz], 1e-6 * std::abs(wrench[rz]));
 }
 
 // A component that a leg takes over from the other kind starts from where the face is.
@@ -213,7 +213,7 @@ TEST(Forces, TakeOverFromMotionsWhereTheFaceIs)
   scene.march(
       [&](const ContactState &, const ContactState &after, const LoadStep &)
       {
-        pressing.push_back(scene.scene.held_wrench(after.force)[z]);
+        pressing.push_back(scene.scene.held_wrench(after.force, after.motion)[z]);
         sunk.push_back(after.motion[z]);
       });
   EXPECT_NEAR(pressing[1], 0.5 * (pressing[0] - 5e4), 1e-6 * 5e4);

@@ -118,7 +118,7 @@ TEST(PlaneStrain, IsShearedAlongItsThirdDirection)
     EXPECT_NEAR(scene.totals().force[1], -force, 1e-9 * force);
     EXPECT_NEAR(scene.totals().force[2], parameters.material.young_modulus * 0.02 / 4 * 8 * 1.5,
                 1e-9 * force);
-    EXPECT_NEAR(scene.scene.held_wrench(scene.state.force)[1], force, 1e-9 * force);
+    EXPECT_NEAR(scene.scene.held_wrench(scene.state.force, scene.state.motion)[1], force, 1e-9 * force);
   }
 }
 

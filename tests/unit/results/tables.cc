@@ -55,6 +55,7 @@ TEST(Tables, HistoryTellsRotationsInDegreesAndThePlaceInTheProgram)
   Totals totals;
   totals.total_dissipation = 5;
   totals.moment = {1, 2, 3};
+  totals.held.components << 0, 0, 0, -1, -2, -3;
   const SolvedStep step{state, before, totals, {}, {}, 0, {{}, 7, 1, 2, 3}, "uzawa", "ux uy uz"};
   const auto cells = cells_of(history_columns(), step);
   EXPECT_EQ(cells.at("step"), "7");

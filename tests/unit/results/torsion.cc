@@ -75,7 +75,8 @@ TEST(Torsion, OfAStuckShaftIsThatOfABar)
     scene.march();
     EXPECT_NEAR(scene.totals().moment[2], -moment, 1e-9 * moment);
     EXPECT_EQ(scene.totals().force.head<2>().norm() + scene.totals().moment.head<2>().norm(), 0);
-    EXPECT_NEAR(scene.scene.held_wrench(scene.state.force)[about_z], moment, 1e-9 * moment);
+    EXPECT_NEAR(scene.scene.held_wrench(scene.state.force, scene.state.motion)[about_z], moment,
+                1e-9 * moment);
     const auto &nodes = scene.discretization.contact_surface().nodes;
     for (unsigned int node = 0; degree >= 3 && node < nodes.size(); ++node) // weights that integrate r^2 N
       EXPECT_NEAR(scene.evaluator.fields(scene.state, node).friction_traction[1],

@@ -7,6 +7,7 @@
 #include <orthocone/body/elastic_body.h>
 
 #include <functional>
+#include <optional>
 
 namespace orthocone
 {
@@ -25,6 +26,7 @@ public:
   const Body &mesh() const override { return mesh_; }
   const Compliance &compliance() const override { return condensed_.compliance(); }
   const ContactFrame &frame() const override { return condensed_.frame(); }
+  const DrivenField *driven() const override { return driven_ ? &*driven_ : nullptr; }
   Eigen::VectorXd elastic_displacement(const NodeVector &force) const override
   {
     return condensed_.elastic_displacement(force);
@@ -35,9 +37,12 @@ public:
   }
 
 private:
+  std::optional<DrivenField> driven_field(const ModelSymmetry &symmetry) const;
+
   Body mesh_;
   Stiffness stiffness_;
   StiffnessFactor factor_;
   CondensedBody condensed_;
+  std::optional<DrivenField> driven_; ///< with supports
 };
 } // namespace orthocone

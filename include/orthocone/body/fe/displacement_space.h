@@ -4,6 +4,7 @@
 
 #include <orthocone/body/body_unknowns.h>
 #include <orthocone/body/options.h>
+#include <orthocone/body/shapes/supports.h>
 #include <orthocone/surface/section_model.h>
 
 #include <deal.II/base/partitioner.h>
@@ -43,7 +44,7 @@ public:
 
   /// `section` means nothing for a solid.
   DisplacementSpace(const dealii::Triangulation<dim> &triangulation, const MeshOptions &options,
-                    TopFace top_face, const SectionModel &section = {});
+                    const HeldSurfaces &held, const SectionModel &section = {});
 
   const SectionModel &section() const { return section_; }
   unsigned int n_components() const { return dim == 3 ? 3 : section_.n_components(); }
@@ -79,6 +80,10 @@ public:
   /// (moved by others) in all cells that this process knows.
   dealii::AffineConstraints<double> constraints() const;
 
+  /// Degrees of freedom that supports hold and the held face does not, by numbers of this process, which
+  /// knows those of its cells.
+  const std::vector<unsigned int> &supported() const { return supported_; }
+
   /// For each face of the contact surface the number of its active cell, if this process has it.
   const std::vector<unsigned int> &contact_cells() const { return contact_cells_; }
 
@@ -92,7 +97,12 @@ public:
   const Eigen::MatrixXd &axis_face_basis() const { return axis_face_basis_; }
 
 private:
-  dealii::IndexSet held_dofs(TopFace top_face) const;
+  struct HeldDofs
+  {
+    dealii::IndexSet all, supported; ///< the others by the held face and by symmetry
+  };
+  HeldDofs held_dofs(const HeldSurfaces &held) const;
+  dealii::IndexSet dofs_on(dealii::types::boundary_id boundary, const std::array<bool, 3> &directions) const;
   void make_axis_face_basis();
   void find_contact_surface(const dealii::AffineConstraints<double> &hanging);
   ContactFace contact_face(const Cell &cell, const std::vector<unsigned int> &nodes, Eigen::VectorXd weights,
@@ -106,7 +116,8 @@ private:
   dealii::FESystem<dim> fe_;
   dealii::MappingQ<dim> mapping_;
   dealii::DoFHandler<dim> dof_handler_;
-  dealii::IndexSet held_; ///< of all cells that this process knows
+  HeldDofs held_; ///< of all cells that this process knows
+  std::vector<unsigned int> supported_;
   std::shared_ptr<const dealii::Utilities::MPI::Partitioner> partitioner_;
   unsigned int n_quadrature_points_;
   VolumetricQuadrature volumetric_quadrature_;

@@ -14,6 +14,7 @@ enum Boundary : dealii::types::boundary_id
   lateral_surface = 3,
   plane_normal_to_x = 4,
   plane_normal_to_y = 5,
-  axis = 6, ///< of a section
+  axis = 6,           ///< of a section
+  first_support = 16, ///< of Geometry/Supports; the others follow in their order
 };
 } // namespace orthocone

@@ -65,7 +65,7 @@ public:
   /// balance: size n_unknowns(), N. Both vanish at the solution and only there.
   Eigen::VectorXd natural_map(const Eigen::VectorXd &unknowns, const NodeVector &displacement) const;
 
-  /// C^T r less the balance wanted: size m, N.
+  /// C^T r - S y less the balance wanted: size m, N.
   Eigen::VectorXd imbalance(const Eigen::VectorXd &unknowns) const;
 
   /// Force (N) to which residuals are related: max(||r||, the least force that a solution can have). This

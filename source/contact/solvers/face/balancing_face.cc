@@ -15,16 +15,23 @@ BalancingFace::BalancingFace(const ContactStep &step, const VectorXd &unknowns)
       motion_(unknowns.tail(step.face().n())),
       imbalance_(step.imbalance(unknowns))
 {
+  if (step.face().has_stiffness())
+    compliance_ =
+        (Eigen::MatrixXd::Identity(motion_.size(), motion_.size()) / softness_ + step.face().stiffness())
+            .inverse();
 }
 
 Eigen::Vector3d BalancingFace::displacement(const Index node) const
 {
-  return columns_.middleRows<3>(3 * node) * (motion_ + softness_ * imbalance_);
+  return columns_.middleRows<3>(3 * node) * motion();
 }
 
 Eigen::Matrix3d BalancingFace::compliance(const Index node) const
 {
-  return softness_ * columns_.middleRows<3>(3 * node) * columns_.middleRows<3>(3 * node).transpose();
+  const auto rows = columns_.middleRows<3>(3 * node);
+  if (compliance_.size() > 0)
+    return rows * compliance_ * rows.transpose();
+  return softness_ * rows * rows.transpose();
 }
 
 void BalancingFace::add(const Index node, const Eigen::Vector3d &change)
@@ -40,6 +47,18 @@ constexpr double negligible = 1e-4;
 double imbalance_share(const ContactStep &step, const VectorXd &unknowns)
 {
   return step.imbalance(unknowns).norm() / step.force_scale(unknowns);
+}
+
+/// The part of what the face lacks of its balance that nothing in the body resists.
+VectorXd unresisted(const ContactStep &step, const VectorXd &imbalance)
+{
+  constexpr double soft = 1e-10; // of the stiffest motion
+  if (!step.face().has_stiffness())
+    return imbalance;
+  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> modes(step.face().stiffness());
+  const Eigen::MatrixXd free = modes.eigenvectors().leftCols(
+      (modes.eigenvalues().array() < soft * modes.eigenvalues().maxCoeff()).count());
+  return free * (free.transpose() * imbalance);
 }
 
 /// Whether a node sticks that the face would move by `increment` (mm a N of imbalance). One at the centre of
@@ -63,10 +82,13 @@ bool nothing_holds(const ContactStep &step, const VectorXd &unknowns)
 {
   if (step.face().n() == 0 || imbalance_share(step, unknowns) <= negligible)
     return false;
+  const VectorXd lacking = unresisted(step, step.imbalance(unknowns));
+  if (lacking.norm() <= negligible * step.force_scale(unknowns))
+    return false;
   const auto statuses = step.statuses(unknowns, step.displacement(unknowns));
   // How the face would follow what is out of balance. All open nodes do not hold it, but those will that it
   // approaches.
-  const NodeVector increment = step.face().columns() * step.imbalance(unknowns);
+  const NodeVector increment = step.face().columns() * lacking;
   if (is_held(increment, statuses))
     return false;
   const bool some_slip = std::count(statuses.begin(), statuses.end(), NodeStatus::slip) > 0;

@@ -26,11 +26,18 @@ public:
   void add(Eigen::Index node, const Eigen::Vector3d &change);
 
   /// Motion of the face after the sweep: size m, mm.
-  Eigen::VectorXd motion() const { return motion_ + softness_ * imbalance_; }
+  Eigen::VectorXd motion() const { return motion_ + follows(imbalance_); }
 
 private:
+  /// How the face follows what is out of balance, mm.
+  Eigen::VectorXd follows(const Eigen::VectorXd &force) const
+  {
+    return compliance_.size() > 0 ? Eigen::VectorXd(compliance_ * force) : Eigen::VectorXd(softness_ * force);
+  }
+
   const Eigen::MatrixXd &columns_;
-  double softness_; ///< of the spring, mm/N
+  double softness_;            ///< of the spring, mm/N
+  Eigen::MatrixXd compliance_; ///< of the spring beside what resists the face itself, m x m, or empty
   Eigen::VectorXd motion_;
   Eigen::VectorXd imbalance_;
 };

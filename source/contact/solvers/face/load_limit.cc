@@ -51,7 +51,7 @@ bool is_beyond_every_force(const ContactStep &step)
   const Eigen::MatrixXd &columns = step.face().columns();
   const VectorXd &load = step.face().balance();
   const auto is_ellipse = [](const FrictionLaw &law) { return law.ellipse() != nullptr; };
-  if (step.face().n() == 0 || load.isZero(0) ||
+  if (step.face().n() == 0 || step.face().has_stiffness() || load.isZero(0) ||
       !std::all_of(step.laws().begin(), step.laws().end(), is_ellipse)) // others may not be convex
     return false;
   VectorXd normals = VectorXd::Zero(columns.rows());

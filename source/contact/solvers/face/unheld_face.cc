@@ -25,11 +25,15 @@ MatrixXd normal_rows(const MatrixXd &columns)
   return columns(Eigen::seq(0, Eigen::last, 3), Eigen::all);
 }
 
-/// The motions of the face that leave the gaps of all closed nodes as they are: orthonormal columns.
-MatrixXd unheld_motions(const MatrixXd &normal, const std::vector<NodeCondition> &conditions)
+/// The motions of the face that leave the gaps of all closed nodes as they are, and that the body itself does
+/// not resist: orthonormal columns.
+MatrixXd unheld_motions(const ContactStep &step, const MatrixXd &normal,
+                        const std::vector<NodeCondition> &conditions)
 {
   constexpr double rounding = 1e-10;
   MatrixXd hold = MatrixXd::Zero(normal.cols(), normal.cols());
+  if (step.face().has_stiffness())
+    hold = step.system().softness() * step.face().stiffness();
   for (Index node = 0; node < normal.rows(); ++node)
     if (is_closed(conditions[node]))
       hold += normal.row(node).transpose() * normal.row(node);
@@ -92,7 +96,7 @@ VectorXd increment_of_unheld_face(const ContactStep &step, const VectorXd &unkno
   if (step.face().n() == 0)
     return {};
   const MatrixXd normal = normal_rows(step.face().columns());
-  const MatrixXd free = unheld_motions(normal, conditions.nodes);
+  const MatrixXd free = unheld_motions(step, normal, conditions.nodes);
   if (free.cols() == 0)
     return {};
   const MatrixXd moved = normal * free;

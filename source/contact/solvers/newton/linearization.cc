@@ -144,6 +144,7 @@ Linearization linearize_with(const Part &part_of_node, const ContactStep &step, 
   result.conditions.nodes.reserve(step.n_nodes());
   result.conditions.face = step.face().columns();
   result.conditions.face_right_side = -step.imbalance(unknowns);
+  result.conditions.face_stiffness = step.face().stiffness();
   double sum = result.conditions.face_right_side.squaredNorm();
   for (Index node = 0; node < step.n_nodes(); ++node)
   {

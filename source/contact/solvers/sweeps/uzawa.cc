@@ -44,7 +44,8 @@ Projections::Projections(const ContactStep &step)
     rho_.segment<3>(3 * node).setConstant(step.system().rho(node));
     laws_.push_back(normalized(ellipse_of(step, node, "uzawa")));
   }
-  rho_.tail(step.face().n()).setConstant(step.system().softness());
+  const double softness = step.system().softness();
+  rho_.tail(step.face().n()).setConstant(softness / (1 + softness * step.face().stiffness().norm()));
   factor_ = 1 / (step.system().softness() * rho_.head(3 * step.n_nodes()).maxCoeff());
 }
 
