@@ -6,6 +6,8 @@
 
 #include <orthocone/body/backends/factorized_body.h>
 
+#include <gtest/gtest.h>
+
 #include <set>
 
 namespace orthocone::test
