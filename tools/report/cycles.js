@@ -57,4 +57,17 @@ function drawCycles() {
   overCycles("Dissipation since the start", "N mm", [["total_dissipation", "dissipation"]], {fit: true});
   overCycles("Normal force of a cycle", "N", [["peak_force_z", "largest"], ["force_z", "at the end"]],
              {fit: true});
+  drawLoopFigures();
+}
+
+/** What fretting tests read off loops; runs without tangential motion have none. */
+function drawLoopFigures() {
+  if (!data.runs.some(({cycles}) => (cycles.energy_ratio || []).some(value => value !== null))) return;
+  overCycles("Slip ratio and energy ratio of the loop", "", [["slip_ratio", "slip ratio \u03b4\u2080/\u03b4*"],
+                                                            ["energy_ratio", "energy ratio E_d/(4 Q* \u03b4*)"]]);
+  overCycles("Coefficient of friction of the loop", "", [["friction_largest", "largest force"],
+                                                        ["friction_energy", "energy"],
+                                                        ["friction_geometric", "middle of the stroke"]]);
+  overCycles("Tangential stiffness of the loop", "N/mm", [["loop_stiffness", "behind reversals"]], {fit: true});
+  overCycles("Largest energy per area of a cycle", "N/mm", [["worst_energy", "at the worst node"]]);
 }
