@@ -9,6 +9,7 @@ class LineCharts {
     this.names = maps.line_quantities;
     this.lines = maps.frames.map(frame => frame.lines.map(line => new Float32Array(bytes(line).buffer)));
     this.ranges = {};
+    this.windows = {};
     this.charts = [];
     [...byId("line").options].forEach((option, axis) => {
       const across = data.centre[1 - axis];
@@ -21,10 +22,29 @@ class LineCharts {
     return Number(byId("line").value);
   }
 
-  /** The values of a quantity along the axis in a frame. */
-  values(frame, name) {
+  /** All values of a quantity along the axis in a frame. */
+  all(frame, name) {
     const n = this.places[this.axis].length, k = this.names.indexOf(name);
-    return Array.from(this.lines[frame][this.axis].subarray(k * n, (k + 1) * n));
+    return this.lines[frame][this.axis].subarray(k * n, (k + 1) * n);
+  }
+
+  /** First and last of the places on show: those that carry pressure in any step, and a third of their way beside them. A
+   *  small contact would be a stroke in a wide body. */
+  get shown() {
+    const places = this.places[this.axis];
+    if (!this.windows[this.axis]) {
+      const presses = i => this.lines.some((_, frame) => this.all(frame, "pressure")[i] > 0);
+      const touched = places.filter((_, i) => presses(i));
+      const low = touched[0], high = touched[touched.length - 1], beside = (high - low) / 3;
+      const near = places.flatMap((place, i) => place >= low - beside && place <= high + beside ? [i] : []);
+      this.windows[this.axis] = near.length > 4 ? [near[0], near[near.length - 1] + 1] : [0, places.length];
+    }
+    return this.windows[this.axis];
+  }
+
+  /** Those on show. */
+  values(frame, name) {
+    return Array.from(this.all(frame, name).subarray(...this.shown));
   }
 
   curves(frame) {
@@ -65,8 +85,8 @@ class LineCharts {
 
   spec(title, unit, columns, curves, along) {
     const series = columns.map(([column, name, colour], k) => (
-      {name, run: "", colour: `var(--${colour || `c${k + 1}`})`, dash: DASHES[k], x: this.places[this.axis],
-       y: curves[column]}));
+      {name, run: "", colour: `var(--${colour || `c${k + 1}`})`, dash: DASHES[k],
+       x: this.places[this.axis].slice(...this.shown), y: curves[column]}));
     return {title, shared: true, fixed: true, series, x: {name: along, unit: "mm"},
             y: {unit, name: "", range: this.range(columns.map(([column]) => column))},
             head: (one, i) => `${along} = ${numberText(one.x[i], 4)} mm`};
