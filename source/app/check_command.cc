@@ -82,7 +82,6 @@ void print_lower_mesh(const Parameters &parameters, const ModelChoice &model)
   if (parameters.obstacle.kind != ObstacleKind::body)
     return;
   const Body lower(parameters.lower, model.symmetry);
-  require_hold(parameters.lower.geometry, lower.unknowns(), model.symmetry);
   std::cout << describe_lower_mesh(parameters, lower.unknowns()) << "\n";
 }
 
@@ -91,7 +90,6 @@ void print_model(const Parameters &parameters, const ModelChoice &model, const C
   const ComputedSteps n_steps = computed_steps(parameters);
   const MemoryLimit limit = memory_limit();
   const Body body(parameters, model.symmetry);
-  require_hold(parameters.geometry, body.unknowns(), model.symmetry);
   std::cout << describe_model(parameters, model, body.unknowns()) << "\n";
   print_lower_mesh(parameters, model);
   try

@@ -12,6 +12,7 @@
 #include <orthocone/output/checkpoint.h>
 #include <orthocone/output/step_problem.h>
 #include <orthocone/scene/lower_body.h>
+#include <orthocone/scene/model_choice.h>
 
 #include <filesystem>
 #include <iostream>
@@ -46,7 +47,12 @@ ModelChoice resolve(const CommandLine &line, const Parameters &parameters)
 void require_bodies_that_meet(const CommandLine &line, const Parameters &parameters,
                               const ModelSymmetry &symmetry)
 {
-  naming_file(line, [&] { require_cover(parameters, symmetry); });
+  naming_file(line,
+              [&]
+              {
+                require_hold(parameters, symmetry);
+                require_cover(parameters, symmetry);
+              });
 }
 
 void require_file_for_all(const std::string &path)

@@ -5,6 +5,7 @@
 #include <orthocone/base/errors.h>
 #include <orthocone/base/ranks.h>
 #include <orthocone/base/text.h>
+#include <orthocone/body/body.h>
 #include <orthocone/body/free_motion.h>
 #include <orthocone/scene/asymmetry.h>
 #include <orthocone/scene/load_path.h>
@@ -218,6 +219,24 @@ void require_hold(const GeometryOptions &geometry, const BodyUnknowns &unknowns,
     throw InputError(geometry.section + "/Supports leave the " + symmetry.full_name() +
                      " model free to move " + motion + ": allowed are supports that hold it" +
                      (geometry.is_from_file() ? ", or a Held surface" : ", or Top face = clamped"));
+}
+
+void require_hold(const Parameters &parameters, const ModelSymmetry &symmetry)
+{
+  const auto require = [&](BodyOptions body)
+  {
+    const GeometryOptions &geometry = body.geometry;
+    const bool has_face = !geometry.is_from_file() || !geometry.held_surface.empty();
+    if (geometry.supports.empty() && geometry.top_face == TopFace::clamped && has_face)
+      return; // held in all directions
+    body.mesh.refinements = body.mesh.quadrature_points = 0;
+    body.mesh.refined_cells.clear();
+    body.mesh.degree = 1;
+    require_hold(geometry, Body(body, symmetry).unknowns(), symmetry);
+  };
+  require(parameters);
+  if (parameters.obstacle.kind == ObstacleKind::body)
+    require(parameters.lower);
 }
 
 ModelChoice choose_model(const Parameters &parameters)

@@ -32,8 +32,10 @@ BODY = "Obstacle/Kind = body with Mesh/Backend = multigrid"
 REFUSED = {f"verification/{name}": reason for reason, names in (
     (HALF_SPACE, ("hertz_half_space", "equal_spheres", "orthotropic_sphere")), (BODY, ("cattaneo_line", "roller_on_block")),
     (PLANE, ("line_contact", "orthotropic_line_contact", "rounded_punch"))) for name in names}
-# Fewer steps, a push that finds an equilibrium, a degree that solids have.
-OTHERS = {"verification/spence": ["Load program/Legs=Fz -0.4705 : 2"],
+# Fewer steps, a push that finds an equilibrium, a degree that solids have. At nu = 0.4999 the few cells of the twisted sphere,
+# ten times as high as wide, are what multigrid's message says it does not solve.
+OTHERS = {"verification/pressed_sphere_in_torsion": ["Material/Poisson ratio=0.45"],
+          "verification/spence": ["Load program/Legs=Fz -0.4705 : 2"],
           "verification/wedge": ["Load program/Legs=Fz -1024.888306 Fx 199 : 2"],
           "verification/short_cylinder": ["Mesh/Degree=3"]}
 

@@ -23,4 +23,8 @@ ModelChoice choose_model(const Parameters &parameters);
 /// motion. All processes must call it.
 void require_hold(const GeometryOptions &geometry, const BodyUnknowns &unknowns,
                   const ModelSymmetry &symmetry);
+
+/// The same of the bodies of a scene, on their coarsest meshes of degree 1, where supports or a guided face
+/// may leave them free.
+void require_hold(const Parameters &parameters, const ModelSymmetry &symmetry);
 } // namespace orthocone
