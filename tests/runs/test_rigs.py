@@ -17,9 +17,9 @@ STEEL = 210000 / (1 - 0.3**2)  # E*, MPa, of steel on what is rigid; half of it 
 
 
 class RigTest(program.RunTest):
-    def done(self, name):
-        """Rows of the history behind the preload."""
-        result = self.run_program("run", settings=["Output/Contact fields=0"], file=FOLDER / f"{name}.prm")
+    def done(self, name, *settings):
+        """Rows of the history, and those behind the preload."""
+        result = self.run_program("run", settings=["Output/Contact fields=0", *settings], file=FOLDER / f"{name}.prm")
         self.assertEqual(result.returncode, DONE, result.stderr)
         rows = [{key: float(value) for key, value in row.items() if key not in ("method", "driven")} for row in self.rows("run")]
         return rows, [row for row in rows if row["cycle"]]
@@ -53,9 +53,13 @@ class RigTest(program.RunTest):
         self.assert_turns(cycle, "ux", 6)
 
     def test_torsion(self):
-        _, cycle = self.done("torsion")
         force, mu, radius = 400, 0.3, 100
         a = (3 * force * radius / (4 * STEEL)) ** (1 / 3)
+        hertz = 3 * force / (2 * math.pi * a**2)
+        rows, _ = self.done("torsion", "Friction/Coefficients=0, 0", "Load program/Legs=Fz -400 : 1")
+        self.assert_near(rows[1]["max_pressure"], hertz, 0.005)
+        rows, cycle = self.done("torsion")
+        self.assert_near(rows[1]["max_pressure"], 1.08 * hertz, 0.005)  # what docs/rigs.md says of friction on a rigid sphere
         self.assertLess(cycle[5]["held_moment_z"], 3 * math.pi / 16 * mu * force * a)  # where all would slip
         self.assertGreater(cycle[5]["n_stick"], 0)
         self.assert_turns(cycle, "held_moment_z", 6)
