@@ -232,6 +232,9 @@ std::string describe_steps(const LoadOptions &load)
   std::string line = "load steps     " + std::to_string(n_steps);
   if (const auto n_parts = static_cast<std::size_t>(LoadProgram(load).n_solved_parts()); n_parts != n_steps)
     line += " in " + std::to_string(n_parts) + " parts";
+  if (!load.program_file.empty())
+    line += ", the rows of " + shown_path(load.program_file) + ", which have " +
+            std::to_string(load.n_cycles()) + (load.n_cycles() == 1 ? " complete cycle" : " complete cycles");
   if (load.accuracy != 0)
     line += ", divided by the run for errors of " + to_text(load.accuracy) + " %";
   return line + "\n";

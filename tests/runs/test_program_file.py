@@ -46,6 +46,7 @@ class ProgramFileTest(program.RunTest):
                            f"Load program/Legs={';'.join(legs[1:ROWS_A_CYCLE + 1])}", f"Load program/Cycles={N_CYCLES}"])
         self.assert_same_files("file", "legs", TABLES)
         self.assertEqual(len(self.rows("file", "cycles.csv")), N_CYCLES)
+        self.assertIn(f"signal.csv, which have {N_CYCLES} complete cycles\n", (self.folder / "file/log.txt").read_text(encoding="utf-8"))
 
     def test_times_resume_and_report(self):
         settings = self.write("time [ms];Fz;ux\n" + "".join(f"{20 * i};{force};{u_x}\n" for i, (force, u_x) in enumerate(sine()[:60])))
