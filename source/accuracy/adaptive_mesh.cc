@@ -46,7 +46,8 @@ public:
     if (!ends_leg_)
       return;
     const VectorXd elastic = scene_.body().elastic_displacement(state.force);
-    squared_errors_ += squared_jumps(space_, scene_.body().with_motion(strain_of(state.motion), elastic));
+    squared_errors_ +=
+        squared_jumps(space_, scene_.body().with_motion(strain_of(state.motion), elastic, state.loads));
     for (std::size_t face = 0; face < space_.contact_cells().size(); ++face)
       if (space_.contact_cells()[face] < is_on_border_.size() && // in this process
           is_mixed(space_.contact_surface().faces[face], state.status))

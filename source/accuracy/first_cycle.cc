@@ -82,7 +82,7 @@ FirstCycle march_first_cycle(const Scene &scene, const LoadOptions &load, StepSo
 {
   const LoadSteps steps = LoadProgram(first_cycle(load)).steps();
   QuantityWatch watch(scene, peak(steps), also);
-  ContactState state(scene.gaps());
+  ContactState state(scene.gaps(), scene.n_loads());
   const BlasThreads threads(state.force.size());
   if (march(steps, solver, state, watch) == MarchEnd::unsolved)
     throw std::runtime_error(std::string(entry) + ": load step " + std::to_string(state.step + 1) +

@@ -33,7 +33,7 @@ QuasiStaticProblem::QuasiStaticProblem(ChosenModel chosen, const ModelChoice &ch
       scene_(*chosen_.scene),
       solver_(scene_),
       evaluator_(scene_),
-      state_(scene_.gaps()),
+      state_(scene_.gaps(), scene_.n_loads()),
       critical_friction_(critical_friction_of_model()),
       checker_(scene_, parameters_.checks, parameters_.contact_solver.tolerance),
       cycles_(parameters_.load, scene_.symmetry().force_shares(scene_.surface()), areas_of(scene_.surface()),
@@ -132,6 +132,10 @@ void QuasiStaticProblem::begin(const std::optional<Checkpoint> &checkpoint)
     output_.start();
     return;
   }
+  if (checkpoint->state.loads.size() != state_.loads.size())
+    throw FileError(folder_.path() + ": the checkpoint is of " +
+                    std::to_string(checkpoint->state.loads.size()) + " loads, the load program has " +
+                    std::to_string(state_.loads.size()));
   if (checkpoint->state.n_nodes() != state_.n_nodes())
     throw FileError(folder_.path() + ": the checkpoint is of " + std::to_string(checkpoint->state.n_nodes()) +
                     " contact nodes, the model has " + std::to_string(state_.n_nodes()) +

@@ -19,7 +19,7 @@ namespace
 std::string name_of(const LoadStep &step, const LoadSteps &steps)
 {
   return "load step " + std::to_string(step.number) + " of " + std::to_string(steps.size()) + " (" +
-         MotionText(steps.different())(step, " = ") + ")";
+         MotionText(steps.different(), steps.loads())(step, " = ") + ")";
 }
 } // namespace
 

@@ -4,6 +4,7 @@
 
 #include "fe/cell_stiffness.h"
 #include "fe/local_dofs.h"
+#include "loads/load_forces.h"
 
 #include <orthocone/base/ranks.h>
 #include <orthocone/body/fe/cell_dofs.h>
@@ -17,21 +18,27 @@ using Eigen::MatrixXd;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-// With the rigid motion R m of the held face the body moves by u = R m + v, where v is zero on the held face
-// and v_s = -(R m)_s on the supports s. A rigid motion strains nothing, so that the free unknowns f obey
-//   K_ff v_f = -K_fs v_s,
-// and the energy of the motion is v^T K v/2 = m^T A m/2. With v = g + w, where g is v_s on the supports and
-// what hangs on them, and w is zero there,
-//   A = g^T K g - h^T w,   h = -(K g)_f,   K_ff w = h   for each pair of columns
-// (static condensation on the supported displacements, one solve a component).
+// Let x be the motion m of the held face, displacements s of other surfaces, and temperatures T (x_d
+// together), and lambda the loads that act by tractions. With the rigid motion R m of the held face the body
+// moves by u = R m + v, where v is zero on the held face, v_s = -(R m)_s on the supports, and s on surfaces
+// that loads move. A rigid motion strains nothing. Let g be what is given of v, with what hangs on it, e_0
+// the free strain of x_d, and f the forces of load_forces(). The unknowns w, zero where g is given, obey
+//   K_ff w = h,   h = -(K g)_f + f_f   for each column of x_d,   and   h = f_f   for each one of lambda.
+// The elastic energy of x_d and lambda is x_d^T A x_d/2 + lambda^T G lambda/2, because what is in equilibrium
+// without forces does no work on w:
+//   A = g^T K g - h^T w - g^T f - f^T g + int e_0 : C : e_0 dV,   G = f^T w
+// (static condensation, one solve a column). Let V = f^T (R + g + w) be the work of the tractions of a unit
+// of lambda on the displacements of a unit of x_d. Then the conjugates without contact forces are
+//   A x_d - V^T lambda,   which hold the surfaces and hinder free strains, and   V x_d + G lambda,
+// the mean displacements times the areas: derivatives of the energy, and of minus the complementary energy.
 namespace
 {
-/// g, and what it does to the body.
-struct SupportLoad
+/// g, the forces h that it asks for, and g^T K g.
+struct GivenLoad
 {
-  MatrixXd given;    ///< g, n_dofs x 6, mm
-  MatrixXd forces;   ///< h, n_free x 6, N
-  MatrixXd products; ///< g^T K g, 6 x 6, of this process
+  MatrixXd given;    ///< g, n_dofs x (6 + m), mm
+  MatrixXd forces;   ///< -(K g)_f, n_free x (6 + m), N
+  MatrixXd products; ///< g^T K g, of this process
 };
 
 RigidMotion unit_motion(const unsigned int component)
@@ -56,22 +63,11 @@ VectorXd with_ghosts(const DisplacementSpace<dim> &space, const VectorXd &values
   return Eigen::Map<const VectorXd>(shared.begin(), static_cast<Index>(space.n_dofs()));
 }
 
-/// Columns of g: supports stay where the rigid motion leaves, and what hangs on them goes with them.
+/// Adds what hangs on supported degrees of freedom to columns of g.
 template<int dim>
-MatrixXd given_displacements(const DisplacementSpace<dim> &space, const ModelSymmetry &symmetry)
+void distribute_given(const DisplacementSpace<dim> &space, const std::vector<bool> &is_supported,
+                      MatrixXd &given)
 {
-  MatrixXd given = MatrixXd::Zero(space.n_dofs(), n_rigid_components);
-  std::vector<bool> is_supported(space.n_dofs(), false);
-  for (const unsigned int dof : space.supported())
-  {
-    is_supported[dof] = true;
-    for (unsigned int j = 0; j < n_rigid_components; ++j)
-      if (symmetry.leaves(j))
-        given(dof, j) = -unit_motion(j).at(space.position(dof) - space.held_centre())[space.direction(dof)];
-  }
-  // A process does not know the places of those that only move others which hang in its cells.
-  for (Index j = 0; j < given.cols(); ++j)
-    given.col(j) = with_ghosts(space, given.col(j).head(space.n_owned()));
   const auto &partitioner = *space.partitioner();
   const auto is_local = [&](const auto dof)
   { return partitioner.in_local_range(dof) || partitioner.is_ghost_entry(dof); };
@@ -81,41 +77,69 @@ MatrixXd given_displacements(const DisplacementSpace<dim> &space, const ModelSym
       for (const auto &[mover, weight] : line.entries)
         if (is_supported[space.local_dof(mover)])
           given.row(space.local_dof(line.index)) += weight * given.row(space.local_dof(mover));
+}
+
+/// Where surfaces that loads move have the value 1 along their direction. `is_supported` are the degrees of
+/// freedom that the held face does not move.
+template<int dim>
+void set_moved_surfaces(const DisplacementSpace<dim> &space, const GeometryOptions &geometry,
+                        const std::vector<bool> &is_supported, MatrixXd &given)
+{
+  for (std::size_t k = 0; k < geometry.loads.size(); ++k)
+  {
+    const Load &load = geometry.loads[k];
+    if (!geometry.has(load) || !load.kind->moves_surface())
+      continue;
+    const unsigned int axis = axis_of(load.direction);
+    const double value = load.direction[axis] * (geometry.is_lower && axis == 2 ? -1 : 1);
+    std::array<bool, 3> directions{};
+    directions[axis] = true;
+    for (const std::string &surface : load.surfaces)
+      for (const auto dof : space.dofs_on(boundary_of_marked(geometry, surface), directions))
+        if (space.partitioner()->in_local_range(dof) || space.partitioner()->is_ghost_entry(dof))
+          if (const unsigned int local = space.local_dof(dof); is_supported[local])
+            given(local, n_rigid_components + static_cast<Index>(k)) = value;
+  }
+}
+
+/// Columns of g: supports stay where the rigid motion leaves, and what hangs on them goes with them.
+template<int dim>
+MatrixXd given_displacements(const DisplacementSpace<dim> &space, const GeometryOptions &geometry,
+                             const ModelSymmetry &symmetry)
+{
+  MatrixXd given =
+      MatrixXd::Zero(space.n_dofs(), n_rigid_components + static_cast<Index>(geometry.loads.size()));
+  std::vector<bool> is_supported(space.n_dofs(), false);
+  for (const unsigned int dof : space.supported())
+  {
+    is_supported[dof] = true;
+    for (unsigned int j = 0; j < n_rigid_components; ++j)
+      if (symmetry.leaves(j))
+        given(dof, j) = -unit_motion(j).at(space.position(dof) - space.held_centre())[space.direction(dof)];
+  }
+  set_moved_surfaces(space, geometry, is_supported, given);
+  // A process does not know the places of those that only move others which hang in its cells.
+  for (Index j = 0; j < given.cols(); ++j)
+    given.col(j) = with_ghosts(space, given.col(j).head(space.n_owned()));
+  distribute_given(space, is_supported, given);
   return given;
 }
 
-/// Adds up what each process has of the rows of unknowns, and returns those of the free ones of this process.
 template<int dim>
-MatrixXd summed(const DisplacementSpace<dim> &space, const MatrixXd &rows)
+GivenLoad given_load(const DisplacementSpace<dim> &space, const Materials &materials,
+                     const GeometryOptions &geometry, const ModelSymmetry &symmetry)
 {
-  MatrixXd free = rows.topRows(space.n_free());
-  if (!space.is_shared())
-    return free;
-  dealii::LinearAlgebra::distributed::Vector<double> sums(space.partitioner());
-  for (Index j = 0; j < rows.cols(); ++j)
-  {
-    sums = 0;
-    std::copy(rows.col(j).begin(), rows.col(j).end(), sums.begin());
-    sums.compress(dealii::VectorOperation::add);
-    free.col(j) = Eigen::Map<const VectorXd>(sums.begin(), free.rows());
-  }
-  return free;
-}
-
-template<int dim>
-SupportLoad support_load(const DisplacementSpace<dim> &space, const Materials &materials,
-                         const ModelSymmetry &symmetry)
-{
-  SupportLoad load{
-      given_displacements(space, symmetry), {}, MatrixXd::Zero(n_rigid_components, n_rigid_components)};
-  MatrixXd forces = MatrixXd::Zero(space.n_dofs(), n_rigid_components);
+  GivenLoad load{given_displacements(space, geometry, symmetry), {}, {}};
+  const Index n = load.given.cols();
+  load.products = MatrixXd::Zero(n, n);
+  MatrixXd forces = MatrixXd::Zero(space.n_dofs(), n);
   CellStiffness<dim> stiffness(space, materials);
   for (const auto &cell : space.dof_handler().active_cell_iterators())
   {
     if (!cell->is_locally_owned())
       continue;
     const auto dofs = dofs_by_node(space, cell);
-    MatrixXd of_cell(dofs.size(), n_rigid_components);
+    MatrixXd of_cell(dofs.size(), n);
     for (std::size_t i = 0; i < dofs.size(); ++i)
       of_cell.row(static_cast<Index>(i)) = load.given.row(static_cast<Index>(dofs[i]));
     if (of_cell.isZero(0))
@@ -129,6 +153,18 @@ SupportLoad support_load(const DisplacementSpace<dim> &space, const Materials &m
   }
   load.forces = summed(space, forces);
   return load;
+}
+
+/// Displacements of rigid motions and of `added`, at all local degrees of freedom.
+template<int dim>
+MatrixXd whole_displacements(const DisplacementSpace<dim> &space, const ModelSymmetry &symmetry,
+                             MatrixXd added)
+{
+  for (unsigned int dof = 0; dof < space.n_dofs(); ++dof)
+    for (unsigned int j = 0; j < n_rigid_components; ++j)
+      if (symmetry.leaves(j))
+        added(dof, j) += unit_motion(j).at(space.position(dof) - space.held_centre())[space.direction(dof)];
+  return added;
 }
 
 /// Displacements (mm) of the contact nodes in their local axes; those of other processes are added.
@@ -151,31 +187,91 @@ MatrixXd at_contact_nodes(const ContactFrame &frame, const MatrixXd &volume)
 }
 } // namespace
 
-DrivenField driven_field(const Body &body, const ContactFrame &frame, const ModelSymmetry &symmetry,
-                         const std::function<VectorXd(const VectorXd &)> &solve)
+/// Columns that only tractions drive: 1, others 0.
+static VectorXd by_traction(const GeometryOptions &geometry)
 {
-  const SupportLoad load =
-      body.visit([&](const auto &space) { return support_load(space, body.materials(), symmetry); });
-  MatrixXd energies = load.products;
-  DrivenField field{load.given, {}, {}};
-  for (unsigned int j = 0; j < n_rigid_components; ++j)
-  {
-    if (any_rank(!load.forces.col(j).isZero(0)))
+  VectorXd is_traction = VectorXd::Zero(n_rigid_components + static_cast<Index>(geometry.loads.size()));
+  for (std::size_t k = 0; k < geometry.loads.size(); ++k)
+    if (geometry.has(geometry.loads[k]) && geometry.loads[k].kind->acts_by_traction())
+      is_traction[n_rigid_components + static_cast<Index>(k)] = 1;
+  return is_traction;
+}
+
+/// The solutions w of all columns, at all local degrees of freedom.
+static MatrixXd solutions(const Body &body, const MatrixXd &forces,
+                          const std::function<VectorXd(const VectorXd &)> &solve)
+{
+  MatrixXd all = MatrixXd::Zero(body.unknowns().n_dofs(), forces.cols());
+  for (Index j = 0; j < forces.cols(); ++j)
+    if (any_rank(!forces.col(j).isZero(0)))
     {
-      const VectorXd free = solve(load.forces.col(j));
-      energies.col(j) -= load.forces.transpose() * free;
-      field.volume.col(j) += body.visit(
+      const VectorXd free = solve(forces.col(j));
+      all.col(j) = body.visit(
           [&](const auto &space)
           {
-            VectorXd all = with_ghosts(space, free);
-            space.hanging().distribute(all.data());
-            return all;
+            VectorXd whole = with_ghosts(space, free);
+            space.hanging().distribute(whole.data());
+            return whole;
           });
     }
-  }
-  sum_over_ranks(energies.data(), static_cast<std::size_t>(energies.size()));
+  return all;
+}
+
+/// DrivenField::conjugates from A, G and V, of which only some blocks are used: `is_traction` is 1 for
+/// columns of lambda. All are of this process.
+static MatrixXd conjugates_of(const MatrixXd &a, const MatrixXd &g, const MatrixXd &v,
+                              const VectorXd &is_traction)
+{
+  MatrixXd conjugates = a;
+  for (Index i = 0; i < a.rows(); ++i)
+    for (Index j = 0; j < a.cols(); ++j)
+      if (is_traction[i] != 0)
+        conjugates(i, j) = is_traction[j] != 0 ? g(i, j) : v(i, j);
+      else if (is_traction[j] != 0)
+        conjugates(i, j) = -v(j, i);
+  sum_over_ranks(conjugates.data(), static_cast<std::size_t>(conjugates.size()));
+  for (Index i = 0; i < a.rows(); ++i)
+    for (Index j = 0; j < i; ++j)
+      if (is_traction[i] == is_traction[j])
+        conjugates(i, j) = conjugates(j, i) = 0.5 * (conjugates(i, j) + conjugates(j, i));
+  return conjugates;
+}
+
+DrivenField driven_field(const Body &body, const BodyOptions &options, const ContactFrame &frame,
+                         const ModelSymmetry &symmetry,
+                         const std::function<VectorXd(const VectorXd &)> &solve)
+{
+  const auto m = static_cast<Index>(options.geometry.loads.size()), n = n_rigid_components + m;
+  const GivenLoad given = body.visit(
+      [&](const auto &space) { return given_load(space, body.materials(), options.geometry, symmetry); });
+  LoadForces loads =
+      body.visit([&](const auto &space) { return load_forces(space, options, body.materials()); });
+  MatrixXd forces = given.forces, hindered = MatrixXd::Zero(n, n),
+           nodal = MatrixXd::Zero(body.unknowns().n_dofs(), n);
+  forces.rightCols(m) += loads.on_free;
+  hindered.bottomRightCorner(m, m) = loads.hindered;
+  nodal.rightCols(m) = loads.nodal;
+  const MatrixXd found = solutions(body, forces, solve);
+  DrivenField field{given.given + found, {}, {}, VectorXd::Ones(n), loads.areas};
+  const MatrixXd on_given = given.given.transpose() * nodal;
+  const MatrixXd flexibility = forces.transpose() * found.topRows(forces.rows());
+  const MatrixXd work =
+      nodal.transpose() *
+      body.visit([&](const auto &space) { return whole_displacements(space, symmetry, field.volume); });
+  const VectorXd is_traction = by_traction(options.geometry);
+  field.signs -= 2 * is_traction;
+  field.conjugates = conjugates_of(given.products - flexibility - on_given - on_given.transpose() + hindered,
+                                   flexibility, work, is_traction);
+  sum_over_ranks(field.areas.data(), static_cast<std::size_t>(field.areas.size()));
   field.contact = at_contact_nodes(frame, field.volume);
-  field.stiffness = 0.5 * (energies + energies.transpose());
   return field;
+}
+
+bool is_driven(const Body &body, const BodyOptions &options)
+{
+  const auto &loads = options.geometry.loads;
+  return any_rank(body.visit([](const auto &space) { return !space.supported().empty(); })) ||
+         std::any_of(loads.begin(), loads.end(),
+                     [&](const Load &load) { return options.geometry.has(load); });
 }
 } // namespace orthocone

@@ -112,6 +112,7 @@ BodyOptions BodyOptions::lower()
 {
   BodyOptions body;
   body.geometry.section.rename("Lower geometry");
+  body.geometry.is_lower = true;
   body.mesh.section.rename("Lower mesh");
   body.material.section.rename("Lower material");
   return body;
@@ -204,7 +205,9 @@ void check_mesh_choice(const BodyOptions &body)
 void check_body(const BodyOptions &body)
 {
   check_quadrature(body.mesh);
-  check_supports(body.geometry, kind_of(body.geometry).surfaces(body.geometry));
+  const std::vector<std::string> surfaces = kind_of(body.geometry).surfaces(body.geometry);
+  check_supports(body.geometry, surfaces);
+  check_surfaces_of_loads(body.geometry, surfaces);
   kind_of(body.geometry).check(body);
   check_material(body);
 }

@@ -143,14 +143,22 @@ std::string read_json(const std::string &file_name, EntryList &list)
   const Json json = Json::parse(text);
   if (!json.is_object())
     throw InputError(place + "is not valid JSON of the form " + json_form);
+  const auto set = [&](const std::string &section, const std::string &entry, const Json &value)
+  {
+    set_entry(section + "/" + entry, value.is_string() ? value.get<std::string>() : value.dump(), place,
+              file_name, list);
+  };
+  for (const auto &[section, entries] : json.items())
+    for (const auto &[entry, value] : entries.items())
+      if (const Entry *const known = list.find(section + "/" + entry); known && known->is_read_first())
+        set(section, entry, value);
   bool sets_anything = false;
   for (const auto &[section, entries] : json.items())
   {
     if (!list.has_section(section) || !entries.is_object())
       throw InputError(place + wrong_section(section, entries, list));
     for (const auto &[entry, value] : entries.items())
-      set_entry(section + "/" + entry, value.is_string() ? value.get<std::string>() : value.dump(), place,
-                file_name, list);
+      set(section, entry, value);
     sets_anything = sets_anything || !entries.empty();
   }
   if (!sets_anything)

@@ -53,8 +53,21 @@ void set(const Statement &statement, const Statement *const open, EntryList &lis
   set_entry((open ? open->name + "/" : "") + name, statement.value, place, statement.file, list);
 }
 
+/// Sets entries to which the texts of others refer. Faults of the form are found behind this.
+void read_first(const std::vector<Statement> &statements, EntryList &list)
+{
+  std::string section;
+  for (const Statement &statement : statements)
+    if (statement.kind == Statement::Kind::subsection)
+      section = statement.name;
+    else if (const Entry *const entry = list.find(section + "/" + statement.name);
+             statement.kind == Statement::Kind::set && entry != nullptr && entry->is_read_first())
+      set_entry(entry->name(), statement.value, statement.place + ": ", statement.file, list);
+}
+
 void read_all(const std::vector<Statement> &statements, EntryList &list)
 {
+  read_first(statements, list);
   const Statement *open = nullptr;
   Settings settings;
   for (const Statement &statement : statements)

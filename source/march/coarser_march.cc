@@ -31,7 +31,7 @@ std::unique_ptr<CoarserMarch> CoarserMarch::of(const Scene &finer)
 CoarserMarch::CoarserMarch(const Parameters &parameters, const ModelChoice &choice)
     : scene_(parameters, choice),
       solver_(scene_),
-      state_(scene_.gaps())
+      state_(scene_.gaps(), scene_.n_loads())
 {
 }
 
@@ -44,6 +44,7 @@ std::optional<CoarserMarch::Change> CoarserMarch::solve(const LoadStep &step)
   Change change{
       scene_.body().elastic_displacement(next.force) - scene_.body().elastic_displacement(state_.force), {}};
   change.motion.components = next.motion.components - state_.motion.components;
+  change.loads = next.loads - state_.loads;
   solved_ = std::move(next);
   return change;
 }

@@ -13,8 +13,9 @@ using Eigen::Vector2d;
 using Eigen::Vector3d;
 using Eigen::VectorXd;
 
-ContactState::ContactState(const NodeVector &gaps)
-    : force(NodeVector::Zero(gaps.size())),
+ContactState::ContactState(const NodeVector &gaps, const Index n_loads)
+    : loads(VectorXd::Zero(n_loads)),
+      force(NodeVector::Zero(gaps.size())),
       displacement(gaps),
       accumulated_slip(VectorXd::Zero(gaps.size() / 3)),
       dissipated_energy(VectorXd::Zero(gaps.size() / 3)),

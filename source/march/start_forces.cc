@@ -12,8 +12,8 @@ using Eigen::VectorXd;
 
 NodeVector with_motion(const ContactState &state)
 {
-  NodeVector all(state.force.size() + n_rigid_components);
-  all << state.force, state.motion.components;
+  NodeVector all(state.force.size() + n_rigid_components + state.loads.size());
+  all << state.force, state.motion.components, state.loads;
   return all;
 }
 

@@ -5,6 +5,7 @@
 #include <orthocone/base/ranks.h>
 #include <orthocone/body/node_compliance.h>
 #include <orthocone/march/coarser_march.h>
+#include <orthocone/march/driven_work.h>
 
 #include <algorithm>
 #include <utility>
@@ -22,6 +23,8 @@ FaceTarget on_the_way(const FaceState &from, const FaceTarget &target, const dou
   FaceTarget middle = target;
   middle.motion.components = (1 - share) * from.motion.components + share * target.motion.components;
   middle.force.components = (1 - share) * from.wrench.components + share * target.force.components;
+  if (target.loads.size() > 0)
+    middle.loads = (1 - share) * from.loads + share * target.loads;
   return middle;
 }
 
@@ -38,6 +41,14 @@ void add_earlier(SolverReport &report, const SolverReport &earlier)
 std::shared_ptr<const SolvedProblem> solved(const ContactStep &problem, const VectorXd &unknowns)
 {
   return std::make_shared<const SolvedProblem>(SolvedProblem{problem, unknowns});
+}
+
+/// Whether the body is free along the normal, and no force acts on it.
+bool presses_nothing(const FreeFace &face, const std::vector<unsigned int> &components)
+{
+  constexpr unsigned int normal = 2;
+  return std::find(components.begin(), components.end(), normal) != components.end() &&
+         !face.has_stiffness() && face.balance().isZero(0);
 }
 
 /// The least motion along the normal that leaves no node under pressure, mm.
@@ -122,7 +133,7 @@ SolverReport StepSolver::solve_in_one(ContactState &state, const LoadStep &step)
   state.leg_begin = leg_begin(state, step);
   const ContactState begin = state;
   const Attempt whole = attempt(state, step.target(state.leg_begin));
-  const bool is_release = whole.target.is_release() && !whole.problem.face().has_stiffness();
+  const bool is_release = presses_nothing(whole.problem.face(), whole.components);
   SolverReport report = is_release ? release(state, whole)
                                    : solve_to(state, whole, start_of(whole, before, step), most_halvings);
   if (!report.converged && report.verdict != Verdict::unbalanced && !is_release)
@@ -165,12 +176,13 @@ VectorXd StepSolver::start_of(const Attempt &attempt, const ContactState &state,
   ContactState moved = state;
   moved.force = held.force;
   moved.motion.components += change->motion.components;
+  moved.loads += change->loads;
   return attempt.unknowns_of(moved);
 }
 
 FaceState StepSolver::leg_begin(const ContactState &before, const LoadStep &step) const
 {
-  return step.step_of_leg == 1 ? FaceState{before.motion, scene_.held_wrench(before.force, before.motion)}
+  return step.step_of_leg == 1 ? scene_.face_state(before.force, before.motion, before.loads)
                                : before.leg_begin;
 }
 
@@ -178,7 +190,7 @@ double StepSolver::carried_share(const ContactState &before, const LoadStep &ste
 {
   // Bisected by hand: Boost's bisection would solve both ends again, whose outcomes are known.
   constexpr double fine = 0.01; // of the leg
-  const FaceState now{before.motion, scene_.held_wrench(before.force, before.motion)};
+  const FaceState now = scene_.face_state(before.force, before.motion, before.loads);
   const FaceTarget end = step.target(leg_begin(before, step));
   const double first = step.share * (step.step_of_leg - 1) / step.step_of_leg;
   double carried = first, lost = step.share;
@@ -201,10 +213,13 @@ void StepSolver::accept_unknowns(ContactState &state, const Attempt &attempt, co
   for (unsigned int i = 0; i < n_rigid_components; ++i)
     if (attempt.target.by_force[i])
       motion[i] = state.motion[i]; // zero where symmetry holds the component
+  VectorXd loads = attempt.target.loads;
   for (std::size_t j = 0; j < attempt.components.size(); ++j)
-    motion[attempt.components[j]] = motions[static_cast<Index>(j)];
+    if (const unsigned int i = attempt.components[j]; i < n_rigid_components)
+      motion[i] = motions[static_cast<Index>(j)];
+    else
+      loads[i - n_rigid_components] = motions[static_cast<Index>(j)];
   const ContactState before = state;
-  const RigidMotion increment{motion.components - before.motion.components};
   advance(state, attempt.problem, opening_, unknowns, motion, attempt.worn.size() == 0 ? wear_ : WearLaw(),
           tolerance_);
   if (attempt.worn.size() > 0) // it is found already
@@ -212,8 +227,8 @@ void StepSolver::accept_unknowns(ContactState &state, const Attempt &attempt, co
     state.wear_depth += attempt.worn;
     state.found_depth = state.wear_depth;
   }
-  state.work += 0.5 * (scene_.held_wrench(before.force, before.motion).work(increment) +
-                       scene_.held_wrench(state.force, state.motion).work(increment)) +
+  state.loads = loads;
+  state.work += driven_work(scene_, before, state) +
                 scene_.symmetry().n_copies() * work_without_contact(before, state, opening_);
 }
 
@@ -275,7 +290,7 @@ SolverReport StepSolver::solve_halves(ContactState &state, const FaceTarget &tar
                                       const SolverReport &failure, const unsigned int n_halvings) const
 {
   const Attempt half =
-      attempt(state, on_the_way({state.motion, scene_.held_wrench(state.force, state.motion)}, target, 0.5));
+      attempt(state, on_the_way(scene_.face_state(state.force, state.motion, state.loads), target, 0.5));
   const SolverReport first = solve_to(state, half, half.unknowns_of(state), n_halvings);
   SolverReport report = first;
   if (first.converged)
@@ -294,9 +309,10 @@ SolverReport StepSolver::solve_halves(ContactState &state, const FaceTarget &tar
 SolverReport StepSolver::release(ContactState &state, const Attempt &attempt) const
 {
   constexpr unsigned int normal = 2;
-  FaceTarget open{{}, attempt.target.motion, {}};
+  FaceTarget open{{}, attempt.target.motion, {}, attempt.target.loads};
   for (const unsigned int component : attempt.components)
-    open.motion[component] = component == normal ? 0 : state.motion[component];
+    if (component < n_rigid_components)
+      open.motion[component] = component == normal ? 0 : state.motion[component];
   open.motion[normal] = opening_motion(free_displacement_with_wear(state, open));
   const Attempt apart = this->attempt(state, open);
   const VectorXd none = VectorXd::Zero(apart.problem.n_unknowns());

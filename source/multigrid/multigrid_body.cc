@@ -42,7 +42,7 @@ public:
                      { return VCycle(mesh_.solid(), options.mesh, options.geometry, options.material); })),
         compliance_(frame_, stiffness_, cycle_, node_compliance(surface_, symmetry, options.material),
                     accuracy),
-        driven_(timed(seconds.condensation, [&] { return driven_field(symmetry); }))
+        driven_(timed(seconds.condensation, [&] { return driven_field(options, symmetry); }))
   {
   }
   MultigridBody(const MultigridBody &) = delete; // its modules refer to each other
@@ -71,7 +71,7 @@ private:
     return frame_.with_motion(
         held, Eigen::Map<const VectorXd>(displacement.begin(), static_cast<Index>(unknowns().n_dofs())));
   }
-  std::optional<DrivenField> driven_field(const ModelSymmetry &symmetry) const;
+  std::optional<DrivenField> driven_field(const BodyOptions &options, const ModelSymmetry &symmetry) const;
 
   Body mesh_;
   const ContactSurface &surface_;
@@ -79,14 +79,15 @@ private:
   MatrixFreeStiffness<double> stiffness_;
   VCycle cycle_;
   MultigridCompliance compliance_;
-  std::optional<DrivenField> driven_; ///< with supports
+  std::optional<DrivenField> driven_; ///< with supports or loads
 };
 
-std::optional<DrivenField> MultigridBody::driven_field(const ModelSymmetry &symmetry) const
+std::optional<DrivenField> MultigridBody::driven_field(const BodyOptions &options,
+                                                       const ModelSymmetry &symmetry) const
 {
-  if (!any_rank(!mesh_.solid().supported().empty()))
+  if (!is_driven(mesh_, options))
     return std::nullopt;
-  return orthocone::driven_field(mesh_, frame_, symmetry,
+  return orthocone::driven_field(mesh_, options, frame_, symmetry,
                                  [this](const VectorXd &forces) { return compliance_.displacement(forces); });
 }
 

@@ -10,10 +10,20 @@ namespace orthocone::checkpoint_json
 {
 using Eigen::Index;
 
+namespace
+{
+/// An array whose size only others know: a body, whose mesh does, or the loads.
+Eigen::VectorXd body_from(const Json &json)
+{
+  return array_from(json, static_cast<Index>(json.get_binary().size() / sizeof(double)));
+}
+} // namespace
+
 Json state_json(const ContactState &state)
 {
   return {{"step", state.step},
           {"motion", array_json(state.motion.components)},
+          {"loads", array_json(state.loads)},
           {"work", state.work},
           {"leg_motion", array_json(state.leg_begin.motion.components)},
           {"leg_wrench", array_json(state.leg_begin.wrench.components)},
@@ -34,6 +44,7 @@ ContactState state_from(const Json &json)
   ContactState state(0);
   state.step = count_from(json.at("step"));
   state.motion.components = array_from(json.at("motion"), n_rigid_components);
+  state.loads = body_from(json.at("loads"));
   state.work = number_from(json.at("work"));
   state.leg_begin.motion.components = array_from(json.at("leg_motion"), n_rigid_components);
   state.leg_begin.wrench.components = array_from(json.at("leg_wrench"), n_rigid_components);
@@ -86,12 +97,6 @@ Json bodies_json(const std::vector<Eigen::VectorXd> &bodies)
   return json;
 }
 
-/// The size of a body is known only to the mesh.
-Eigen::VectorXd body_from(const Json &json)
-{
-  return array_from(json, static_cast<Index>(json.get_binary().size() / sizeof(double)));
-}
-
 std::vector<Eigen::VectorXd> bodies_from(const Json &json)
 {
   std::vector<Eigen::VectorXd> bodies;
@@ -120,7 +125,8 @@ Json own_starts_json(const StartMemory &starts)
 
 StartMemory own_starts_from(const Json &json, const ContactState &state)
 {
-  const Index n = 3 * state.n_nodes() + n_rigid_components; // the motion of the held face behind the forces
+  // The motion of the held face and the loads are behind the forces.
+  const Index n = 3 * state.n_nodes() + n_rigid_components + state.loads.size();
   // Before the first step there is no change, unless a search for a mesh has marched through it.
   const bool has_change = state.step > 0 || !json.at("change").get_binary().empty();
   return {array_from(json.at("change"), has_change ? n : 0),

@@ -2,8 +2,6 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/output/history.h>
 
-#include <orthocone/results/tables.h>
-
 #include <cmath>
 #include <limits>
 
@@ -32,21 +30,22 @@ unsigned int nearest_node(const ContactSurface &surface, const Vector2d &positio
 }
 } // namespace
 
-History::History(RunFolder &folder)
-    : folder_(folder)
+History::History(RunFolder &folder, const std::vector<Load> &loads)
+    : folder_(folder),
+      columns_(with_loads(history_columns(), loads))
 {
 }
 
 void History::start()
 {
-  folder_.append("history.csv", header_line(history_columns()));
+  folder_.append("history.csv", header_line(columns_));
   folder_.append("checks.csv", header_line(checks_columns()));
   folder_.append("timing.csv", header_line(timing_columns()));
 }
 
 void History::write(const SolvedStep &step)
 {
-  folder_.append("history.csv", row_line(history_columns(), step));
+  folder_.append("history.csv", row_line(columns_, step));
   folder_.append("checks.csv", row_line(checks_columns(), step));
   folder_.append("timing.csv", row_line(timing_columns(), step));
 }

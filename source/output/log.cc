@@ -58,7 +58,7 @@ void Log::start_steps(const unsigned int n_done, const LoadSteps &steps)
 {
   n_done_ = n_done;
   n_steps_ = steps.size();
-  motion_text_ = MotionText(steps.different());
+  motion_text_ = MotionText(steps.different(), steps.loads());
   watch_ = Stopwatch();
 }
 

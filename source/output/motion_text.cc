@@ -40,7 +40,8 @@ bool is_driven(const LoadStep &step, const unsigned int component)
 }
 } // namespace
 
-MotionText::MotionText(const std::vector<LoadStep> &steps)
+MotionText::MotionText(const std::vector<LoadStep> &steps, std::vector<Load> loads)
+    : loads_(std::move(loads))
 {
   for (unsigned int component = 0; component < n_rigid_components; ++component)
     if (std::any_of(steps.begin(), steps.end(),
@@ -49,6 +50,15 @@ MotionText::MotionText(const std::vector<LoadStep> &steps)
 }
 
 std::string MotionText::operator()(const LoadStep &step, const std::string &between) const
+{
+  std::string text = moving_.empty() && !loads_.empty() ? "" : text_of_face(step, between);
+  for (std::size_t k = 0; k < loads_.size(); ++k)
+    text += (text.empty() ? "" : ", ") + loads_[k].name + between + rounded(step.loads[k]) + " " +
+            loads_[k].kind->unit();
+  return text;
+}
+
+std::string MotionText::text_of_face(const LoadStep &step, const std::string &between) const
 {
   if ((moving_.empty() || (moving_.size() == 1 && moving_.front() == along_z)) && !step.by_force[along_z])
     return "u_z" + between + to_text(step.motion[along_z]) + " mm";

@@ -15,7 +15,7 @@ RunOutput::RunOutput(RunFolder &folder, const OutputOptions &options, const Scen
       last_step_(scene.program().n_steps()),
       scene_(scene),
       evaluator_(evaluator),
-      history_(folder),
+      history_(folder, scene.parameters().load.loads),
       probes_(folder, options.probes, evaluator),
       cycles_(folder),
       contact_(folder, "contact"),
@@ -81,8 +81,10 @@ void RunOutput::write_fields(const ContactState &state, const Eigen::VectorXd &v
 /// The first process collects the pieces of the others, because it alone writes.
 void RunOutput::write_volume(const ContactState &state, const Eigen::VectorXd &volume)
 {
-  const auto make = [this, u = scene_.body().with_motion(state.motion, volume)]
-  { return volume_vtu(scene_.body().mesh(), u); };
+  const Parameters &parameters = scene_.parameters();
+  const auto make = [this, u = scene_.body().with_motion(state.motion, volume, state.loads),
+                     strain = free_strain(parameters.load.loads, state.loads, false, parameters.material)]
+  { return volume_vtu(scene_.body().mesh(), u, strain); };
   if (n_ranks() == 1)
     return volume_.add(state.step, make);
   volume_.add_pieces(state.step, gather_on_first(make()), volume_pvtu);
@@ -94,9 +96,12 @@ void RunOutput::write_lower(const ContactState &state)
   if (lower == nullptr)
     return;
   const ElasticBody &body = lower->body();
+  const Parameters &parameters = scene_.parameters();
+  const Eigen::VectorXd elastic = body.elastic_displacement(lower->own_force(state.force));
   const auto make =
-      [&body, u = body.with_motion({}, body.elastic_displacement(lower->own_force(state.force)))]
-  { return volume_vtu(body.mesh(), u, true); };
+      [&body, u = body.with_motion({}, elastic, state.loads),
+       strain = free_strain(parameters.load.loads, state.loads, true, parameters.lower.material)]
+  { return volume_vtu(body.mesh(), u, strain, true); };
   lower_.add(state.step, make);
 }
 

@@ -114,11 +114,11 @@ std::string with_component_names(std::string text)
 
 template<int dim>
 std::string volume_vtu(const DisplacementSpace<dim> &space, const Materials &materials,
-                       const Eigen::VectorXd &displacement, const bool is_mirrored)
+                       const Eigen::VectorXd &displacement, const Strain &free_strain, const bool is_mirrored)
 {
   const unsigned int degree = space.fe().degree;
   CellFields<dim> fields(space, materials, dealii::QIterated<dim>(dealii::QTrapezoid<1>(), degree),
-                         displacement);
+                         displacement, free_strain);
   std::vector<dealii::DataOutBase::Patch<dim, 3>> patches;
   for (const auto &cell : space.dof_handler().active_cell_iterators())
     if (cell->is_locally_owned())
@@ -143,7 +143,8 @@ std::string volume_pvtu(const std::vector<std::string> &pieces)
   return with_component_names(text.str());
 }
 
-template std::string volume_vtu(const Discretization &, const Materials &, const Eigen::VectorXd &, bool);
+template std::string volume_vtu(const Discretization &, const Materials &, const Eigen::VectorXd &,
+                                const Strain &, bool);
 template std::string volume_vtu(const SectionDiscretization &, const Materials &, const Eigen::VectorXd &,
-                                bool);
+                                const Strain &, bool);
 } // namespace orthocone

@@ -165,11 +165,24 @@ ContactFields ContactFieldEvaluator::fields(const ContactState &state, const uns
   return fields;
 }
 
+/// Adds the displacement of the counterface to that of the nodes relative to it. Forces and loads on the
+/// lower body open gaps where they move the counterface away.
+void ContactFieldEvaluator::add_counterface(const ContactState &state, std::vector<ContactFields> &all) const
+{
+  NodeVector parted = scene_.given_way(state.force);
+  if (scene_.lower() != nullptr && scene_.lower()->body().driven() != nullptr)
+    parted += scene_.lower()->parted(scene_.lower()->body().moved_with({}, state.loads));
+  for (std::size_t node = 0; node < all.size(); ++node)
+    all[node].displacement -=
+        axes_.global_in_local(node) * parted.segment<3>(3 * static_cast<Eigen::Index>(node));
+}
+
 std::vector<ContactFields> ContactFieldEvaluator::all_fields(const ContactState &state) const
 {
   std::vector<ContactFields> all;
   for (unsigned int node = 0; node < surface_.nodes.size(); ++node)
     all.push_back(fields(state, node));
+  add_counterface(state, all);
   for (const HangingNode &hanging : surface_.hanging)
     all.push_back(between(hanging, all));
   return all;

@@ -17,11 +17,25 @@ namespace orthocone
 {
 namespace
 {
-/// Work (N mm) of force and moment of the held face on the motion of a step.
-double work_of(const Totals &totals, const RigidMotion &before, const RigidMotion &after)
+/// Work (N mm) of force and moment of the held face, and of the loads, with the forces of `at` on the motions
+/// from `before` to `after`. Where a load gives tractions or a force, its conjugate is the motion.
+double work_of(const Situation &at, const Situation &before, const Situation &after,
+               const std::vector<Load> &loads)
 {
-  return totals.held.force().dot(after.translation() - before.translation()) +
-         totals.held.moment().dot(after.rotation() - before.rotation());
+  const RigidMotion &first = before.state.motion, &last = after.state.motion;
+  double work = at.totals.held.force().dot(last.translation() - first.translation()) +
+                at.totals.held.moment().dot(last.rotation() - first.rotation());
+  for (std::size_t i = 0; i < loads.size(); ++i)
+  {
+    const auto k = static_cast<Eigen::Index>(i);
+    const bool gives_force = loads[i].kind->acts_by_traction() || loads[i].kind->is_force_of_surface();
+    // Before the first step there are no totals, and no loads.
+    const auto of = [k](const Eigen::VectorXd &all) { return all.size() > 0 ? all[k] : 0; };
+    const double load = of(after.totals.loads) - of(before.totals.loads),
+                 conjugate = of(after.totals.conjugates) - of(before.totals.conjugates);
+    work += gives_force ? of(at.totals.loads) * conjugate : of(at.totals.conjugates) * load;
+  }
+  return work;
 }
 
 bool is_finite(const ContactState &state, const Totals &totals)
@@ -115,7 +129,8 @@ StepChecker::StepChecker(const Scene &scene, const CheckOptions &options, const 
 void StepChecker::check_equilibrium(const ContactState &state, StepChecks &checks) const
 {
   const NodeVector given_way = scene_.given_way(state.force);
-  const NodeVector elastic = unworn_displacement(state) - gaps_ - body_.moved_with(state.motion) - given_way;
+  const NodeVector driven = scene_.driven_displacement(state.motion, state.loads);
+  const NodeVector elastic = unworn_displacement(state) - gaps_ - driven - given_way;
   checks.motion = motion_checks(scene_, state, elastic, given_way);
   auto mismatch = body_.mismatch(state.force, elastic, options_.equilibrium);
   if (const LowerBody *const lower = scene_.lower())
@@ -123,7 +138,8 @@ void StepChecker::check_equilibrium(const ContactState &state, StepChecks &check
   checks.equilibrium =
       std::max(mismatch.unbalanced,
                relative(mismatch.displacement,
-                        std::max({length_, state.motion.size(reach_), elastic.lpNorm<Eigen::Infinity>()})));
+                        std::max({length_, state.motion.size(reach_), driven.lpNorm<Eigen::Infinity>(),
+                                  elastic.lpNorm<Eigen::Infinity>()})));
   checks.volume = std::move(mismatch.volume);
 }
 
@@ -149,8 +165,9 @@ StepChecks StepChecker::check(const Situation &before, const Situation &after, c
   if (compression_ > 0)
     checks.law.penetration = std::max(checks.law.penetration, report.penetration / compression_);
   check_equilibrium(after.state, checks);
-  const double work_first = work_of(before.totals, before.state.motion, after.state.motion);
-  const double work_last = work_of(after.totals, before.state.motion, after.state.motion);
+  const std::vector<Load> &loads = scene_.parameters().load.loads;
+  const double work_first = work_of(before, before, after, loads);
+  const double work_last = work_of(after, before, after, loads);
   const double in_one = 0.5 * (work_first + work_last);
   checks.work = report.n_parts > 1
                     ? after.state.work - before.state.work

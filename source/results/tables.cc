@@ -194,6 +194,22 @@ const Columns<SolvedStep> &history_columns()
   return columns;
 }
 
+Columns<SolvedStep> with_loads(Columns<SolvedStep> columns, const std::vector<Load> &loads)
+{
+  for (std::size_t i = 0; i < loads.size(); ++i)
+  {
+    const auto k = static_cast<Eigen::Index>(i);
+    const Conjugate conjugate = loads[i].kind->conjugate();
+    columns.emplace_back(loads[i].name, loads[i].kind->unit(), loads[i].text(),
+                         [k](const Step &s) { return s.totals.loads[k] + 0.; });
+    const bool is_mean = loads[i].kind->acts_by_traction();
+    columns.emplace_back(loads[i].name + "_" + conjugate.suffix, conjugate.unit, conjugate.how,
+                         [k, is_mean](const Step &s)
+                         { return s.totals.conjugates[k] / (is_mean ? s.totals.load_areas[k] : 1) + 0.; });
+  }
+  return columns;
+}
+
 const Columns<SolvedStep> &checks_columns()
 {
   static const Columns<SolvedStep> columns{

@@ -49,6 +49,15 @@ void leave_out_what_cancels(const ModelSymmetry &symmetry, Totals &totals)
       totals.moment[2] = 0;
     }
 }
+void add_loads(const Scene &scene, const ContactState &state, Totals &totals)
+{
+  totals.loads = scene.face_state(state.force, state.motion, state.loads).loads;
+  totals.load_areas = scene.load_areas();
+  totals.conjugates = scene.load_conjugates(state.force, state.motion, state.loads);
+  for (Eigen::Index k = 0; k < scene.n_loads(); ++k)
+    if (scene.parameters().load.loads[static_cast<std::size_t>(k)].kind->is_force_of_surface())
+      totals.conjugates[k] = state.loads[k];
+}
 } // namespace
 
 Totals compute_totals(const ContactFieldEvaluator &evaluator, const ContactState &state)
@@ -78,15 +87,13 @@ Totals compute_totals(const ContactFieldEvaluator &evaluator, const ContactState
   leave_out_what_cancels(symmetry, totals);
   totals.stick_area = evaluator.stick_area(state);
   totals.zones = evaluator.zones(state);
-  NodeVector moved;
-  evaluator.compliance().vmult(moved, state.force);
-  // Contact forces do no work on what supports add to the motion of the face, so that energies only add up.
   const Scene &scene = evaluator.scene();
-  totals.elastic_energy = 0.5 * n_copies * state.force.dot(moved) +
-                          0.5 * n_copies * scene.body().resistance(state.motion).work(state.motion);
+  totals.elastic_energy = scene.elastic_energy(state.force, state.motion, state.loads);
   totals.held.components << -totals.force, -totals.moment; // without supports it balances the counterface
   if (scene.body().driven() != nullptr)
-    totals.held = scene.held_wrench(state.force, state.motion);
+    totals.held = scene.held_wrench(state.force, state.motion, state.loads);
+  if (scene.n_loads() > 0)
+    add_loads(scene, state, totals);
   return totals;
 }
 } // namespace orthocone

@@ -81,9 +81,9 @@ Asymmetry asymmetry_of(const Parameters &parameters)
             why(plane_strain(parameters, false)),
             of_file,
             of_lower_file};
-  const bool is_clamped = parameters.geometry.top_face == TopFace::clamped; // a guided top holds no twist
+  const bool may_twist = parameters.geometry.top_face != TopFace::guided; // which holds no twist
   return {{{why(SymmetryPlanes{true, false}), why(SymmetryPlanes{false, true})}},
-          why(ModelSymmetry::of_revolution(is_clamped)),
+          why(ModelSymmetry::of_revolution(may_twist)),
           "Geometry/Kind = solid",
           why(ModelSymmetry::of_revolution()),
           of_file,

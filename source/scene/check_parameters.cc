@@ -109,6 +109,20 @@ void check_lower_section(const Parameters &parameters, const std::string &with)
                      " with Obstacle/Kind = body: allowed is a whole number from 1 to 3");
 }
 
+/// Refuses legs that drive a top which is free.
+void check_free_top(const Parameters &parameters)
+{
+  if (parameters.geometry.top_face != TopFace::free)
+    return;
+  for (const PathLeg &leg : load_path(parameters.load))
+    for (unsigned int i = 0; i < n_rigid_components; ++i)
+      if (leg.after[i].by_force || leg.after[i].value != 0)
+        throw InputError(leg.entry + ": " + (leg.after[i].by_force ? wrench_names : motion_names)[i] +
+                         " in " + leg.place +
+                         " with Geometry/Top face = free, which is not driven: allowed "
+                         "are names of Load program/Loads, or Top face = clamped");
+}
+
 /// Refuses loads along directions in which a guided top is free, where supports hold the body instead.
 void check_guided(const Parameters &parameters)
 {
@@ -124,11 +138,23 @@ void check_guided(const Parameters &parameters)
                          ": allowed are uz, Fz, rx, ry, Mx and My, or Top face = clamped");
 }
 
-/// Refuses problem files of faces whose motion supports resist: their format has no such term.
+/// Refuses problem files of faces whose motion the body itself resists: their format has no such term.
 void check_problem_files(const Parameters &parameters)
 {
-  if (parameters.output.problem_interval == 0 || parameters.geometry.supports.empty())
+  if (parameters.output.problem_interval == 0)
     return;
+  for (const Load &load : parameters.load.loads)
+    if (load.kind->is_force_of_surface())
+      throw InputError(
+          "Output/Problems with Load program/Loads = '" + load.text() +
+          "': a problem has no stiffness of the body against the motion of that surface; allowed "
+          "are motions, or Problems = 0");
+  if (parameters.geometry.supports.empty())
+    return;
+  if (parameters.geometry.top_face == TopFace::free)
+    throw InputError(
+        "Output/Problems with Geometry/Supports and Top face = free: a problem has no stiffness of "
+        "the supports; allowed is Problems = 0");
   for (const PathLeg &leg : load_path(parameters.load))
     for (unsigned int i = 0; i < n_rigid_components; ++i)
       if (leg.after[i].by_force)
@@ -151,6 +177,29 @@ void check_plane_strain(const Parameters &parameters)
     return check_lower_section(parameters, with);
 }
 
+/// Refuses loads on a body that is not there, loads that do nothing, and names that no load has.
+void check_loads(const Parameters &parameters)
+{
+  const std::vector<Load> &loads = parameters.load.loads;
+  for (const Load &load : loads)
+  {
+    const std::string given = "Load program/Loads: '" + load.text() + "'";
+    if (load.is_on_lower && parameters.obstacle.kind != ObstacleKind::body)
+      throw InputError(given + " with Obstacle/Kind = " + parameters.obstacle.kind.word() +
+                       ": allowed on lower is Kind = body, which has a lower body");
+    const MaterialOptions &material = load.is_on_lower ? parameters.lower.material : parameters.material;
+    if (const std::string lacking = load.kind->lacking_entry(material); !lacking.empty())
+      throw InputError(given + " with " + lacking + " = 0 does nothing: allowed is a number other than 0");
+  }
+  for (const auto *const legs : {&parameters.load.preload, &parameters.load.cycle_legs()})
+    for (const Leg &leg : *legs)
+      for (const auto &[name, value] : leg.loads)
+        if (std::none_of(loads.begin(), loads.end(),
+                         [&, &own = name](const Load &load) { return load.name == own; }))
+          throw InputError("Load program: a leg drives " + name +
+                           ", which is no load: allowed are names of Load program/Loads");
+}
+
 void check_obstacle(const ObstacleOptions &obstacle)
 {
   if (!obstacle.gap_file.empty())
@@ -165,10 +214,12 @@ void check_parameters(const Parameters &parameters)
   check_backend(parameters);
   check_law(parameters);
   check_load(parameters.load, parameters.wear);
+  check_loads(parameters);
   check_wear(parameters.wear, parameters.load);
   check_compression(parameters.load, parameters.geometry);
   check_body(parameters);
   check_guided(parameters);
+  check_free_top(parameters);
   check_problem_files(parameters);
   check_probes(parameters.geometry, parameters.output.probes);
   check_lower_body(parameters);

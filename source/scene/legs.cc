@@ -15,7 +15,8 @@ namespace
 constexpr const char *leg_form =
     "legs \"ux uy uz : steps\" (numbers in mm, at least one step) or \"NAME value ... : steps\" (ux, uy, uz "
     "in "
-    "mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N mm), separated by ';'; \"steps * parts\" "
+    "mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N mm), separated by ';'; "
+    "\"steps * parts\" "
     "solves each step in so many parts";
 
 const std::vector<std::string> &component_names()
@@ -29,12 +30,15 @@ const std::vector<std::string> &component_names()
   return names;
 }
 
-std::string unknown(const std::string &name)
+std::string unknown(const std::string &name, const std::vector<Load> &loads)
 {
+  std::vector<std::string> names = component_names();
+  for (const Load &load : loads)
+    names.push_back(load.name);
   std::string all;
-  for (const std::string &known : component_names())
+  for (const std::string &known : names)
     all += (all.empty() ? "" : ", ") + known;
-  const std::string nearest = nearest_name(name, component_names());
+  const std::string nearest = nearest_name(name, names);
   return "a name of " + all + "; '" + shown(name) + "'" + remark(name) + " is none" +
          (nearest.empty() ? "" : ", is " + nearest + " meant?");
 }
@@ -48,7 +52,7 @@ std::string named_twice(const std::string &name, const std::size_t component, co
 }
 
 /// Reads "ux uy uz" or "NAME value ...". Returns what is allowed instead, or "".
-std::string parse_targets(const std::string &text, Leg &leg)
+std::string parse_targets(const std::string &text, const std::vector<Load> &loads, Leg &leg)
 {
   if (const auto position = parse_numbers(text, 3, ' '))
   {
@@ -64,7 +68,7 @@ std::string parse_targets(const std::string &text, Leg &leg)
     const auto value = parse_number(words[i + 1]);
     if (!value || parse_number(words[i]))
       return leg_form;
-    if (const std::string fault = set_target(words[i], *value, leg); !fault.empty())
+    if (const std::string fault = set_target(words[i], *value, loads, leg); !fault.empty())
       return fault;
   }
   return {};
@@ -85,17 +89,19 @@ bool parse_steps(const std::string &text, Leg &leg)
 }
 
 /// Reads a leg. Returns what is allowed instead, or "".
-std::string parse_leg(const std::string &text, Leg &leg)
+std::string parse_leg(const std::string &text, const std::vector<Load> &loads, Leg &leg)
 {
   const auto halves = split(text, ':');
   if (halves.size() != 2 || !parse_steps(halves[1], leg))
     return leg_form;
-  return parse_targets(halves[0], leg);
+  return parse_targets(halves[0], loads, leg);
 }
 
 /// Whether the leg consists of three plain numbers.
 bool is_translation(const Leg &leg)
 {
+  if (!leg.loads.empty())
+    return false;
   const auto has_motion = [&](const unsigned int i) { return leg.motion(i).has_value(); };
   return has_motion(0) && has_motion(1) && has_motion(2) && !leg.targets[3] && !leg.targets[4] &&
          !leg.targets[5];
@@ -109,17 +115,26 @@ std::string leg_text(const Leg &leg)
       text += (is_translation(leg) ? ""
                                    : std::string((target->by_force ? wrench_names : motion_names)[i]) + " ") +
               to_text(target->value) + " ";
+  for (const auto &[name, value] : leg.loads)
+    text += name + " " + to_text(value) + " ";
   text += ": " + std::to_string(leg.steps);
   return leg.parts > 1 ? text + " * " + std::to_string(leg.parts) : text;
 }
 } // namespace
 
-std::string set_target(const std::string &name, const double value, Leg &leg)
+std::string set_target(const std::string &name, const double value, const std::vector<Load> &loads, Leg &leg)
 {
+  if (std::any_of(loads.begin(), loads.end(), [&](const Load &load) { return load.name == name; }))
+  {
+    if (leg.load(name))
+      return "a load once in a leg; " + name + " is named twice";
+    leg.loads.emplace_back(name, value);
+    return {};
+  }
   const auto &names = component_names();
   const auto place = static_cast<std::size_t>(std::find(names.begin(), names.end(), name) - names.begin());
   if (place == names.size())
-    return unknown(name);
+    return unknown(name, loads);
   const std::size_t component = place % n_rigid_components;
   if (const auto &earlier = leg.targets[component])
     return named_twice(name, component, *earlier);
@@ -127,10 +142,42 @@ std::string set_target(const std::string &name, const double value, Leg &leg)
   return {};
 }
 
-Codec<std::vector<Leg>> legs_codec()
+Codec<std::vector<Load>> loads_codec()
+{
+  Codec<std::vector<Load>> codec =
+      list_codec<Load>(allowed_loads(), ';', " ; ", {}, [](const Load &load) { return load.text(); });
+  codec.parse = [](const std::string &text, std::string &instead) -> std::optional<std::vector<Load>>
+  {
+    std::vector<Load> loads;
+    for (const auto &piece : trimmed(text).empty() ? std::vector<std::string>() : split(text, ';'))
+    {
+      Load load;
+      std::string fault = parse_load(piece, load);
+      const auto has_name = [&](const Load &other) { return other.name == load.name; };
+      std::vector<std::string> taken = component_names();
+      // Columns of history.csv without a '_', which names of loads do not have.
+      taken.insert(taken.end(), {"time", "cycle", "step", "phase", "dissipation", "method", "iterations",
+                                 "residual", "driven"});
+      if (fault.empty() && std::find(taken.begin(), taken.end(), load.name) != taken.end())
+        fault = "a name that legs and tables do not have for something else; '" + load.name + "' they have";
+      if (fault.empty() && std::any_of(loads.begin(), loads.end(), has_name))
+        fault = "each name once; '" + load.name + "' is there twice";
+      if (!fault.empty())
+      {
+        instead = fault;
+        return std::nullopt;
+      }
+      loads.push_back(load);
+    }
+    return loads;
+  };
+  return codec;
+}
+
+Codec<std::vector<Leg>> legs_codec(const std::vector<Load> &loads)
 {
   Codec<std::vector<Leg>> codec = list_codec<Leg>(leg_form, ';', "; ", {}, leg_text);
-  codec.parse = [](const std::string &text, std::string &instead) -> std::optional<std::vector<Leg>>
+  codec.parse = [&loads](const std::string &text, std::string &instead) -> std::optional<std::vector<Leg>>
   {
     std::vector<Leg> legs;
     if (trimmed(text).empty())
@@ -138,7 +185,7 @@ Codec<std::vector<Leg>> legs_codec()
     for (const auto &piece : split(text, ';'))
     {
       Leg leg;
-      if (const std::string fault = parse_leg(piece, leg); !fault.empty())
+      if (const std::string fault = parse_leg(piece, loads, leg); !fault.empty())
       {
         instead = fault;
         return std::nullopt;

@@ -111,16 +111,31 @@ static void declare_jumps(LoadOptions &load, Section &section)
       .may_change_on_resume();
 }
 
+static void declare_loads(LoadOptions &load, Section &section)
+{
+  section
+      .add("Loads", load.loads, loads_codec(),
+           "Loads beside those of the upper face: 'NAME: KIND on SURFACE along x ; ...', which legs drive by "
+           "their names, as in 'Fz -500 bulk 100 : 10'. Kinds: " +
+               help_of_load_kinds() +
+               ". Surfaces are those of Supports, several in a row, and 'lower' in front makes them those of "
+               "the "
+               "lower body. history.csv has each load and its work-conjugate.")
+      .read_first()
+      .also_called({"pressure", "traction", "bulk stress", "neumann", "temperature"});
+}
+
 void declare_load(LoadOptions &load, Section &section)
 {
   const std::string unit_of_legs = "(mm, degrees, N, N mm : steps)";
   const Condition has_legs{[&load] { return load.program_file.empty(); }, [&load]
                            { return "Load program/Program file = " + shown_path(load.program_file); }};
-  section.add("Preload", load.preload, legs_codec(), "Legs passed through once, before the cycles.")
+  declare_loads(load, section);
+  section.add("Preload", load.preload, legs_codec(load.loads), "Legs passed through once, before the cycles.")
       .unit(unit_of_legs);
   section
       .add(
-          "Legs", load.legs, legs_codec(),
+          "Legs", load.legs, legs_codec(load.loads),
           "Legs of a cycle: the upper face moves to (ux, uy, uz) in equal steps, from where it was. Named "
           "components, as in 'Fz -2e5 rz 0.5 : 10', are driven by a motion or by a force; the others keep "
           "what they have. ': 10 * 4' solves each of 10 steps in 4 parts, of which only the last is written.")

@@ -35,6 +35,7 @@ std::vector<PathLeg> load_path(const LoadOptions &load)
 {
   std::vector<PathLeg> path;
   Drives reached{};
+  std::vector<double> loads(load.loads.size(), 0);
   const auto pass_through =
       [&](const std::vector<Leg> &legs, const std::string &entry, const unsigned int pass)
   {
@@ -45,6 +46,10 @@ std::vector<PathLeg> load_path(const LoadOptions &load)
       for (unsigned int i = 0; i < n_rigid_components; ++i)
         reached[i] = leg.targets[i].value_or(reached[i]);
       path.back().after = reached;
+      path.back().loads_before = loads;
+      for (std::size_t k = 0; k < loads.size(); ++k)
+        loads[k] = leg.load(load.loads[k].name).value_or(loads[k]);
+      path.back().loads_after = loads;
     }
   };
   pass_through(load.preload, "Preload", 0);

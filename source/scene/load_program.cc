@@ -54,13 +54,16 @@ struct Place
 };
 
 /// Step k of the n equal steps of a leg.
-LoadStep step_of(const Leg &leg, const Drives &reached, const unsigned int k, const unsigned int n,
-                 const Place &place)
+LoadStep step_of(const PathLeg &path_leg, const unsigned int k, const unsigned int n, const Place &place)
 {
   LoadStep step{{}, place.number, k, place.cycle, place.phase};
   step.share = static_cast<double>(k) / n;
   for (unsigned int i = 0; i < n_rigid_components; ++i)
-    set_component(step, i, reached[i], leg);
+    set_component(step, i, path_leg.before[i], *path_leg.leg);
+  for (std::size_t l = 0; l < path_leg.loads_after.size(); ++l)
+    step.loads.push_back(step.share == 1
+                             ? path_leg.loads_after[l]
+                             : between(path_leg.loads_before[l], path_leg.loads_after[l], step.share));
   return step;
 }
 
@@ -102,7 +105,7 @@ public:
     for (unsigned int k = 1; k <= leg.steps; ++k)
     {
       const auto number = static_cast<unsigned int>(steps_.size()) + 1;
-      steps_.push_back(step_of(leg, path_leg.before, k, leg.steps, {number, path_leg.cycle, phase_++}));
+      steps_.push_back(step_of(path_leg, k, leg.steps, {number, path_leg.cycle, phase_++}));
       steps_.back().ends_cycle = path_leg.ends_cycle && k == leg.steps;
       set_time(steps_.back(), path_leg);
       append_parts(path_leg, k);
@@ -121,7 +124,7 @@ private:
     const Leg &leg = *path_leg.leg;
     LoadStep &step = steps_.back();
     for (unsigned int part = 1; leg.parts > 1 && part <= leg.parts; ++part)
-      step.parts.push_back(step_of(leg, path_leg.before, (k - 1) * leg.parts + part, leg.steps * leg.parts,
+      step.parts.push_back(step_of(path_leg, (k - 1) * leg.parts + part, leg.steps * leg.parts,
                                    {step.number, step.cycle, phase_of_part_ + part - 1}));
     phase_of_part_ += leg.parts;
   }
@@ -173,7 +176,7 @@ LoadSteps LoadProgram::steps() const
   PathSteps path(load_);
   for (const PathLeg &leg : load_path(load_))
     path.append(leg);
-  return {std::move(path.steps()), n_steps_of_cycle(), n_steps(), path.cycle_time()};
+  return {std::move(path.steps()), n_steps_of_cycle(), n_steps(), path.cycle_time(), load_.loads};
 }
 
 std::size_t LoadProgram::n_steps() const

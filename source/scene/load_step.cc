@@ -11,15 +11,10 @@ bool FaceTarget::has_forces() const
   return std::find(by_force.begin(), by_force.end(), true) != by_force.end();
 }
 
-bool FaceTarget::is_release() const
-{
-  constexpr unsigned int normal = 2;
-  return by_force[normal] && force.components.isZero(0);
-}
-
 FaceTarget LoadStep::target(const FaceState &begin) const
 {
-  FaceTarget target{by_force, motion, force};
+  FaceTarget target{by_force, motion, force,
+                    Eigen::Map<const Eigen::VectorXd>(loads.data(), static_cast<Eigen::Index>(loads.size()))};
   for (unsigned int i = 0; i < n_rigid_components; ++i)
     if (from_present[i] && by_force[i])
       target.force[i] = begin.wrench[i] + share * (force[i] - begin.wrench[i]);
@@ -43,6 +38,8 @@ std::string LoadStep::driven(const ModelSymmetry &symmetry, const TopFace top_fa
   const bool turns =
       std::any_of(motion.components.data() + first_rotation, motion.components.data() + n_rigid_components,
                   [](const double rotation) { return rotation != 0; });
+  if (top_face == TopFace::free)
+    return "none";
   std::string names;
   for (unsigned int i = 0; i < n_rigid_components; ++i)
   {

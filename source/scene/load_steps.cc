@@ -7,11 +7,12 @@
 namespace orthocone
 {
 LoadSteps::LoadSteps(std::vector<LoadStep> different, const std::size_t n_cycle, const std::size_t size,
-                     const double cycle_time)
+                     const double cycle_time, std::vector<Load> loads)
     : different_(std::move(different)),
       n_cycle_(n_cycle),
       size_(size),
-      cycle_time_(cycle_time)
+      cycle_time_(cycle_time),
+      loads_(std::move(loads))
 {
 }
 

@@ -24,9 +24,11 @@ void warn_of_slip_ellipse(const FrictionOptions &friction, std::vector<std::stri
         "the contact solver may need many iterations");
 }
 
-/// Whether a force or a tilt of the held face may press it down where u_z does not.
+/// Whether a force or a tilt of the held face, or a load, may press it down where u_z does not.
 bool presses_otherwise(const Leg &leg)
 {
+  if (!leg.loads.empty())
+    return true;
   const auto is_nonzero = [&](const unsigned int i) { return leg.targets[i] && leg.targets[i]->value != 0; };
   return (is_nonzero(2) && leg.targets[2]->by_force && leg.targets[2]->value < 0) || is_nonzero(3) ||
          is_nonzero(4);
@@ -89,6 +91,14 @@ void warn_of_no_contact(const std::vector<PathLeg> &path, std::vector<std::strin
         "are no contact forces");
 }
 
+void warn_of_idle_loads(const std::vector<PathLeg> &path, const std::vector<Load> &loads,
+                        std::vector<std::string> &warnings)
+{
+  for (std::size_t k = 0; k < loads.size(); ++k)
+    if (std::none_of(path.begin(), path.end(), [&](const PathLeg &leg) { return leg.loads_after[k] != 0; }))
+      warnings.push_back("Load program/Loads: no leg drives " + loads[k].name + " away from 0");
+}
+
 void warn_of_large_rotations(const std::vector<PathLeg> &path, std::vector<std::string> &warnings)
 {
   constexpr double most = 1;
@@ -129,6 +139,7 @@ std::vector<std::string> parameter_warnings(const Parameters &parameters)
   warn_of_locking(parameters, warnings);
   warn_of_large_strains(parameters, path, warnings);
   warn_of_large_rotations(path, warnings);
+  warn_of_idle_loads(path, parameters.load.loads, warnings);
   if (parameters.obstacle.is_plane() && kind_of(parameters.geometry).has_known_sizes())
     warn_of_no_contact(path, warnings);
   warn_of_periods(parameters.load, parameters.contact_solver.tolerance, warnings);

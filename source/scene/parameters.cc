@@ -43,6 +43,14 @@ void declare_parameters(Parameters &parameters, EntryList &list)
   section("Output", declare_output, parameters.output);
 }
 
+void share_among_bodies(Parameters &parameters)
+{
+  GeometryOptions &upper = parameters.geometry, &lower = parameters.lower.geometry;
+  lower.kind = upper.kind;
+  lower.thickness = upper.section_thickness();
+  upper.loads = lower.loads = parameters.load.loads;
+}
+
 ParameterFile read_parameter_file(const std::string &file_name, const std::vector<std::string> &overrides)
 {
   ParameterFile file;
@@ -59,9 +67,7 @@ ParameterFile read_parameter_file(const std::string &file_name, const std::vecto
   {
     throw InputError(shown_path(file_name) + ": " + error.what());
   }
-  // Both bodies are solids, or sections of one thickness.
-  file.parameters.lower.geometry.kind = file.parameters.geometry.kind;
-  file.parameters.lower.geometry.thickness = file.parameters.geometry.section_thickness();
+  share_among_bodies(file.parameters);
   return file;
 }
 

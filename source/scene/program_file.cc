@@ -25,10 +25,11 @@ constexpr TextFileKind program_text{"a CSV file with a header and a row a step",
 struct Quantity
 {
   const char *unit;
-  std::vector<std::pair<std::string, double>> others;
+  std::vector<OtherUnit> others;
 };
 
-const Quantity &quantity_of(const std::string &name)
+/// The same of a component, a load, "time" or "cycle".
+Quantity quantity_of(const std::string &name, const std::vector<Load> &loads)
 {
   constexpr double degrees = 1 / radians_per_degree;
   static const Quantity length{
@@ -38,6 +39,9 @@ const Quantity &quantity_of(const std::string &name)
       force{"N", {{"kN", 1e3}, {"mN", 1e-3}}},
       moment{"N mm", {{"Nmm", 1}, {"N m", 1e3}, {"Nm", 1e3}, {"kN m", 1e6}, {"kNm", 1e6}}},
       time{"s", {{"ms", 1e-3}, {"min", 60}, {"h", 3600}}}, number{"", {}};
+  for (const Load &load : loads)
+    if (load.name == name)
+      return {load.kind->unit(), load.kind->other_units()};
   if (name == "time")
     return time;
   if (name == "cycle")
@@ -57,6 +61,7 @@ class ProgramFile
 public:
   explicit ProgramFile(const LoadOptions &load)
       : name_(shown_path(load.program_file)),
+        loads_(load.loads),
         steps_per_row_(load.steps_per_row)
   {
     std::istringstream stream(with_plain_lines(read_text_file(load.program_file, "", program_text)));
@@ -90,6 +95,7 @@ private:
   void take_cycle(double value, SignalRow &row) const;
 
   const std::string name_;
+  const std::vector<Load> &loads_;
   const unsigned int steps_per_row_;
   unsigned int line_ = 0;
   char separator_ = ',';
@@ -129,11 +135,11 @@ void ProgramFile::read_header(const std::string &line)
     if (++(name == "time" ? n_times : name == "cycle" ? n_cycles : n_components); n_times > 1 || n_cycles > 1)
       refuse("column '" + name + "' is there twice: allowed is one");
     if (name != "time" && name != "cycle")
-      if (const std::string instead = set_target(name, 0, leg); !instead.empty())
+      if (const std::string instead = set_target(name, 0, loads_, leg); !instead.empty())
         refuse("column '" + shown(cell) + "': allowed is " + instead);
   }
   if (n_components == 0)
-    refuse("no column drives the upper face: allowed are components such as ux, Fx or Fz");
+    refuse("no column drives the upper face: allowed are components such as ux, Fx or Fz, and loads");
 }
 
 /// Reads "NAME", "NAME [UNIT]" or "NAME (UNIT)".
@@ -145,7 +151,7 @@ SignalColumn ProgramFile::read_column(const std::string &cell) const
     refuse("column " + std::to_string(columns_.size() + 1) +
            " has no name: allowed are time, cycle, and components such as ux, Fx or Fz");
   Leg leg;
-  if (const std::string instead = name == "time" || name == "cycle" ? "" : set_target(name, 0, leg);
+  if (const std::string instead = name == "time" || name == "cycle" ? "" : set_target(name, 0, loads_, leg);
       !instead.empty())
     refuse("column '" + shown(cell) + "': allowed is time, cycle, or " + instead);
   if (bracket == std::string::npos)
@@ -159,7 +165,7 @@ SignalColumn ProgramFile::read_column(const std::string &cell) const
 
 double ProgramFile::factor_of(const std::string &column, const std::string &unit) const
 {
-  const Quantity &quantity = quantity_of(column);
+  const Quantity quantity = quantity_of(column, loads_);
   if (unit == quantity.unit)
     return 1;
   std::string all = quantity.unit;
@@ -167,7 +173,7 @@ double ProgramFile::factor_of(const std::string &column, const std::string &unit
     if (unit == other)
       return factor;
     else
-      all += ", " + other;
+      all += std::string(", ") + other;
   refuse("column '" + column + "' has the unit '" + shown(unit) + "': allowed " +
          (all.empty() ? "is none" : "are " + all));
 }
@@ -206,7 +212,7 @@ void ProgramFile::take(const SignalColumn &column, const double value, Leg &leg)
   if (column.name == "cycle")
     take_cycle(value, *leg.row);
   else if (column.name != "time")
-    set_target(column.name, column.factor * value, leg);
+    set_target(column.name, column.factor * value, loads_, leg);
   else if (leg.row->time = column.factor * value; !rows_.empty() && *rows_.back().row->time >= *leg.row->time)
     refuse("column 'time' is " + to_text(value) + " and does not increase: allowed is more than " +
            to_text(*rows_.back().row->time / column.factor));

@@ -8,11 +8,14 @@
 #include <orthocone/multigrid/multigrid_body.h>
 #include <orthocone/scene/change_length.h>
 
+#include <algorithm>
 #include <stdexcept>
 #include <utility>
 
 namespace orthocone
 {
+using Eigen::VectorXd;
+
 namespace
 {
 /// Checks gap and friction at the nodes of the scene. The model was chosen at other nodes where a search
@@ -159,28 +162,123 @@ MaterialOptions Scene::contact_material() const
   return obstacle_material_ ? as_one(body, *obstacle_material_) : body;
 }
 
-Wrench Scene::held_wrench(const NodeVector &force, const RigidMotion &motion) const
+Wrench Scene::held_wrench(const NodeVector &force, const RigidMotion &motion, const VectorXd &loads) const
 {
-  const Wrench contact = body_->wrench(force), supports = body_->resistance(motion);
+  const VectorXd conjugates = body_->conjugates(force, motion, loads);
   Wrench held;
   for (unsigned int i = 0; i < n_rigid_components; ++i)
-    held[i] =
-        symmetry().carries(i) ? static_cast<double>(symmetry().n_copies()) * (supports[i] - contact[i]) : 0;
+    held[i] = symmetry().carries(i) ? static_cast<double>(symmetry().n_copies()) * conjugates[i] : 0;
   return held;
+}
+
+VectorXd Scene::load_conjugates(const NodeVector &force, const RigidMotion &motion,
+                                const VectorXd &loads) const
+{
+  const Eigen::Index m = n_loads();
+  VectorXd all = VectorXd::Zero(m);
+  if (body_->driven() != nullptr)
+    all += body_->conjugates(force, motion, loads).tail(m);
+  if (lower_ && lower_->body().driven() != nullptr)
+    all += lower_->body().conjugates(lower_->own_force(force), {}, loads).tail(m);
+  return symmetry().n_copies() * all;
+}
+
+VectorXd Scene::load_areas() const
+{
+  VectorXd all = VectorXd::Zero(n_loads());
+  if (body_->driven() != nullptr)
+    all += body_->driven()->areas;
+  if (lower_ && lower_->body().driven() != nullptr)
+    all += lower_->body().driven()->areas;
+  return symmetry().n_copies() * all;
+}
+
+FaceState Scene::face_state(const NodeVector &force, const RigidMotion &motion, const VectorXd &loads) const
+{
+  FaceState face{motion, held_wrench(force, motion, loads), loads};
+  const std::vector<Load> &all = parameters_.load.loads;
+  if (all.empty())
+    return face;
+  const VectorXd conjugates = load_conjugates(force, motion, loads);
+  face.loads = loads.size() > 0 ? loads : VectorXd(VectorXd::Zero(conjugates.size()));
+  for (std::size_t k = 0; k < all.size(); ++k)
+    if (all[k].kind->is_force_of_surface())
+      face.loads[static_cast<Eigen::Index>(k)] = conjugates[static_cast<Eigen::Index>(k)];
+  return face;
+}
+
+NodeVector Scene::driven_displacement(const RigidMotion &motion, const VectorXd &loads) const
+{
+  NodeVector moved = body_->moved_with(motion, loads);
+  if (lower_ && lower_->body().driven() != nullptr)
+    moved += lower_->parted(lower_->body().moved_with({}, loads));
+  return moved;
+}
+
+double Scene::elastic_energy(const NodeVector &force, const RigidMotion &motion, const VectorXd &loads) const
+{
+  NodeVector moved;
+  compliance().vmult(moved, force);
+  const unsigned int n_copies = symmetry().n_copies();
+  double energy = 0.5 * n_copies * force.dot(moved) + n_copies * body_->driven_energy(force, motion, loads);
+  if (lower_)
+    energy += n_copies * lower_->body().driven_energy(lower_->own_force(force), {}, loads);
+  return energy;
+}
+
+/// The loads of a target, without those that find the motion of their surface.
+VectorXd Scene::given_loads(const FaceTarget &target) const
+{
+  VectorXd given = target.loads;
+  for (Eigen::Index k = 0; k < given.size(); ++k)
+    if (parameters_.load.loads[static_cast<std::size_t>(k)].kind->is_force_of_surface())
+      given[k] = 0;
+  return given;
 }
 
 NodeVector Scene::free_displacement(const FaceTarget &target) const
 {
-  return gaps_ + body_->moved_with(driven_motion(target));
+  return gaps_ + driven_displacement(driven_motion(target), given_loads(target));
+}
+
+bool Scene::is_loose(const unsigned int component) const
+{
+  const std::vector<unsigned int> &loose = body_->unknowns().loose_components();
+  return std::find(loose.begin(), loose.end(), component) != loose.end();
 }
 
 std::vector<unsigned int> Scene::free_components(const FaceTarget &target) const
 {
   std::vector<unsigned int> components;
   for (unsigned int i = 0; i < n_rigid_components; ++i)
-    if (target.by_force[i] && symmetry().leaves(i))
+    if ((target.by_force[i] && symmetry().leaves(i)) || is_loose(i))
       components.push_back(i);
+  const std::vector<Load> &loads = parameters_.load.loads;
+  for (std::size_t k = 0; k < loads.size(); ++k)
+    if (loads[k].kind->is_force_of_surface())
+      components.push_back(n_rigid_components + static_cast<unsigned int>(k));
   return components;
+}
+
+/// The displacement that a unit of a component drives, and the conjugates of all, of the whole scene's model.
+std::pair<NodeVector, VectorXd> Scene::unit_answer(const unsigned int component) const
+{
+  RigidMotion motion;
+  VectorXd loads = VectorXd::Zero(n_loads());
+  if (component < n_rigid_components)
+    motion[component] = 1;
+  else
+    loads[component - n_rigid_components] = 1;
+  return {driven_displacement(motion, loads), conjugates(NodeVector::Zero(gaps_.size()), motion, loads)};
+}
+
+/// The wrench on the held face and the conjugates of the loads of the model, without its copies.
+VectorXd Scene::conjugates(const NodeVector &force, const RigidMotion &motion, const VectorXd &loads) const
+{
+  VectorXd all(n_rigid_components + n_loads());
+  all << body_->conjugates(force, motion, loads).head<n_rigid_components>(),
+      load_conjugates(force, motion, loads) / symmetry().n_copies();
+  return all;
 }
 
 FreeFace Scene::free_face(const FaceTarget &target) const
@@ -191,16 +289,17 @@ FreeFace Scene::free_face(const FaceTarget &target) const
     return {};
   Eigen::MatrixXd columns(3 * system_.n_nodes(), n), stiffness(n, n);
   Eigen::VectorXd balance(n);
-  const Wrench of_supports = body_->resistance(driven_motion(target));
+  const VectorXd of_given =
+      conjugates(NodeVector::Zero(gaps_.size()), driven_motion(target), given_loads(target));
   for (Eigen::Index j = 0; j < n; ++j)
   {
-    RigidMotion unit;
-    unit[components[j]] = 1;
-    columns.col(j) = body_->moved_with(unit);
-    const Wrench resistance = body_->resistance(unit);
+    const auto [column, conjugates_of_unit] = unit_answer(components[j]);
+    columns.col(j) = column;
     for (Eigen::Index i = 0; i < n; ++i)
-      stiffness(i, j) = resistance[components[i]];
-    balance[j] = of_supports[components[j]] - target.force[components[j]] / symmetry().n_copies();
+      stiffness(i, j) = conjugates_of_unit[components[i]];
+    const unsigned int i = components[j];
+    const double force = i < n_rigid_components ? target.force[i] : target.loads[i - n_rigid_components];
+    balance[j] = of_given[i] - force / symmetry().n_copies();
   }
   return FreeFace(columns, balance, stiffness);
 }

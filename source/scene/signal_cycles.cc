@@ -38,7 +38,30 @@ double start_of(const std::size_t component, const Drive &first_row, const std::
   return start.by_force == first_row.by_force ? start.value : first_row.value;
 }
 
-/// The first component that changes in the file: tangential ones and the twist come first.
+/// Where a load sets out: where the preload left it.
+double start_of(const std::string &load, const std::vector<Leg> &preload)
+{
+  double start = 0;
+  for (const Leg &leg : preload)
+    start = leg.load(load).value_or(start);
+  return start;
+}
+
+/// The first load that changes in the file.
+Signal signal_of_loads(const std::vector<Leg> &rows, const std::vector<Leg> &preload)
+{
+  for (const auto &[name, first] : rows.front().loads)
+  {
+    Signal signal{{}, start_of(name, preload)};
+    for (const Leg &row : rows)
+      signal.values.push_back(row.load(name).value_or(first));
+    if (signal.range() > 0)
+      return signal;
+  }
+  return {};
+}
+
+/// The first component that changes in the file: tangential ones and the twist come first, and loads last.
 Signal signal_of(const std::vector<Leg> &rows, const std::vector<Leg> &preload)
 {
   constexpr std::array<std::size_t, n_rigid_components> by_importance{{0, 1, 5, 2, 3, 4}};
@@ -53,7 +76,7 @@ Signal signal_of(const std::vector<Leg> &rows, const std::vector<Leg> &preload)
     if (signal.range() > 0)
       return signal;
   }
-  return {};
+  return signal_of_loads(rows, preload);
 }
 
 /// Finds the rows at which cycles end.

@@ -24,6 +24,7 @@ ROWS = [
     row("young_moduli_two", "Material", "Young moduli", "14000, 900", "three numbers > 0 separated by commas"),
     row("poisson_ratios_four", "Material", "Poisson ratios", "0.3, 0.3, 0.3, 0.3", "three numbers separated by commas"),
     row("shear_moduli_zero", "Material", "Shear moduli", "800, 700, 0", "three numbers > 0 separated by commas"),
+    row("thermal_expansion_with_unit", "Material", "Thermal expansion", "1.2e-5 1/K", "a number > -0.01 and < 0.01"),
     row("regions_without_poisson_ratio", "Material", "Regions", "core: 70000", REGIONS),
     row("regions_incompressible", "Material", "Regions", "core: 70000, 0.5", REGIONS),
     row("regions_twice", "Material", "Regions", "core: 70000, 0.3 ; core: 1000, 0.3", REGIONS),
@@ -37,7 +38,7 @@ OF_CELLS = [("Core cells", "0", COUNT), ("Rings", "-1", "a whole number from 0 t
             ("Edge grading", "0", GRADING), ("Layer grading", "10.1", GRADING),
             ("Refinements", "8", "a whole number from 0 to 7")]
 OF_SIZES = [("Shape", "sphere", "cylinder | box | file"), ("Radius", "0", POSITIVE), ("Height", "-10", POSITIVE),
-            ("Sizes", "20, 0, 10", "three numbers > 0 separated by commas"), ("Top face", "free", "clamped | guided"),
+            ("Sizes", "20, 0, 10", "three numbers > 0 separated by commas"), ("Top face", "loose", "clamped | guided | free"),
             ("Supports", "top x", SUPPORTS)]
 OF_CONSTANTS = [("Young modulus", "210 GPa", POSITIVE), ("Poisson ratio", "0.5", "a number > -1 and < 0.5")]
 GIVEN = [(text.split("set ")[1].split(" = "), message.split("allowed is ", 1)[1], text) for _, text, message in ROWS]

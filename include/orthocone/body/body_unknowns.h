@@ -53,6 +53,10 @@ public:
 
   const HangingDofs &hanging() const { return hanging_; }
 
+  /// Components of the rigid motion that nothing holds but contact, because there is no held face: forces of
+  /// zero drive them.
+  const std::vector<unsigned int> &loose_components() const { return loose_components_; }
+
 protected:
   BodySize size_;
   unsigned int n_interior_ = 0;
@@ -63,5 +67,6 @@ protected:
   Eigen::Vector3d held_centre_ = Eigen::Vector3d::Zero();
   ContactSurface contact_surface_;
   HangingDofs hanging_;
+  std::vector<unsigned int> loose_components_;
 };
 } // namespace orthocone

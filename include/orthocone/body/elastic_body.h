@@ -39,25 +39,36 @@ public:
   /// The contact nodes in their local axes.
   virtual const ContactFrame &frame() const = 0;
 
-  /// What supports add to the rigid motion of the held face; null where nothing keeps the body from following
-  /// it.
+  /// What supports add to the rigid motion of the held face, and what loads do; null where the body follows
+  /// the face and has no loads.
   virtual const DrivenField *driven() const { return nullptr; }
+
+  // In the next functions `loads` are the m loads of the scene (MPa, mm, K), of which each body takes its
+  // own; empty stands for no loads.
 
   /// Displacement of every contact node (3 n, mm), without contact forces, when the held face moves by
   /// `held`.
-  NodeVector moved_with(const RigidMotion &held) const;
+  NodeVector moved_with(const RigidMotion &held, const Eigen::VectorXd &loads = {}) const;
 
   /// Wrench of contact forces (3 n) on the nodes of the model about the centre of the held face, without the
   /// copies of the model: its components are the work of the forces on moved_with() of unit motions.
   Wrench wrench(const NodeVector &force) const;
 
-  /// Wrench on the held face of the model that its motion takes against the supports, without contact forces.
-  Wrench resistance(const RigidMotion &held) const;
+  /// The wrench on the held face (6), and behind it the conjugates of the m loads, of the model without its
+  /// copies, under contact forces (3 n). A body without DrivenField has the wrench alone.
+  Eigen::VectorXd conjugates(const NodeVector &force, const RigidMotion &held,
+                             const Eigen::VectorXd &loads = {}) const;
+
+  /// Elastic energy of the model, N mm, beyond that of contact forces alone, which is force^T W force / 2:
+  /// forces do work on what tractions add to the body, but not on what motions and temperatures add.
+  double driven_energy(const NodeVector &force, const RigidMotion &held,
+                       const Eigen::VectorXd &loads = {}) const;
 
   /// Displacements of the free degrees of freedom (mm) under contact forces (3 n, N), and displacements of
   /// all degrees of freedom when the held face moves, too.
   virtual Eigen::VectorXd elastic_displacement(const NodeVector &force) const = 0;
-  Eigen::VectorXd with_motion(const RigidMotion &held, const Eigen::VectorXd &elastic) const;
+  Eigen::VectorXd with_motion(const RigidMotion &held, const Eigen::VectorXd &elastic,
+                              const Eigen::VectorXd &loads = {}) const;
 
   /// A displacement (mm) of the free degrees of freedom of the mesh before the last refinement, interpolated
   /// to the free degrees of freedom of this one. Throws std::logic_error where the body has no such mesh.
@@ -75,6 +86,9 @@ public:
   virtual unsigned long n_v_cycles() const { return 0; }
 
 private:
+  /// The numbers that multiply the columns of driven().
+  Eigen::VectorXd driving(const RigidMotion &held, const Eigen::VectorXd &loads) const;
+
   /// with_motion() of a body that follows its face as a rigid one.
   virtual Eigen::VectorXd with_rigid_motion(const RigidMotion &held, const Eigen::VectorXd &elastic) const
   {

@@ -5,23 +5,25 @@
 // sections of other names, so that each of the option structs knows the name of its own section.
 #pragma once
 
+#include <orthocone/body/loads/load.h>
 #include <orthocone/body/materials/material_law.h>
 
 namespace orthocone
 {
-/// How the upper face is held: clamped (it moves as a rigid plate) or guided (u_z is prescribed, and it is
-/// free sideways).
+/// How the upper face is held: clamped (it moves as a rigid plate), guided (u_z is prescribed, and it is free
+/// sideways) or not at all (free).
 enum class TopFace
 {
   clamped,
   guided,
+  free,
 };
 
 template<>
 struct Words<TopFace>
 {
-  static constexpr std::array<std::pair<TopFace, std::string_view>, 2> table{
-      {{TopFace::clamped, "clamped"}, {TopFace::guided, "guided"}}};
+  static constexpr std::array<std::pair<TopFace, std::string_view>, 3> table{
+      {{TopFace::clamped, "clamped"}, {TopFace::guided, "guided"}, {TopFace::free, "free"}}};
 };
 
 /// Whether everything depends on x, y and z, or on x and z only (plane strain).
@@ -154,9 +156,14 @@ struct GeometryOptions
   std::string held_surface{};
   std::vector<std::string> symmetry_surfaces{};
   std::vector<Support> supports{};         ///< of any shape
+  std::vector<Load> loads{};               ///< of the load program, on both bodies; no entry of this section
   GeometryKind kind = GeometryKind::solid; ///< of the scene: the lower body has the upper one's
   double thickness = 1;                    ///< of a file in plane strain, mm
   SectionName section = "Geometry";
+  bool is_lower = false; ///< whether this is the second body
+
+  /// Whether a load acts on this body.
+  bool has(const Load &load) const { return load.is_on_lower == is_lower; }
 
   /// "Geometry/Shape = box".
   std::string shape_entry() const { return section + "/Shape = " + std::string(shape.word); }
@@ -228,6 +235,7 @@ struct MaterialOptions
   double poisson_ratio = 0.3;
   Choice<MaterialLaw> law{};
   std::vector<MaterialRegion> regions{};
+  double thermal_expansion = 0; ///< strain in all directions per kelvin, 1/K
   SectionName section = "Material";
 
   bool is_isotropic() const { return !law.chosen().tangent(); }

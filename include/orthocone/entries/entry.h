@@ -53,6 +53,12 @@ public:
     path_ = &value;
     return *this;
   }
+  /// The texts of other entries of its section refer to its value, so that files may give it behind them.
+  Entry &read_first()
+  {
+    is_read_first_ = true;
+    return *this;
+  }
   /// A run may go on with another value: the entry concerns steps to come, output, or how a step is solved
   /// and judged.
   Entry &may_change_on_resume()
@@ -86,6 +92,7 @@ public:
   std::string text() const { return binding_.print(); }
   const std::string &unit() const { return unit_; }
   bool is_path() const { return path_ != nullptr; }
+  bool is_read_first() const { return is_read_first_; }
   bool may_change() const { return may_change_; }
   bool may_grow() const { return may_grow_; }
   const std::vector<std::string> &synonyms() const { return synonyms_; }
@@ -105,7 +112,7 @@ private:
   std::vector<Condition> conditions_;
   std::vector<std::string> synonyms_;
   std::string *path_ = nullptr;
-  bool may_change_ = false, may_grow_ = false;
+  bool may_change_ = false, may_grow_ = false, is_read_first_ = false;
 };
 
 /// The absolute path of `path`, which is relative to the folder of `file_name`, or to the working folder

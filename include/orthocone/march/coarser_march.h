@@ -24,6 +24,7 @@ public:
   {
     Eigen::VectorXd displacement; ///< of the free degrees of freedom of the coarser mesh, mm
     RigidMotion motion;           ///< of the held face
+    Eigen::VectorXd loads{};      ///< as ContactState::loads
   };
 
   /// Solves a step from the last accepted state; returns nothing if that fails.

@@ -21,17 +21,19 @@ struct ContactState
   {
   }
 
-  /// The state before the first step. `gaps` is the displacement relative to the obstacle (3 n, mm).
-  explicit ContactState(const NodeVector &gaps);
+  /// The state before the first step, without loads. `gaps` is the displacement relative to the obstacle (3
+  /// n, mm).
+  explicit ContactState(const NodeVector &gaps, Eigen::Index n_loads = 0);
 
   Eigen::Index n_nodes() const { return accumulated_slip.size(); }
 
   unsigned int step = 0;
-  RigidMotion motion{};    ///< of the held face
-  double work = 0;         ///< of the face over all solved parts of steps (docs/theory.md, section 4), N mm
-  FaceState leg_begin{};   ///< the face when the present leg began
-  NodeVector force;        ///< of the plane on the body, N
-  NodeVector displacement; ///< relative to the plane (gap, slip), mm
+  RigidMotion motion{};  ///< of the held face
+  Eigen::VectorXd loads; ///< as Scene takes them: with the motion of surfaces that find it
+  double work = 0; ///< of face and loads over all solved parts of steps (docs/theory.md, section 4), N mm
+  FaceState leg_begin{};             ///< the face when the present leg began
+  NodeVector force;                  ///< of the plane on the body, N
+  NodeVector displacement;           ///< relative to the plane (gap, slip), mm
   Eigen::VectorXd accumulated_slip;  ///< path length of the slip in contact, mm
   Eigen::VectorXd dissipated_energy; ///< N mm
   Eigen::VectorXd wear_depth;        ///< worn off since the start, mm

@@ -15,7 +15,7 @@ namespace orthocone
 struct MarchMemory;
 
 /// Forces from which the next step may start, besides the forces of the last step. Each vector has three
-/// forces a node (N), and behind them the motion of the held face (mm and rad).
+/// forces a node (N), and behind them the motion of the held face (mm and rad) and the loads.
 struct StartMemory
 {
   NodeVector change;                           ///< of the forces in the last step
@@ -41,7 +41,7 @@ struct MarchMemory
   StartMemory starts;
 };
 
-/// Forces of a state, and the motion of the held face behind them, as StartMemory has them.
+/// Forces of a state, and the motion of the held face and the loads behind them, as StartMemory has them.
 NodeVector with_motion(const ContactState &state);
 
 /// Turns such a vector into unknowns of a step whose face has these components.

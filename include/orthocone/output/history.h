@@ -8,6 +8,7 @@
 #include <orthocone/output/run_folder.h>
 #include <orthocone/results/cycles.h>
 #include <orthocone/results/solved_step.h>
+#include <orthocone/results/tables.h>
 #include <orthocone/scene/options.h>
 
 namespace orthocone
@@ -16,7 +17,7 @@ namespace orthocone
 class History
 {
 public:
-  explicit History(RunFolder &folder);
+  History(RunFolder &folder, const std::vector<Load> &loads);
 
   /// Starts the tables with the names of their columns.
   void start();
@@ -24,6 +25,7 @@ public:
 
 private:
   RunFolder &folder_;
+  const Columns<SolvedStep> columns_; ///< of history.csv
 };
 
 /// File names of the tables of these probes.

@@ -19,17 +19,20 @@ std::string contact_vtu(const ContactFieldEvaluator &evaluator, const ContactSta
 /// element has points of its own, because stress jumps between elements. Between them are trilinear
 /// hexahedra. A section lies in the plane y = 0 and has one Lagrange cell an element. Where several processes
 /// share the body, the text has only the cells of this process, and is empty if there are none.
-/// `is_mirrored`: the text has the image about z = 0. `displacement` is of all degrees of freedom, mm.
+/// `is_mirrored`: the text has the image about z = 0. `displacement` is of all degrees of freedom, mm;
+/// `free_strain` causes no stress.
 template<int dim>
 std::string volume_vtu(const DisplacementSpace<dim> &space, const Materials &materials,
-                       const Eigen::VectorXd &displacement, bool is_mirrored = false);
+                       const Eigen::VectorXd &displacement, const Strain &free_strain,
+                       bool is_mirrored = false);
 
 /// The same for the displacement space of a body.
 inline std::string volume_vtu(const Body &body, const Eigen::VectorXd &displacement,
-                              const bool is_mirrored = false)
+                              const Strain &free_strain, const bool is_mirrored = false)
 {
-  return body.visit([&](const auto &discretization)
-                    { return volume_vtu(discretization, body.materials(), displacement, is_mirrored); });
+  return body.visit(
+      [&](const auto &discretization)
+      { return volume_vtu(discretization, body.materials(), displacement, free_strain, is_mirrored); });
 }
 
 /// PVTU text that names the pieces of several processes.

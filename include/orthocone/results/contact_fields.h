@@ -60,7 +60,7 @@ public:
   /// `scene` must outlive the evaluator.
   explicit ContactFieldEvaluator(const Scene &scene);
 
-  /// Fields of a contact node.
+  /// Fields of a contact node; its displacement is that relative to the counterface.
   ContactFields fields(const ContactState &state, unsigned int node) const;
   /// Fields of all places: contact nodes, then hanging nodes.
   std::vector<ContactFields> all_fields(const ContactState &state) const;
@@ -80,6 +80,7 @@ public:
   const Scene &scene() const { return scene_; }
 
 private:
+  void add_counterface(const ContactState &state, std::vector<ContactFields> &all) const;
   double load_width(const ContactState &state) const;
   StickSample stick_sample(const ContactState &state, unsigned int node, double unresolved) const;
 

@@ -37,17 +37,17 @@ struct Column
 {
   /// `value_of`: number, count or word of a row. `unit`: empty for counts, shares and words.
   template<typename ValueOf>
-  Column(const char *const name_, const char *const unit_, const char *const how_, const ValueOf &value_of)
-      : name(name_),
-        unit(unit_),
-        how(how_),
+  Column(std::string name_, std::string unit_, std::string how_, const ValueOf &value_of)
+      : name(std::move(name_)),
+        unit(std::move(unit_)),
+        how(std::move(how_)),
         of([value_of](const Row &row) { return cell(value_of(row)); })
   {
   }
 
-  const char *name; ///< in the header of the file
-  const char *unit;
-  const char *how; ///< what the number means
+  std::string name; ///< in the header of the file
+  std::string unit;
+  std::string how; ///< what the number means
   std::function<std::string(const Row &)> of;
 };
 

@@ -20,6 +20,9 @@ struct ProbedStep
 
 /// The columns of history.csv, checks.csv, timing.csv, probe-NAME.csv and cycles.csv.
 const Columns<SolvedStep> &history_columns();
+
+/// The columns of history.csv with two more for each load: the load, and its conjugate.
+Columns<SolvedStep> with_loads(Columns<SolvedStep> columns, const std::vector<Load> &loads);
 const Columns<SolvedStep> &checks_columns();
 const Columns<SolvedStep> &timing_columns();
 const Columns<ProbedStep> &probe_columns();

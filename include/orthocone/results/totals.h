@@ -24,6 +24,9 @@ struct Totals
   ZoneWidths zones{};
   double total_dissipation = 0; ///< N mm
   double elastic_energy = 0;    ///< N mm
+  Eigen::VectorXd loads{};      ///< FaceState::loads: MPa, mm, N, K
+  Eigen::VectorXd conjugates{}; ///< Scene::load_conjugates(), but of surfaces that find it their motion, mm
+  Eigen::VectorXd load_areas{}; ///< Scene::load_areas(), mm^2
   double worn_volume = 0;       ///< mm^3
   double max_wear_depth = 0;    ///< mm
 };

@@ -8,13 +8,19 @@
 
 namespace orthocone
 {
-/// "ux uy uz : steps ; NAME value ... : steps ; ...", possibly empty, in mm, degrees, N and N mm. Each leg
-/// has at least one step, and names a component once.
-Codec<std::vector<Leg>> legs_codec();
+inline const std::vector<Load> no_loads{};
 
-/// Sets the target of the component of this name, mm, degrees, N or N mm. Returns what is allowed instead of
-/// the name, or "".
-std::string set_target(const std::string &name, double value, Leg &leg);
+/// "ux uy uz : steps ; NAME value ... : steps ; ...", possibly empty, in mm, degrees, N and N mm, and the
+/// units of the loads. Each leg has at least one step, and names a component or a load once. `loads` must
+/// outlive the codec; they are read before legs.
+Codec<std::vector<Leg>> legs_codec(const std::vector<Load> &loads = no_loads);
+
+/// Loads, each name once, and none that legs have for something else.
+Codec<std::vector<Load>> loads_codec();
+
+/// Sets the target of the component of this name, mm, degrees, N or N mm, or of a load. Returns what is
+/// allowed instead of the name, or "".
+std::string set_target(const std::string &name, double value, const std::vector<Load> &loads, Leg &leg);
 
 /// "name: x y ; ...", possibly empty, mm. Names become file names: they consist of letters, digits, '-' and
 /// '_', and each may occur once.

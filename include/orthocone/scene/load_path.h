@@ -19,6 +19,7 @@ struct PathLeg
   bool begins_cycle;  ///< or the preload
   bool ends_cycle;    ///< not the preload
   Drives before, after;
+  std::vector<double> loads_before{}, loads_after{}; ///< of LoadOptions::loads
 
   /// Where a component is behind the leg, mm or degrees; 0 where a force drives it, because it is unknown.
   double motion(const unsigned int component) const

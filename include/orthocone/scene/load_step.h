@@ -16,21 +16,20 @@ namespace orthocone
 struct FaceTarget
 {
   std::array<bool, n_rigid_components> by_force{};
-  RigidMotion motion{}; ///< of the components that motions drive
-  Wrench force{};       ///< on the held face, of the components that forces drive
+  RigidMotion motion{};    ///< of the components that motions drive
+  Wrench force{};          ///< on the held face, of the components that forces drive
+  Eigen::VectorXd loads{}; ///< of the whole body: MPa, mm, K, and N where a surface finds its motion
 
   /// Whether a force drives a component.
   bool has_forces() const;
-
-  /// Whether nothing presses: all driving forces are zero, and the normal one is among them.
-  bool is_release() const;
 };
 
-/// Motion and wrench of the held face at a moment.
+/// Motion and wrench of the held face at a moment, and the loads as FaceTarget has them.
 struct FaceState
 {
   RigidMotion motion{};
   Wrench wrench{};
+  Eigen::VectorXd loads{};
 };
 
 /// One load step: what drives the held face at its end, and its place in the program.
@@ -48,6 +47,7 @@ struct LoadStep
   std::array<bool, n_rigid_components> from_present{};
   double share = 1; ///< of the leg, up to the end of the step
   bool ends_cycle = false;
+  std::vector<double> loads{};  ///< at the end of the step
   std::optional<double> time{}; ///< at the end of the step, s; nothing in a program without times
   /// The parts in which the step is solved; the last one ends where the step does. If empty, it is solved in
   /// one. Their `step_of_leg` and `phase` count parts.

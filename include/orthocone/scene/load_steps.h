@@ -40,7 +40,8 @@ public:
 
   /// `different` has the preload, the first cycle and, if there is one, the second cycle, of `n_cycle` steps
   /// and `cycle_time` seconds each; `size` counts the steps of all cycles.
-  LoadSteps(std::vector<LoadStep> different, std::size_t n_cycle, std::size_t size, double cycle_time);
+  LoadSteps(std::vector<LoadStep> different, std::size_t n_cycle, std::size_t size, double cycle_time,
+            std::vector<Load> loads = {});
 
   std::size_t size() const { return size_; }
 
@@ -55,10 +56,14 @@ public:
   /// Those that others repeat.
   const std::vector<LoadStep> &different() const { return different_; }
 
+  /// The loads whose values LoadStep::loads are.
+  const std::vector<Load> &loads() const { return loads_; }
+
 private:
   std::vector<LoadStep> different_{};
   std::size_t n_cycle_ = 0;
   std::size_t size_ = 0;
   double cycle_time_ = 0;
+  std::vector<Load> loads_{};
 };
 } // namespace orthocone

@@ -204,13 +204,24 @@ struct SignalRow
 };
 
 /// One leg of the load program. The components that it names (ux uy uz rx ry rz, or in their place Fx Fy Fz
-/// Mx My Mz) go to their targets on a straight line in equal steps; the others stay as they are.
+/// Mx My Mz) and the loads go to their targets on a straight line in equal steps; the others stay as they
+/// are.
 struct Leg
 {
   std::array<std::optional<Drive>, n_rigid_components> targets{};
   unsigned int steps = 1;
   unsigned int parts = 1; ///< of each step, solved one by one; only the step's end is checked and written
-  std::optional<SignalRow> row{}; ///< of a leg of the program file
+  std::optional<SignalRow> row{};                      ///< of a leg of the program file
+  std::vector<std::pair<std::string, double>> loads{}; ///< names and targets of loads, in their units
+
+  /// The target of the load of this name, or nothing.
+  std::optional<double> load(const std::string &name) const
+  {
+    for (const auto &[own, target] : loads)
+      if (own == name)
+        return target;
+    return std::nullopt;
+  }
 
   /// Where the leg moves the component (mm or degrees), or nothing if it does not.
   std::optional<double> motion(const unsigned int component) const
@@ -220,7 +231,7 @@ struct Leg
   }
   bool operator==(const Leg &other) const
   {
-    return targets == other.targets && steps == other.steps && parts == other.parts;
+    return targets == other.targets && steps == other.steps && parts == other.parts && loads == other.loads;
   }
 };
 
@@ -247,6 +258,7 @@ struct LoadOptions
   Kinds<StopRule> stops{};        ///< each of which may end the run before its last cycle
   double jump_when_periodic = 0;  ///< bound of the change of state in a cycle; 0 = never
   unsigned int jump_cycles = 100; ///< most cycles that are jumped before the next one is computed
+  std::vector<Load> loads{};      ///< beside the held face, on both bodies
 
   /// The legs that are passed through `cycles` times.
   const std::vector<Leg> &cycle_legs() const { return program_file.empty() ? legs : rows; }

@@ -33,6 +33,11 @@ public:
   EntryList list;
 };
 
+/// Gives both bodies what they have in common: the kind of body, in plane strain of one thickness, and the
+/// loads of the load program, of which each takes its own. To be called where `parameters` are made or
+/// changed by hand.
+void share_among_bodies(Parameters &parameters);
+
 /// Reads a .prm or .json file, and applies the overrides "Section/Entry=value" in their order. Throws as
 /// read_entries() and assign_entry() do.
 ParameterFile read_parameter_file(const std::string &file_name,

@@ -60,9 +60,36 @@ public:
   /// Orthotropic materials count with the averages of MaterialOptions::isotropic().
   MaterialOptions contact_material() const;
 
+  // In the next functions `loads` are those of the load program, FaceTarget::loads, but with the motion (mm)
+  // of surfaces that find it; empty stands for none.
+
   /// Wrench on the held face of the whole body at this motion that balances the contact forces (local axes,
-  /// N) of the model and the supports.
-  Wrench held_wrench(const NodeVector &force, const RigidMotion &motion) const;
+  /// N) of the model, the supports and the loads.
+  Wrench held_wrench(const NodeVector &force, const RigidMotion &motion,
+                     const Eigen::VectorXd &loads = {}) const;
+
+  /// Conjugates of the loads of the whole body (Conjugate), each times the area of its surface where it acts
+  /// by tractions.
+  Eigen::VectorXd load_conjugates(const NodeVector &force, const RigidMotion &motion,
+                                  const Eigen::VectorXd &loads) const;
+
+  /// The number of loads of the load program.
+  Eigen::Index n_loads() const { return static_cast<Eigen::Index>(parameters_.load.loads.size()); }
+
+  /// Areas of the surfaces of the loads of the whole body, mm^2.
+  Eigen::VectorXd load_areas() const;
+
+  /// Face and loads of a state: FaceState::loads has the forces of surfaces that find their motion.
+  FaceState face_state(const NodeVector &force, const RigidMotion &motion,
+                       const Eigen::VectorXd &loads) const;
+
+  /// Displacement of the contact nodes relative to the obstacle (3 n, mm) by face and loads, without contact
+  /// forces.
+  NodeVector driven_displacement(const RigidMotion &motion, const Eigen::VectorXd &loads) const;
+
+  /// Elastic energy of both bodies of the whole scene, N mm.
+  double elastic_energy(const NodeVector &force, const RigidMotion &motion,
+                        const Eigen::VectorXd &loads) const;
 
   /// Displacement of the contact nodes relative to the obstacle before anything moves: their gaps, 3 n, mm.
   const NodeVector &gaps() const { return gaps_; }
@@ -78,13 +105,20 @@ public:
   /// has. Throws std::invalid_argument as FreeFace does.
   FreeFace free_face(const FaceTarget &target) const;
 
-  /// The components (0 to 5) of the columns of free_face().
+  /// The components (0 to 5) of the columns of free_face(), and behind them 6 + k for a load k that finds the
+  /// motion of its surface.
   std::vector<unsigned int> free_components(const FaceTarget &target) const;
 
   /// Wall time of mesh, assembly, factorization and condensation.
   const PhaseSeconds &seconds() const { return seconds_; }
 
 private:
+  bool is_loose(unsigned int component) const;
+  Eigen::VectorXd given_loads(const FaceTarget &target) const;
+  Eigen::VectorXd conjugates(const NodeVector &force, const RigidMotion &motion,
+                             const Eigen::VectorXd &loads) const;
+  std::pair<NodeVector, Eigen::VectorXd> unit_answer(unsigned int component) const;
+
   const Parameters parameters_;
   const ModelChoice choice_;
   const LoadProgram program_;

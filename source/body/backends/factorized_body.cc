@@ -25,14 +25,14 @@ FactorizedBody::FactorizedBody(const BodyOptions &options, const ModelSymmetry &
                     [&] { return StiffnessFactor(stiffness_.matrix(), mesh_.unknowns().n_interior()); })),
       condensed_(timed(seconds.condensation,
                        [&] { return CondensedBody(mesh_.unknowns(), factor_, axes_of(surface())); })),
-      driven_(timed(seconds.condensation, [&] { return driven_field(symmetry); }))
+      driven_(timed(seconds.condensation, [&] { return driven_field(options, symmetry); }))
 {
 }
 
-std::optional<DrivenField> FactorizedBody::driven_field(const ModelSymmetry &symmetry) const
+std::optional<DrivenField> FactorizedBody::driven_field(const BodyOptions &options,
+                                                        const ModelSymmetry &symmetry) const
 {
-  const bool follows = mesh_.visit([](const auto &space) { return space.supported().empty(); });
-  if (follows)
+  if (!is_driven(mesh_, options))
     return std::nullopt;
   const auto solve = [this](const Eigen::VectorXd &forces)
   {
@@ -40,6 +40,6 @@ std::optional<DrivenField> FactorizedBody::driven_field(const ModelSymmetry &sym
     u += factor_.solve(forces - stiffness_.vmult(u)); // rounding, as in CondensedBody::mismatch()
     return u;
   };
-  return orthocone::driven_field(mesh_, frame(), symmetry, solve);
+  return orthocone::driven_field(mesh_, options, frame(), symmetry, solve);
 }
 } // namespace orthocone

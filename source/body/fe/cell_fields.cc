@@ -51,9 +51,11 @@ const dealii::UpdateFlags needed =
 
 template<int dim>
 CellFields<dim>::CellFields(const DisplacementSpace<dim> &space, const Materials &materials,
-                            const dealii::Quadrature<dim> &points, const VectorXd &displacement)
+                            const dealii::Quadrature<dim> &points, const VectorXd &displacement,
+                            const Strain &free_strain)
     : space_(space),
       displacement_(displacement),
+      free_strain_(free_strain),
       materials_(materials),
       values_(space.mapping(), space.scalar_fe(), points, needed),
       quadrature_values_(space.mapping(), space.scalar_fe(), dealii::QGauss<dim>(space.n_quadrature_points()),
@@ -106,7 +108,8 @@ std::vector<PointFields> CellFields<dim>::in(const typename DisplacementSpace<di
     fields[q].displacement = displacement_at(space_, values_, q, nodal);
     fields[q].volume = cell->material_id();
     fields[q].stress =
-        materials_.of(cell->material_id()).stress(strain, is_projected ? changes[q] : trace(strain));
+        materials_.of(cell->material_id())
+            .stress(strain - free_strain_, (is_projected ? changes[q] : trace(strain)) - trace(free_strain_));
   }
   return fields;
 }

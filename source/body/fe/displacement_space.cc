@@ -3,6 +3,7 @@
 #include <orthocone/body/fe/displacement_space.h>
 
 #include "contact_faces.h"
+#include "datum.h"
 #include "dof_places.h"
 #include "local_dofs.h"
 
@@ -68,14 +69,16 @@ DisplacementSpace<dim>::DisplacementSpace(const dealii::Triangulation<dim> &tria
       hierarchic_(dealii::FETools::lexicographic_to_hierarchic_numbering<dim>(options.degree))
 {
   dof_handler_.distribute_dofs(fe_);
-  const DofRanges ranges = number_by_range(dof_handler_, held_dofs(held).all);
+  const Datum datum = datum_of(triangulation, held, section_);
+  loose_components_ = datum.components;
+  const DofRanges ranges = number_by_range(dof_handler_, held_dofs(held, datum).all);
   n_interior_ = ranges.n_interior;
   n_free_ = ranges.n_free;
   n_owned_ = dof_handler_.n_locally_owned_dofs();
   size_ = {static_cast<unsigned int>(triangulation.n_global_active_cells()),
            static_cast<unsigned int>(dof_handler_.n_dofs()),
            static_cast<unsigned int>(is_shared() ? sum_over_ranks(n_free_) : n_free_)};
-  held_ = held_dofs(held);
+  held_ = held_dofs(held, datum);
   const auto hanging = hanging_constraints(dof_handler_);
   partitioner_ = make_partitioner(dof_handler_, hanging);
   hanging_ = local_hanging_dofs(*partitioner_, hanging, held_.all);
@@ -105,12 +108,15 @@ dealii::IndexSet DisplacementSpace<dim>::dofs_on(const dealii::types::boundary_i
 // The held face is one rigid plate: what it holds it moves, also where a support has the same node. Nodes of
 // the contact surface stay free along the normal, because only the counterface may hold them there.
 template<int dim>
-typename DisplacementSpace<dim>::HeldDofs DisplacementSpace<dim>::held_dofs(const HeldSurfaces &held) const
+typename DisplacementSpace<dim>::HeldDofs DisplacementSpace<dim>::held_dofs(const HeldSurfaces &held,
+                                                                            const Datum &datum) const
 {
   constexpr std::array<bool, 3> x{{true, false, false}}, y{{false, true, false}}, z{{false, false, true}};
   const bool is_clamped = held.top_face == TopFace::clamped;
   HeldDofs dofs{dealii::IndexSet(dof_handler_.n_dofs()), dealii::IndexSet(dof_handler_.n_dofs())};
-  dofs.all.add_indices(dofs_on(Boundary::top_face, {{is_clamped, is_clamped, true}}));
+  if (held.top_face != TopFace::free)
+    dofs.all.add_indices(dofs_on(Boundary::top_face, {{is_clamped, is_clamped, true}}));
+  add_datum(datum, dofs.all);
   dofs.all.add_indices(dofs_on(Boundary::plane_normal_to_x, x));
   if (dim == 3)
     dofs.all.add_indices(dofs_on(Boundary::plane_normal_to_y, y));
@@ -124,6 +130,18 @@ typename DisplacementSpace<dim>::HeldDofs DisplacementSpace<dim>::held_dofs(cons
   dofs.all.add_indices(dofs.supported);
   dofs.all.compress();
   return dofs;
+}
+
+template<int dim>
+void DisplacementSpace<dim>::add_datum(const Datum &datum, dealii::IndexSet &dofs) const
+{
+  for (const auto &[vertex, direction] : datum.held)
+    for (const auto &cell : dof_handler_.active_cell_iterators())
+      for (const unsigned int v : cell->vertex_indices())
+        if (!cell->is_artificial() && cell->vertex_index(v) == vertex)
+          for (unsigned int c = 0; c < n_components(); ++c)
+            if (direction_of(c) == direction)
+              dofs.add_index(cell->vertex_dof_index(v, c));
 }
 
 template<int dim>

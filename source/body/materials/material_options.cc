@@ -106,6 +106,13 @@ void declare_material(MaterialOptions &material, Section &section)
   material.law.declare("Law", "", section);
   section.add("Regions", material.regions, regions_codec(),
               "Other, isotropic constants of physical volumes of a Mesh file: 'name: E, nu ; ...'.");
+  section
+      .add(
+          "Thermal expansion", material.thermal_expansion, number_codec(NumberRange{-0.01, 0.01}),
+          "Strain per kelvin in all directions, of all volumes, for loads of the kind temperature; steel has "
+          "1.2e-5.")
+      .unit("1/K")
+      .also_called({"alpha", "expansion", "cte"});
 }
 
 void check_material(const BodyOptions &body)

@@ -140,7 +140,7 @@ std::string Box::asymmetry(const ModelSymmetry &symmetry) const
 {
   if (symmetry.is_axisymmetric())
     return no_body_of_revolution(geometry_);
-  if (const std::string why = asymmetry_of_supports(geometry_, symmetry); !why.empty())
+  if (const std::string why = asymmetry_of_surfaces(geometry_, symmetry); !why.empty())
     return why;
   if (symmetry.is_plane_strain() && !symmetry.planes().normal_to_x)
     return {};
@@ -231,7 +231,8 @@ public:
 
   std::array<double, 2> half_widths(const GeometryOptions &geometry) const override
   {
-    const auto [least, most] = std::minmax(geometry.sizes[0], geometry.sizes[1]);
+    const double width = geometry.is_plane_strain() ? geometry.sizes[0] : geometry.sizes[1];
+    const auto [least, most] = std::minmax(geometry.sizes[0], width);
     return {{most / 2, least / 2}};
   }
 
@@ -245,7 +246,7 @@ public:
     const auto &sizes = body.geometry.sizes;
     const MeshOptions &mesh = body.mesh;
     double size = sizes[2] * end_share(mesh.cells[2], mesh.layer_grading);
-    for (const unsigned int d : {0, 1})
+    for (unsigned int d = 0; d < (body.geometry.is_plane_strain() ? 1u : 2u); ++d)
       size = std::max(size, sizes[d] * end_share(mesh.cells[d], mesh.edge_grading));
     return size / half_widths(body.geometry)[1];
   }

@@ -110,7 +110,7 @@ std::string Cylinder::asymmetry(const ModelSymmetry &symmetry) const
 {
   if (symmetry.is_plane_strain())
     return geometry_.shape_entry() + " is the same along y nowhere";
-  if (const std::string why = asymmetry_of_supports(geometry_, symmetry); !why.empty())
+  if (const std::string why = asymmetry_of_surfaces(geometry_, symmetry); !why.empty())
     return why;
   return symmetry.is_axisymmetric() || mesh_.core_cells % 2 == 0
              ? ""

@@ -101,6 +101,10 @@ void check_mesh_file(const GeometryOptions &geometry)
     check.require(geometry.section + "/Symmetry surfaces", surface);
   for (const Support &support : geometry.supports)
     check.require(geometry.section + "/Supports", support.surface);
+  for (const Load &load : geometry.loads)
+    if (geometry.has(load))
+      for (const std::string &surface : load.surfaces)
+        check.require("Load program/Loads: " + load.name, surface);
   check.throw_if_any();
 }
 } // namespace orthocone

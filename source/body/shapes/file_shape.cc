@@ -6,6 +6,7 @@
 
 #include <orthocone/body/shapes/boundary.h>
 #include <orthocone/body/shapes/imported_mesh.h>
+#include <orthocone/body/shapes/supports.h>
 
 #include <array>
 #include <cmath>
@@ -121,6 +122,8 @@ public:
   {
     if (symmetry.is_axisymmetric())
       return no_body_of_revolution(geometry_);
+    if (const std::string why = asymmetry_of_surfaces(geometry_, symmetry); !why.empty())
+      return why;
     if (symmetry.is_plane_strain() && !symmetry.planes().normal_to_x)
       return {};
     const unsigned int direction = symmetry.planes().normal_to_x ? 0 : 1;

@@ -10,6 +10,7 @@
 #include <orthocone/base/numbers.h>
 #include <orthocone/base/text.h>
 #include <orthocone/body/shapes/boundary.h>
+#include <orthocone/body/shapes/supports.h>
 
 #include <algorithm>
 #include <array>
@@ -70,8 +71,8 @@ ImportedMesh::ImportedMesh(const GeometryOptions &geometry)
     extent_ = std::max(extent_, highest_[d] - lowest_[d]);
   contact_ = faces_of(geometry_.contact_surface);
   held_ = faces_of(geometry_.held_surface);
-  for (const Support &support : geometry_.supports)
-    supports_.push_back(faces_of(support.surface));
+  for (const std::string &surface : marked_surfaces(geometry_))
+    marked_.push_back(faces_of(surface));
   find_planes();
   align();
   check_cells();
@@ -150,15 +151,14 @@ void ImportedMesh::check_cells()
 }
 
 /// Finds quadrilaterals of a physical surface that are no faces of the body.
-void ImportedMesh::check_outside(const std::string &entry, const std::string &surface,
+void ImportedMesh::check_outside(const std::string &given, const std::string &surface,
                                  FaultList &faults) const
 {
   const PhysicalGroup *const group = file_.find(2, surface);
   const std::size_t outside = faces_of(surface).size(),
-                    given = group == nullptr ? outside : group->n_elements;
-  if (outside != given)
-    faults.add(geometry_.section + "/" + entry + " = " + shown(surface) + " has " + std::to_string(given) +
-               " faces, of which " + std::to_string(outside) +
+                    n_given = group == nullptr ? outside : group->n_elements;
+  if (outside != n_given)
+    faults.add(given + " has " + std::to_string(n_given) + " faces, of which " + std::to_string(outside) +
                " are on the outside of the cells: allowed are all");
 }
 
@@ -187,8 +187,10 @@ void ImportedMesh::check_contact(FaultList &faults) const
 void ImportedMesh::check_surfaces() const
 {
   FaultList faults;
-  check_outside("Contact surface", geometry_.contact_surface, faults);
-  check_outside("Held surface", geometry_.held_surface, faults);
+  const auto check = [&](const std::string &entry, const std::string &surface)
+  { check_outside(geometry_.section + "/" + entry + " = " + shown(surface), surface, faults); };
+  check("Contact surface", geometry_.contact_surface);
+  check("Held surface", geometry_.held_surface);
   const std::set<unsigned int> vertices = vertices_of(contact_);
   std::vector<std::string> common;
   for (const auto held : vertices_of(held_))
@@ -198,26 +200,31 @@ void ImportedMesh::check_surfaces() const
     faults.add(geometry_.section + "/Held surface = " + shown(geometry_.held_surface) +
                " has nodes of the contact surface, such as " + common.front() +
                ": allowed are surfaces that do not touch");
-  check_supports(faults);
+  check_marked(faults);
   check_contact(faults);
   faults.throw_if_any();
 }
 
-/// Finds supports with faces of another surface that counts: each face is held in one way.
-void ImportedMesh::check_supports(FaultList &faults) const
+/// Finds surfaces of supports and loads with faces of another surface that counts: each face has one name.
+void ImportedMesh::check_marked(FaultList &faults) const
 {
-  for (std::size_t i = 0; i < supports_.size(); ++i)
+  const std::vector<std::string> names = marked_surfaces(geometry_);
+  for (std::size_t i = 0; i < marked_.size(); ++i)
   {
-    const std::string given = geometry_.section + "/Supports: " + shown(geometry_.supports[i].surface);
-    check_outside("Supports", geometry_.supports[i].surface, faults);
-    for (const Face &face : supports_[i])
+    const bool is_support = std::any_of(geometry_.supports.begin(), geometry_.supports.end(),
+                                        [&](const Support &support) { return support.surface == names[i]; });
+    const std::string given =
+        (is_support ? geometry_.section + "/Supports: " : std::string("Load program/Loads: ")) +
+        shown(names[i]);
+    check_outside(given, names[i], faults);
+    for (const Face &face : marked_[i])
     {
       const auto id = id_of(face);
       const std::string other = id == Boundary::contact_surface ? "the contact surface"
                                 : id == Boundary::top_face      ? "the held surface"
                                 : id < Boundary::first_support  ? "a plane of symmetry"
                                 : id < Boundary::first_support + i
-                                    ? shown(geometry_.supports[id - Boundary::first_support].surface)
+                                    ? shown(names[id - Boundary::first_support])
                                     : "";
       if (other.empty())
         continue;
@@ -271,8 +278,8 @@ dealii::types::boundary_id ImportedMesh::id_of(const Face &face) const
     return Boundary::plane_normal_to_x;
   if (planes_.normal_to_y && lies_in(1))
     return Boundary::plane_normal_to_y;
-  for (std::size_t i = 0; i < supports_.size(); ++i)
-    if (std::binary_search(supports_[i].begin(), supports_[i].end(), face))
+  for (std::size_t i = 0; i < marked_.size(); ++i)
+    if (std::binary_search(marked_[i].begin(), marked_[i].end(), face))
       return static_cast<dealii::types::boundary_id>(Boundary::first_support + i);
   return Boundary::lateral_surface;
 }

@@ -4,6 +4,7 @@
 
 #include <orthocone/base/text.h>
 #include <orthocone/body/shapes/imported_mesh.h>
+#include <orthocone/body/shapes/supports.h>
 
 #include <algorithm>
 #include <iomanip>
@@ -75,8 +76,8 @@ std::string ImportedMesh::describe() const
   append(text, file_, 2, surfaces);
   std::vector<std::string> named{geometry_.contact_surface, geometry_.held_surface};
   named.insert(named.end(), geometry_.symmetry_surfaces.begin(), geometry_.symmetry_surfaces.end());
-  for (const Support &support : geometry_.supports)
-    named.push_back(support.surface);
+  for (const std::string &surface : marked_surfaces(geometry_))
+    named.push_back(surface);
   for (const std::string &surface : named)
     if (!surface.empty() && file_.find(2, surface) == nullptr)
       append_place(text, surface, faces_of(surface));

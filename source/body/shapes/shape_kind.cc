@@ -75,7 +75,8 @@ void declare_top_face(GeometryOptions &geometry, Section &section)
   section.add_word("Top face", geometry.top_face,
                    "The upper face (of the lower body: the far one) moves as a rigid plate (clamped), or has "
                    "u_z prescribed "
-                   "and is free sideways (guided; where symmetry or Supports hold the body sideways).");
+                   "and is free sideways (guided; where symmetry or Supports hold the body sideways), or is "
+                   "not held (free): Supports, Loads and the contact alone hold the body.");
 }
 
 void declare_kind(GeometryOptions &geometry, Section &section)

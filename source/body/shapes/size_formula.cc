@@ -45,9 +45,13 @@ ModelSize size_of(const double cells, const Grid &base, const Grid &height, cons
   const double both_free = one_free - degree;
   const bool is_clamped = top_face == TopFace::clamped;
   const double moving = sideways * share_free;
-  const double pairs = is_clamped ? (moving + 1) * (moving + 1) * both_free
-                                  : moving * moving * height.pairs + 2 * moving * one_free + both_free;
-  const double free = (moving + 1) * (height.nodes - 1) + (is_clamped ? 0 : moving);
+  const double all = (moving + 1) * (moving + 1);
+  const double pairs = is_clamped ? all * both_free
+                       : top_face == TopFace::free
+                           ? all * height.pairs
+                           : moving * moving * height.pairs + 2 * moving * one_free + both_free;
+  const double at_top = is_clamped ? 0 : top_face == TopFace::free ? moving + 1 : moving;
+  const double free = (moving + 1) * (height.nodes - 1) + at_top;
   return {cells, base.nodes, directions * base.nodes * height.nodes,
           (base.pairs * pairs + base.nodes * free) / 2};
 }

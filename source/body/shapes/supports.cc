@@ -80,26 +80,53 @@ void declare_supports(GeometryOptions &geometry, Section &section)
       .also_called({"boundary conditions", "rollers", "fixed"});
 }
 
+std::vector<std::string> marked_surfaces(const GeometryOptions &geometry)
+{
+  std::vector<std::string> names;
+  const auto add = [&](const std::string &name)
+  {
+    if (std::find(names.begin(), names.end(), name) == names.end())
+      names.push_back(name);
+  };
+  for (const Support &support : geometry.supports)
+    add(support.surface);
+  for (const Load &load : geometry.loads)
+    if (geometry.has(load))
+      std::for_each(load.surfaces.begin(), load.surfaces.end(), add);
+  return names;
+}
+
+dealii::types::boundary_id boundary_of_marked(const GeometryOptions &geometry, const std::string &surface)
+{
+  const bool is_top = !geometry.is_from_file() && surface == "top";
+  return is_top ? dealii::types::boundary_id(Boundary::top_face)
+                : boundary_of_surface(geometry, surface, Boundary::lateral_surface);
+}
+
 HeldSurfaces held_surfaces(const GeometryOptions &geometry)
 {
   HeldSurfaces held(geometry.top_face);
-  for (std::size_t i = 0; i < geometry.supports.size(); ++i)
-  {
-    const bool is_top = !geometry.is_from_file() && geometry.supports[i].surface == "top";
-    held.supports.push_back({is_top ? dealii::types::boundary_id(Boundary::top_face)
-                                    : static_cast<dealii::types::boundary_id>(Boundary::first_support + i),
-                             geometry.supports[i].directions});
-  }
+  held.has_datum = geometry.top_face == TopFace::free && !geometry.is_lower;
+  for (const Support &support : geometry.supports)
+    held.supports.push_back({boundary_of_marked(geometry, support.surface), support.directions});
+  for (const Load &load : geometry.loads)
+    if (geometry.has(load) && load.kind->moves_surface())
+      for (const std::string &surface : load.surfaces)
+      {
+        held.supports.push_back({boundary_of_marked(geometry, surface), {}});
+        held.supports.back().directions[axis_of(load.direction)] = true;
+      }
   return held;
 }
 
 dealii::types::boundary_id boundary_of_surface(const GeometryOptions &geometry, const std::string &surface,
                                                const Boundary otherwise)
 {
-  for (std::size_t i = 0; i < geometry.supports.size(); ++i)
-    if (geometry.supports[i].surface == surface)
-      return static_cast<dealii::types::boundary_id>(Boundary::first_support + i);
-  return otherwise;
+  const std::vector<std::string> names = marked_surfaces(geometry);
+  const auto found = std::find(names.begin(), names.end(), surface);
+  return found == names.end()
+             ? dealii::types::boundary_id(otherwise)
+             : static_cast<dealii::types::boundary_id>(Boundary::first_support + (found - names.begin()));
 }
 
 std::string mirrored_surface(const std::string &surface, const unsigned int plane)
@@ -110,8 +137,39 @@ std::string mirrored_surface(const std::string &surface, const unsigned int plan
   return std::string(1, axis) + (surface[1] == '-' ? "+" : "-");
 }
 
-std::string asymmetry_of_supports(const GeometryOptions &geometry, const ModelSymmetry &symmetry)
+/// Why the loads are not symmetric. What pulls across a plane of symmetry is not, nor what pulls out of a
+/// section without such a displacement.
+static std::string asymmetry_of_loads(const GeometryOptions &geometry, const ModelSymmetry &symmetry)
 {
+  const SymmetryPlanes &planes = symmetry.planes();
+  const bool is_section = symmetry.is_section();
+  const std::array<bool, 2> excluded{
+      {planes.normal_to_x || symmetry.is_axisymmetric(),
+       planes.normal_to_y || symmetry.is_axisymmetric() || (is_section && !symmetry.has_third())}};
+  for (const Load &load : geometry.loads)
+  {
+    if (!geometry.has(load))
+      continue;
+    for (unsigned int d = 0; d < 2; ++d)
+      if (excluded[d] && load.direction[d] != 0)
+        return "Load program/Loads: " + load.name + " acts along " + "xy"[d];
+    for (unsigned int plane = 0; plane < 2; ++plane)
+      for (const std::string &surface : load.surfaces)
+      {
+        const bool is_mirrored = plane == 0 ? planes.normal_to_x : planes.normal_to_y;
+        const std::string image = mirrored_surface(surface, plane);
+        const auto &all = load.surfaces;
+        if (is_mirrored && !geometry.is_from_file() && std::find(all.begin(), all.end(), image) == all.end())
+          return "Load program/Loads: " + load.name + " acts on " + surface + " and not on " + image;
+      }
+  }
+  return {};
+}
+
+std::string asymmetry_of_surfaces(const GeometryOptions &geometry, const ModelSymmetry &symmetry)
+{
+  if (const std::string why = asymmetry_of_loads(geometry, symmetry); !why.empty())
+    return why;
   if (geometry.is_from_file())
     return {};
   const SymmetryPlanes &planes = symmetry.planes();
@@ -155,6 +213,35 @@ void check_supports(const GeometryOptions &geometry, const std::vector<std::stri
                             : " names no surface of " + geometry.shape_entry() +
                                   (geometry.is_plane_strain() ? " in plane strain" : "") + ": allowed are ") +
                        enumerated(allowed));
+  }
+}
+
+void check_surfaces_of_loads(const GeometryOptions &geometry, const std::vector<std::string> &surfaces)
+{
+  for (const Load &load : geometry.loads)
+  {
+    if (!geometry.has(load) || load.surfaces.empty() || geometry.is_from_file())
+      continue;
+    const std::string given = "Load program/Loads: '" + load.text() + "'";
+    if (surfaces.empty())
+      throw InputError(given + " with " + geometry.shape_entry() +
+                       ", whose surfaces have no names: allowed are loads without surfaces");
+    std::vector<std::string> allowed(surfaces.begin() + 1, surfaces.end());
+    const bool is_clamped = geometry.top_face == TopFace::clamped;
+    if (is_clamped)
+      allowed.erase(allowed.begin());
+    for (const std::string &surface : load.surfaces)
+      if (std::find(allowed.begin(), allowed.end(), surface) == allowed.end())
+        throw InputError(given +
+                         (surface == surfaces.front()
+                              ? " acts on the contact surface, where the counterface alone may: allowed are "
+                          : surface == surfaces[1]
+                              ? " acts on the held face, which " + geometry.section +
+                                    "/Top face = clamped moves as a rigid plate: allowed are "
+                              : ": " + shown(surface) + " is no surface of " + geometry.shape_entry() +
+                                    (geometry.is_plane_strain() ? " in plane strain" : "") +
+                                    ": allowed are ") +
+                         enumerated(allowed));
   }
 }
 } // namespace orthocone

@@ -74,7 +74,7 @@ TEST(DrivenField, IsInEquilibrium)
   }
   const Eigen::MatrixXd energies = fields.transpose() * forces;
   EXPECT_GT(energies.norm(), 1);
-  EXPECT_LE((energies - body.driven()->stiffness).norm(), 1e-10 * energies.norm());
+  EXPECT_LE((energies - body.driven()->conjugates).norm(), 1e-10 * energies.norm());
 }
 
 // Betti: the work of contact forces on the displacement by a motion of the face is that of the wrench by
@@ -113,8 +113,8 @@ TEST(DrivenField, VanishesAlongARoller)
   for (const unsigned int along : {1, 2})
   {
     EXPECT_EQ(field.volume.col(along).norm(), 0);
-    EXPECT_EQ(field.stiffness.col(along).norm(), 0);
+    EXPECT_EQ(field.conjugates.col(along).norm(), 0);
   }
-  EXPECT_GT(field.stiffness(0, 0), 0);
+  EXPECT_GT(field.conjugates(0, 0), 0);
 }
 } // namespace orthocone::test

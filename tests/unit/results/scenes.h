@@ -70,7 +70,7 @@ public:
         evaluator(scene),
         shares(symmetry.force_shares(discretization.contact_surface())),
         opening(node_compliance(discretization.contact_surface(), symmetry, parameters.material)),
-        state(scene.gaps())
+        state(scene.gaps(), scene.n_loads())
   {
   }
 

@@ -37,12 +37,12 @@ public:
   }
 
 private:
-  std::optional<DrivenField> driven_field(const ModelSymmetry &symmetry) const;
+  std::optional<DrivenField> driven_field(const BodyOptions &options, const ModelSymmetry &symmetry) const;
 
   Body mesh_;
   Stiffness stiffness_;
   StiffnessFactor factor_;
   CondensedBody condensed_;
-  std::optional<DrivenField> driven_; ///< with supports
+  std::optional<DrivenField> driven_; ///< with supports or loads
 };
 } // namespace orthocone

@@ -32,9 +32,10 @@ class CellFields
 {
 public:
   /// `points` are in the unit cell; `displacement` (mm) is of all degrees of freedom, size n_dofs(). `space`
-  /// and `displacement` must outlive this object.
+  /// and `displacement` must outlive this object. `free_strain` causes no stress.
   CellFields(const DisplacementSpace<dim> &space, const Materials &materials,
-             const dealii::Quadrature<dim> &points, const Eigen::VectorXd &displacement);
+             const dealii::Quadrature<dim> &points, const Eigen::VectorXd &displacement,
+             const Strain &free_strain = {});
 
   /// The fields at the points of a cell, in the order of the points.
   std::vector<PointFields> in(const typename DisplacementSpace<dim>::Cell &cell);
@@ -46,6 +47,7 @@ private:
 
   const DisplacementSpace<dim> &space_;
   const Eigen::VectorXd &displacement_;
+  const Strain free_strain_;
   Materials materials_;
   dealii::FEValues<dim> values_;
   dealii::FEValues<dim> quadrature_values_; ///< with projected volumetric quadrature only, as the next one

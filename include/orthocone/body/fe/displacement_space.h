@@ -23,6 +23,7 @@
 namespace orthocone
 {
 struct ContactFace;
+struct Datum;
 struct FaceNode;
 
 /// Displacement space FE_Q on a mesh (mm): isoparametric for a solid (components u_x, u_y, u_z), or of a
@@ -84,6 +85,9 @@ public:
   /// knows those of its cells.
   const std::vector<unsigned int> &supported() const { return supported_; }
 
+  /// Degrees of freedom on a boundary that move in these directions (x, y, z), by the DoFHandler's numbers.
+  dealii::IndexSet dofs_on(dealii::types::boundary_id boundary, const std::array<bool, 3> &directions) const;
+
   /// For each face of the contact surface the number of its active cell, if this process has it.
   const std::vector<unsigned int> &contact_cells() const { return contact_cells_; }
 
@@ -101,8 +105,8 @@ private:
   {
     dealii::IndexSet all, supported; ///< the others by the held face and by symmetry
   };
-  HeldDofs held_dofs(const HeldSurfaces &held) const;
-  dealii::IndexSet dofs_on(dealii::types::boundary_id boundary, const std::array<bool, 3> &directions) const;
+  HeldDofs held_dofs(const HeldSurfaces &held, const Datum &datum) const;
+  void add_datum(const Datum &datum, dealii::IndexSet &dofs) const;
   void make_axis_face_basis();
   void find_contact_surface(const dealii::AffineConstraints<double> &hanging);
   ContactFace contact_face(const Cell &cell, const std::vector<unsigned int> &nodes, Eigen::VectorXd weights,

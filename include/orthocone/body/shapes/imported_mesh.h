@@ -55,7 +55,7 @@ private:
   void check_cells();
   void check_surfaces() const;
   void check_outside(const std::string &entry, const std::string &surface, FaultList &faults) const;
-  void check_supports(FaultList &faults) const;
+  void check_marked(FaultList &faults) const;
   void check_contact(FaultList &faults) const;
   bool is_curved() const;
   dealii::types::boundary_id id_of(const Face &face) const;
@@ -67,8 +67,8 @@ private:
   const MeshBox box_;
   dealii::Triangulation<3> triangulation_;
   std::map<unsigned int, std::vector<Face>> faces_of_group_;
-  std::vector<Face> contact_, held_;        ///< sorted
-  std::vector<std::vector<Face>> supports_; ///< the same of each of Geometry/Supports
+  std::vector<Face> contact_, held_;      ///< sorted
+  std::vector<std::vector<Face>> marked_; ///< the same of each of marked_surfaces()
   SymmetryPlanes planes_;
   dealii::Point<3> lowest_, highest_; ///< of the box around, mm
   double extent_ = 0;                 ///< longest side of that box, mm

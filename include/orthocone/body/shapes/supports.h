@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// Geometry/Supports: surfaces that are held at zero in some directions, beside the held face.
+// Surfaces beside the contact surface and the held face that count: Geometry/Supports, which are held at zero
+// in some directions, and those on which loads act.
 #pragma once
 
 #include <orthocone/body/options.h>
@@ -13,15 +14,15 @@
 
 namespace orthocone
 {
-/// A boundary of the mesh and the directions (x, y, z) in which it does not move. In a revolved section x is
-/// along the radius and y around the axis.
+/// A boundary of the mesh and the directions (x, y, z) in which it does not move by itself. In a revolved
+/// section x is along the radius and y around the axis.
 struct HeldBoundary
 {
   dealii::types::boundary_id id;
   std::array<bool, 3> directions;
 };
 
-/// What is held of a body beside planes of symmetry: its held face, and supports.
+/// What is held of a body beside planes of symmetry: its held face, supports, and surfaces that loads move.
 struct HeldSurfaces
 {
   // Not explicit: most bodies have a held face alone.
@@ -33,11 +34,20 @@ struct HeldSurfaces
 
   TopFace top_face;
   std::vector<HeldBoundary> supports;
+  bool has_datum =
+      false; ///< whether contact may hold what nothing else does: of the upper body with a free top
 };
 
 HeldSurfaces held_surfaces(const GeometryOptions &geometry);
 
-/// The boundary id of a surface with this name: that of a support, or `otherwise` where it supports nothing.
+/// The names of all surfaces of supports and of loads on this body, each once, in the order of their boundary
+/// ids from Boundary::first_support on.
+std::vector<std::string> marked_surfaces(const GeometryOptions &geometry);
+
+/// The boundary id of one of these.
+dealii::types::boundary_id boundary_of_marked(const GeometryOptions &geometry, const std::string &surface);
+
+/// The boundary id of a surface with this name, or `otherwise` where it has neither supports nor loads.
 dealii::types::boundary_id boundary_of_surface(const GeometryOptions &geometry, const std::string &surface,
                                                Boundary otherwise);
 
@@ -45,12 +55,15 @@ dealii::types::boundary_id boundary_of_surface(const GeometryOptions &geometry, 
 /// of a box, and the same name for all others.
 std::string mirrored_surface(const std::string &surface, unsigned int plane);
 
-/// Why the supports are not symmetric, as Shape::asymmetry(). Those of a mesh file lie on the modelled part
-/// and are symmetric.
-std::string asymmetry_of_supports(const GeometryOptions &geometry, const ModelSymmetry &symmetry);
+/// Why supports or loads are not symmetric, as Shape::asymmetry(). Surfaces of a mesh file lie on the
+/// modelled part and are symmetric.
+std::string asymmetry_of_surfaces(const GeometryOptions &geometry, const ModelSymmetry &symmetry);
 
 /// Throws InputError where a support names a surface that the shape does not have, its contact surface, or
 /// one twice. `surfaces` are the names, first the contact surface and then the held one; those of a file are
 /// checked with its mesh.
 void check_supports(const GeometryOptions &geometry, const std::vector<std::string> &surfaces);
+
+/// The same of the surfaces on which loads act.
+void check_surfaces_of_loads(const GeometryOptions &geometry, const std::vector<std::string> &surfaces);
 } // namespace orthocone
