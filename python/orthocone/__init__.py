@@ -7,7 +7,7 @@
     Run("output/case_b")    what a run of the program has written
 
 Lengths are in mm and forces in N, as in the program; laws and solvers also work in other consistent units.
-A node has local axes: the normal, then x and y, the axes of both ellipses. Forces act from the plane on the body."""
+A node has local axes: the normal, then x and y, the axes of both ellipses. Forces act from the counterface on the body."""
 from .run_folder import ContactFile, Run
 
 _OF_CONTACT = ("NotConverged", "Report", "Solution", "Status", "dual_norm", "friction_norm", "methods",

@@ -26,11 +26,12 @@ class Status(enum.IntEnum):
 class Report:
     """A report on a solution, computed from its forces alone.
 
-    converged: whether the residual is within the tolerance, and the forces have a bound. iterations: sweeps and steps.
-    residual: of the natural map, relative to the forces. worst_node: the one with the largest part of it. verdict:
-    converged, slow, rounding, cycling or diverged. law_errors: {penetration, complementarity, friction_cone, slip_rule:
-    number}, the law in its own terms, relative. trace: (k, 4), a row for each residual that the solver has evaluated:
-    iterations, residual, norm of the forces (N), seconds. notes: sentences on what rounding in W had to be overlooked."""
+    converged: whether the residual is within the tolerance, and the forces have a bound. iterations: sweeps and steps of
+    the solver. residual: norm of the natural map, relative to the forces. worst_node: the node with the largest part of the
+    residual. verdict: how the solver ended: converged, slow, rounding, cycling or diverged. law_errors: {penetration,
+    complementarity, friction_cone, slip_rule: number}, relative errors of the law in its own terms. trace: (k, 4), a row for
+    each residual that the solver has evaluated: iterations, residual, norm of the forces (N), seconds. notes: sentences that
+    say how much rounding in W was tolerated."""
     converged: bool
     iterations: int
     residual: float
@@ -53,7 +54,7 @@ class Solution:
 
 
 class NotConverged(RuntimeError):
-    """A solver did not reach the tolerance. `solution` is its last state, a Solution."""
+    """Raised when a solver does not reach the tolerance. `solution` is its last state, a Solution."""
 
     def __init__(self, message, solution):
         super().__init__(message)
@@ -64,7 +65,7 @@ class NotConverged(RuntimeError):
 
 
 def methods():
-    """The contact solvers, {word: what it does}; the first one is the one to work with (docs/theory.md, section 3)."""
+    """The contact methods, {word: what it does}; the first one is the recommended one (docs/theory.md, section 3)."""
     return _contact.methods()
 
 
@@ -74,18 +75,20 @@ def solve(W, q, mu, p=None, *, method="newton", tolerance=1e-10, maximum_iterati
     W: (3 n, 3 n), mm/N, symmetric, with r . W r >= 0 for all forces r. Rows and columns of zeros are directions in which a
     node cannot move. q: (n, 3) or (3 n,), mm, the gap and slip that the nodes would have without forces. mu: a number, (2,)
     or (n, 2), without units, the semi-axes of the friction ellipse. p: a number, (2,) or (n, 2), without units, the
-    semi-axes of the slip ellipse; None is p = mu. method: a word of methods(). tolerance: of Report.residual.
-    maximum_iterations: for the whole problem. start: (n, 3) or (3 n,), N, the forces to start from.
+    semi-axes of the slip ellipse; None is p = mu. method: a word of methods(). tolerance: the bound of
+    Report.residual. maximum_iterations: the bound of sweeps and steps together. start: (n, 3) or (3 n,), N, the forces to
+    start from.
 
-    Where rounding has left W a little unsymmetric or indefinite, as single precision does, its symmetric part is taken.
-    Report.notes and a warning say so.
+    If rounding has left W a little unsymmetric or indefinite, as single precision does, the symmetric part of W is taken, and
+    Report.notes and a warning say so. If W is singular, forces may not exist, and need not be unique (docs/manual.md,
+    Problems of FCLIB, says what is checked and promised).
 
-    W is used where it is, if it is contiguous and float64. `newton` and `plain-newton` make a copy in single precision, or
-    of 16 bits where it is large, for their linear systems. Up to 200 nodes a factorization of a copy checks W before all
-    else. A W with directions in which nodes cannot move is copied, too. If W is singular, forces may not exist, and need
-    not be unique (docs/manual.md, Problems of FCLIB, has what is checked and promised).
+    W is used in place if it is contiguous and float64. Some copies are still made: `newton` and `plain-newton` copy W in
+    single precision, or in 16 bits where it is large, for their linear systems; up to 200 nodes a factorization of a copy
+    checks W before all else; and a W with directions in which nodes cannot move is copied, too.
 
-    Returns a Solution. Raises NotConverged, and ValueError for arguments of another form. docs/theory.md, section 3."""
+    Returns a Solution. Raises NotConverged, and ValueError for arguments of another form. The methods are explained in
+    docs/theory.md, section 3."""
     W = _matrix(W)
     n = W.shape[0] // 3
     q = _rows(q, 3, "q", n)
@@ -123,14 +126,16 @@ def modified_displacement(displacement, mu, p=None):
 
 
 def friction_norm(force, mu):
-    """||r_t||_m = sqrt((r_x/mu_x)^2 + (r_y/mu_y)^2): the normal force at which a tangential one slips.
+    """||r_t||_m = sqrt((r_x/mu_x)^2 + (r_y/mu_y)^2): the normal force under which a node with this
+    tangential force just slips.
 
     force: (n, 2) or (2,), N. mu: a number, (2,) or (n, 2), without units, > 0. Returns (n,) or a number, N."""
     return _of_nodes(_contact.friction_norm, force, 2, "force", mu, None)[..., 0]
 
 
 def dual_norm(slip, mu):
-    """||v_t||*_m = sqrt((mu_x v_x)^2 + (mu_y v_y)^2): what an associated slip dissipates per unit of normal force.
+    """||v_t||*_m = sqrt((mu_x v_x)^2 + (mu_y v_y)^2): the energy that an associated slip dissipates per unit of
+    normal force.
 
     slip: (n, 2) or (2,), mm. mu: a number, (2,) or (n, 2), without units. Returns (n,) or a number, mm."""
     return _of_nodes(_contact.dual_norm, slip, 2, "slip", mu, None)[..., 0]

@@ -28,12 +28,12 @@ def read_csv(path):
 
 
 class ContactFile:
-    """Fields of a contact-NNNN.vtu file at its points, which are the contact nodes of the whole body; in older run
-    folders each element has points of its own.
+    """Fields of a contact-NNNN.vtu file at its points, which are the contact nodes of the whole body. In older run
+    folders, each element has points of its own.
 
     points: (n, 3), mm. data: {field: (n,) or (n, 3)}, mm, N, MPa or N/mm as in docs/results.md; file["slip"] is one of
-    them. degree: of the elements. cells: (m, (degree + 1)^2), the points of each element in VTK's order of Lagrange cells.
-    path: the file, for pyvista.read() and other readers. Raises ValueError if it is not such a file."""
+    them. degree: the degree of the elements. cells: (m, (degree + 1)^2), the points of each element in VTK's order of
+    Lagrange cells. path: the file, for pyvista.read() and other readers. Raises ValueError if it is not such a file."""
 
     def __init__(self, path):
         self.path = pathlib.Path(path)
@@ -108,7 +108,7 @@ def _lattice(degree):
 
 
 class Run:
-    """The files of one run.
+    """The files of one run, read when they are asked for.
 
     path: the run folder.
 
@@ -129,7 +129,7 @@ class Run:
 
     @property
     def has_history(self):
-        """Whether there is a table of steps: a model that is too much for the machine leaves a summary alone."""
+        """Whether there is a table of steps. A model that does not fit into the machine leaves only a summary."""
         return (self.path / "history.csv").exists()
 
     def probe_names(self):
@@ -147,13 +147,13 @@ class Run:
 
     @functools.cached_property
     def checks(self):
-        """The table of independent checks, one row a step; {} for a run that wrote none."""
+        """The table of independent checks, one row a step; {} if the run wrote none."""
         file = self.path / "checks.csv"
         return read_csv(file) if file.exists() else {}
 
     @functools.cached_property
     def cycles(self):
-        """The table of cycles, one row a cycle, or one for several that were jumped; {} before the first has ended."""
+        """The table of cycles, one row a cycle, or one row for several that were jumped; {} before the first cycle has ended."""
         file = self.path / "cycles.csv"
         return read_csv(file) if file.exists() else {}
 
@@ -164,8 +164,8 @@ class Run:
 
     @functools.cached_property
     def parameters(self):
-        """{section: {entry: text}} of the complete parameter file. Bytes that are no UTF-8 stand as in os.fsdecode(): names
-        of files may have them."""
+        """{section: {entry: text}} of the complete parameter file. Bytes that are not UTF-8, which names of files may
+        contain, are decoded as by os.fsdecode()."""
         sections, current = {}, {}
         for line in text_of(self.path / "parameters.prm", errors="surrogateescape").split("\n"):
             if match := re.match(r"\s*subsection (.+)", line):
@@ -175,12 +175,12 @@ class Run:
         return sections
 
     def problems(self):
-        """{step: file} of the contact problems that the run has written. The last one may be of a step that is not solved: the
-        history has no row of it."""
+        """{step: file} of the contact problems that the run has written. The last one may belong to a step that was
+        not solved, of which the history has no row."""
         return {step: self.path / f"problem-{step:04d}.hdf5" for step in self._steps_of("problem", "hdf5")}
 
     def contact_steps(self, kind="contact"):
-        """Numbers of the steps that have a contact file. `kind` is the beginning of the names of these files."""
+        """Numbers of the steps that have a contact file. `kind` is the beginning of the names of the files."""
         return self._steps_of(kind, "vtu")
 
     def _steps_of(self, kind, ending):
@@ -189,5 +189,5 @@ class Run:
         return sorted(int(name) for name in names if re.fullmatch("[0-9]{4}|[1-9][0-9]{4,8}", name))
 
     def contact(self, step, kind="contact"):
-        """The fields of a step, ContactFile."""
+        """The fields of a step, a ContactFile."""
         return ContactFile(self.path / f"{kind}-{step:04d}.vtu")
