@@ -35,13 +35,13 @@ const std::vector<ContactField> &contact_field_list()
       {"accumulated_slip", "mm", "length of the path of the slip", &F::accumulated_slip},
       {"gap", "mm", "gap between the surfaces, > 0 where the node is open", &F::gap},
       {"pressure", "MPa", "normal traction", &F::pressure},
-      {"friction_traction", "MPa", "friction traction of the plane on the body", &F::friction_traction},
+      {"friction_traction", "MPa", "friction traction of the counterface on the body", &F::friction_traction},
       {"friction_criterion", "",
        "||r_t||_m / r_n - 1: 0 where friction is at its limit, -1 where there is none and where the node is "
        "open",
        &F::friction_criterion},
       {"status", "", "0 open, 1 stick, 2 slip", [](const F &f) { return static_cast<double>(f.status); }},
-      {"nodal_force", "N", "force of the plane on the node", &F::nodal_force},
+      {"nodal_force", "N", "force of the counterface on the node", &F::nodal_force},
       {"dissipated_energy", "N/mm", "energy that friction has dissipated per area since the start",
        &F::dissipated_energy},
       {"wear_depth", "mm", "depth that slip has worn off", &F::wear_depth}};

@@ -71,7 +71,7 @@ Columns<SolvedStep> first_history_columns()
 /// Columns that were added later come behind them.
 Columns<SolvedStep> later_history_columns()
 {
-  constexpr const char *of_plane = "moment of the plane on the body, about the centre of the held face";
+  constexpr const char *of_plane = "moment of the counterface on the body, about the centre of the held face";
   return {
       {"rx", "degrees", "rotation of the held face about x", [](const Step &s) { return degrees(s, 0); }},
       {"ry", "degrees", "rotation of the held face about y", [](const Step &s) { return degrees(s, 1); }},
@@ -216,7 +216,7 @@ const Columns<SolvedStep> &checks_columns()
       {"step", "", "number of the load step, from 1", [](const Step &s) { return s.state.step; }},
       {"equilibrium", "", "error of forces and displacements of the body, relative",
        [](const Step &s) { return s.checks.equilibrium; }},
-      {"penetration", "", "relative to the motion along z",
+      {"penetration", "", "largest penetration, relative to the motion along z",
        [](const Step &s) { return s.checks.law.penetration; }},
       {"complementarity", "", "forces across a gap, relative",
        [](const Step &s) { return s.checks.law.complementarity; }},
@@ -228,10 +228,10 @@ const Columns<SolvedStep> &checks_columns()
        "work of the held face, of all its forces and moments, in the step: dissipation + change of "
        "elastic_energy + what leaves with worn material, but for energy_defect",
        [](const Step &s) { return s.checks.work; }},
-      {"energy_identity", "", "error of what holds for any forces, relative",
+      {"energy_identity", "", "error of an energy identity that holds for any forces, relative",
        [](const Step &s) { return s.checks.energy_identity; }},
       {"energy_defect", "",
-       "what the step leaves of the energy balance, relative to the largest energy so far",
+       "energy that the step leaves open in the balance, relative to the largest energy so far",
        [](const Step &s) { return s.checks.energy_defect; }}};
   return columns;
 }
@@ -259,11 +259,11 @@ const Columns<ProbedStep> &probe_columns()
        [](const Probed &p) { return p.fields.slip[1]; }},
       {"accumulated_slip", "mm", "length of the path of the slip",
        [](const Probed &p) { return p.fields.accumulated_slip; }},
-      {"force_n", "N", "force of the plane on the node along the normal",
+      {"force_n", "N", "force of the counterface on the node along the normal",
        [](const Probed &p) { return p.fields.nodal_force[2]; }},
-      {"force_x", "N", "force of the plane on the node along x",
+      {"force_x", "N", "force of the counterface on the node along x",
        [](const Probed &p) { return p.fields.nodal_force[0]; }},
-      {"force_y", "N", "force of the plane on the node along y",
+      {"force_y", "N", "force of the counterface on the node along y",
        [](const Probed &p) { return p.fields.nodal_force[1]; }},
       {"pressure", "MPa", "normal traction", [](const Probed &p) { return p.fields.pressure; }},
       {"traction_x", "MPa", "friction traction along x",

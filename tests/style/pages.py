@@ -1,13 +1,9 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""What README and docs name is there: files, the targets of links, tests; sentences are short."""
+"""What README and docs name is there: files, the targets of links, tests."""
 import pathlib
 import re
-import sys
 import unittest
-
-sys.dont_write_bytecode = True  # the source tree stays clean
-import sentences  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
@@ -72,29 +68,6 @@ class PagesTest(unittest.TestCase):
         drawn = re.findall(r"^  (\d\+?) +(\S.*?)(?:  .*)?$", page.split("```")[1], re.MULTILINE)
         self.assertGreater(len(rungs), 10)
         self.assertEqual(drawn, rungs)
-
-    def test_sentences_are_short(self):
-        for page in sentences.PAGES:
-            with self.subTest(page=page.name):
-                mean, count = sentences.mean_length(page)
-                self.assertGreater(count, 15)
-                self.assertLess(mean, sentences.MOST_WORDS)
-
-    def test_sentences_are_counted(self):
-        text = """# A heading of four
-
-**Bold words.** One two three. V. L. Popov wrote `a. b` here!
-| a | table |
-
-- item one
-- item two. Three [four five](page.md#six).
-
-```
-code is none
-```
-"""
-        lengths = [len(sentence) for sentence in sentences.sentences(text)]
-        self.assertEqual(lengths, [3, 7, 2, 2, 3])
 
 
 if __name__ == "__main__":

@@ -5,8 +5,16 @@ import ast
 import re
 
 HEAD = """# The Python module
-Every function and class of the module `orthocone`, from its docstrings. [manual.md](manual.md), *From Python and C++*, has a
-first example. `tools/reference_pages` writes this page, and `ctest -R run_reference_pages` checks that it is current.
+The module `orthocone` solves contact problems that you give as arrays (`solve`), applies the law of a node to arrays of nodes
+(`project` and the functions behind it), and reads run folders (`Run`, `ContactFile`). [manual.md](manual.md), *From Python and
+C++*, has a first example, and says how Python finds the module.
+
+Lengths are in mm and forces in N, as in the program; laws and solvers also work in other consistent units. A node has local
+axes: the normal, then x and y, the axes of both ellipses. Forces act from the counterface on the body. Arrays that do not hold
+numbers, or have another shape than stated, raise ValueError.
+
+This page is made of the docstrings of the module: `tools/reference_pages` writes it, and `ctest -R run_reference_pages` checks
+that it is current.
 """
 # A word and a colon, behind a stop, are an argument or a field; these begin a sentence.
 ENTRY = re.compile(r"(?:^|(?<=\. ))(?=(?:[A-Za-z]\w*(?:, [a-z]\w*)*: |Returns |Raises ))")

@@ -13,15 +13,21 @@ from python_page import python_page  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 PARAMETERS = """# Parameters
-Every entry of a parameter file with its default, as `build/orthocone --defaults` prints them.
-`tools/reference_pages` writes this page, and `ctest -R run_reference_pages` checks that it is current.
-A file needs only the entries that differ from their defaults. Units are mm, N, MPa and degrees.
+This page lists every entry of a parameter file with its default, its meaning and its allowed values. A file needs only the
+entries that differ from their defaults. Units are mm, N, MPa and degrees. [manual.md](manual.md), *Parameter files*, explains
+how a file is written, and what the entries do together.
+
+`build/orthocone --defaults` prints the same as a commented file. `tools/reference_pages` writes this page, and
+`ctest -R run_reference_pages` checks that it is current.
 """
 RESULTS = """# Columns and fields
-Every column of the tables and every field of the VTU files, as `build/orthocone --columns` prints them.
-`tools/reference_pages` writes this page, and `ctest -R run_reference_pages` checks that it is current.
-[manual.md](manual.md) explains the other files of a run folder, and what the numbers mean.
-The files `lower-NNNN.vtu` of a second body have the fields of `volume-NNNN.vtu`.
+This page lists every column of the tables and every field of the VTU files that a run writes, with its unit and its meaning.
+[manual.md](manual.md), *The run folder*, explains the other files, and how to read the numbers. The files `lower-NNNN.vtu` of
+a second body have the fields of `volume-NNNN.vtu`. Forces, moments and tractions act from the counterface on the body, if not
+stated otherwise, and errors that are called relative have no unit.
+
+`build/orthocone --columns` prints the same as text. `tools/reference_pages` writes this page, and
+`ctest -R run_reference_pages` checks that it is current.
 """
 
 
