@@ -214,7 +214,7 @@ void QuasiStaticProblem::finish(const Ending &outcome)
   for (std::size_t i = parameter_warnings(parameters_).size() + model_warnings(record_).size();
        i < warnings.size(); ++i)
     log_.line("warning: " + warnings[i]);
-  log_.line(describe_energy(record_));
+  log_.line(describe_energy(record_, !parameters_.load.loads.empty()));
   if (record_.n_v_cycles > 0)
     log_.line("multigrid: " + std::to_string(record_.n_v_cycles) + " V-cycles on the finest mesh");
   log_.line(describe_seconds(record_) + "; files in " + folder_.path());

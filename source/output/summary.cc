@@ -173,11 +173,11 @@ std::string describe_seconds(const RunRecord &record)
   return text.str();
 }
 
-std::string describe_energy(const RunRecord &record)
+std::string describe_energy(const RunRecord &record, const bool has_loads)
 {
   std::ostringstream text;
-  text << std::setprecision(4) << "energy: work of the upper face " << record.work << " N mm = dissipated "
-       << record.dissipation << " + stored " << record.stored;
+  text << std::setprecision(4) << "energy: work of the upper face " << (has_loads ? "and of loads " : "")
+       << record.work << " N mm = dissipated " << record.dissipation << " + stored " << record.stored;
   if (record.into_wear != 0)
     text << " + gone with worn material " << record.into_wear;
   text << ", but for " << record.missing << " N mm (" << std::setprecision(2)
@@ -237,7 +237,11 @@ std::string describe_steps(const LoadOptions &load)
             std::to_string(load.n_cycles()) + (load.n_cycles() == 1 ? " complete cycle" : " complete cycles");
   if (load.accuracy != 0)
     line += ", divided by the run for errors of " + to_text(load.accuracy) + " %";
-  return line + "\n";
+  line += "\n";
+  for (const Load &declared : load.loads)
+    line += (&declared == load.loads.data() ? "loads          " : "               ") + declared.text() +
+            ", " + declared.kind->unit() + "\n";
+  return line;
 }
 
 std::string describe_model(const ModelChoice &model)

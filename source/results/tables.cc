@@ -129,7 +129,8 @@ Columns<CycleRow> first_cycle_columns()
           {"total_dissipation", "N mm", "energy that friction has dissipated since the start",
            [](const Cycle &c) { return c.total_dissipation; }},
           {"work", "N mm",
-           "work of the held face, of all its forces and moments, in the cycles of the row: dissipation + "
+           "work of the held face, of all its forces and moments, and of the loads, in the cycles of the "
+           "row: dissipation + "
            "change of elastic_energy + what leaves with worn material",
            [](const Cycle &c) { return c.work; }},
           {"change", "", "largest difference of the states at both ends, relative",
@@ -225,7 +226,8 @@ const Columns<SolvedStep> &checks_columns()
       {"slip_rule", "", "slip in another direction than the rule's, relative",
        [](const Step &s) { return s.checks.law.slip_rule; }},
       {"work", "N mm",
-       "work of the held face, of all its forces and moments, in the step: dissipation + change of "
+       "work of the held face, of all its forces and moments, and of the loads, in the step: dissipation + "
+       "change of "
        "elastic_energy + what leaves with worn material, but for energy_defect",
        [](const Step &s) { return s.checks.work; }},
       {"energy_identity", "", "error of an energy identity that holds for any forces, relative",

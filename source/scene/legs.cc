@@ -15,8 +15,7 @@ namespace
 constexpr const char *leg_form =
     "legs \"ux uy uz : steps\" (numbers in mm, at least one step) or \"NAME value ... : steps\" (ux, uy, uz "
     "in "
-    "mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N mm), separated by ';'; "
-    "\"steps * parts\" "
+    "mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N mm), separated by ';'; \"steps * parts\" "
     "solves each step in so many parts";
 
 const std::vector<std::string> &component_names()

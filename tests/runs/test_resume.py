@@ -69,6 +69,24 @@ class KillTest(ResumeTest):
                 self.assert_resumes("stopped", settings)
             shutil.rmtree(self.folder / "stopped")
 
+    def test_loads_and_supports_go_on_to_the_last_bit(self):
+        """A body without a held face, whose loads, and the motion that the contact leaves it, are in the state."""
+        for backend in ("condensed", "multigrid"):
+            settings = ["Geometry/Shape=box", "Geometry/Sizes=4, 3, 2", "Output/Probes=", "Geometry/Supports=x-: x", "Geometry/Top face=free",
+                        "Mesh/Cells=2, 2, 1", "Mesh/Refinements=1", f"Mesh/Backend={backend}", "Load program/Cycles=3",
+                        "Load program/Loads=down: pressure on top ; bulk: traction on x+ along x ; lift: force on y+ along z",
+                        "Load program/Preload=down 10 : 1", "Load program/Legs=bulk 5 lift 2 : 3 ; bulk -5 : 3", EVERY_STEP]
+            with self.subTest(backend):
+                self.whole(settings, ["history.csv", "checks.csv", "cycles.csv", "contact-0019.vtu"])
+                run = self.start("stopped", settings)
+                while not (self.folder / "stopped/contact-0009.vtu").exists() and run.poll() is None:
+                    time.sleep(0.001)
+                run.kill()
+                run.communicate()
+                self.assert_resumes("stopped", settings)
+            for name in ("stopped", "whole"):
+                shutil.rmtree(self.folder / name)
+
 
 class SignalTest(ResumeTest):
     # So many steps that a run is not done before a busy machine lets the test send its signal.

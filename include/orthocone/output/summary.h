@@ -108,7 +108,7 @@ std::vector<std::string> model_warnings(const RunRecord &record);
 
 /// The defect that the load steps leave in the energy balance, in a line: an error of work and dissipation
 /// that more steps reduce.
-std::string describe_energy(const RunRecord &record);
+std::string describe_energy(const RunRecord &record, bool has_loads);
 
 /// "critical friction 7.21 times the given one, at (9.95, 0.98) mm".
 std::string describe(const CriticalFrictionRecord &critical);

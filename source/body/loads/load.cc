@@ -14,10 +14,10 @@
 
 namespace orthocone
 {
-const std::vector<const LoadKind *> &load_kinds()
+std::vector<const LoadKind *> &load_kinds()
 {
-  static const std::vector<const LoadKind *> kinds{&pressure_load(), &traction_load(), &motion_load(),
-                                                   &force_load(), &temperature_load()};
+  static std::vector<const LoadKind *> kinds{&pressure_load(), &traction_load(), &motion_load(),
+                                             &force_load(), &temperature_load()};
   return kinds;
 }
 

@@ -68,8 +68,9 @@ public:
   bool acts_by_traction() const { return has_surface() && !moves_surface(); }
 };
 
-/// All kinds, in the order of the help.
-const std::vector<const LoadKind *> &load_kinds();
+/// All kinds, in the order of the help. A program that uses the library may add others before it reads
+/// parameters.
+std::vector<const LoadKind *> &load_kinds();
 
 /// A load as users declare it.
 struct Load
