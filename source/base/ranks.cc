@@ -32,6 +32,18 @@ unsigned int asked(int (*const ask)(MPI_Comm, int *), const int otherwise)
 /// MPI counts in int.
 constexpr std::size_t most_at_once = std::numeric_limits<int>::max() / 2;
 
+/// Replaces each of `n` values by what all ranks make of theirs.
+void reduce(double *values, std::size_t n, const MPI_Op operation)
+{
+  if (n_ranks() == 1)
+    return;
+  for (std::size_t part = std::min(n, most_at_once); n > 0; n -= part, values += part)
+  {
+    part = std::min(n, most_at_once);
+    MPI_Allreduce(MPI_IN_PLACE, values, static_cast<int>(part), MPI_DOUBLE, operation, MPI_COMM_WORLD);
+  }
+}
+
 /// The text of one rank on all of them.
 std::string text_of(const unsigned int rank, std::string text)
 {
@@ -67,13 +79,12 @@ unsigned int this_rank()
 
 void sum_over_ranks(double *values, std::size_t n)
 {
-  if (n_ranks() == 1)
-    return;
-  for (std::size_t part = std::min(n, most_at_once); n > 0; n -= part, values += part)
-  {
-    part = std::min(n, most_at_once);
-    MPI_Allreduce(MPI_IN_PLACE, values, static_cast<int>(part), MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
-  }
+  reduce(values, n, MPI_SUM);
+}
+
+void largest_of_ranks(double *values, std::size_t n)
+{
+  reduce(values, n, MPI_MAX);
 }
 
 double sum_over_ranks(double value)

@@ -28,6 +28,7 @@ double sum_over_ranks(double value);
 
 /// The largest value of all ranks, and whether any rank has true, on each of them.
 double largest_of_ranks(double value);
+void largest_of_ranks(double *values, std::size_t n); ///< entry by entry
 bool any_rank(bool value);
 
 /// Returns the first rank's value on all ranks.
