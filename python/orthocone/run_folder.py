@@ -140,6 +140,20 @@ class Run:
         """The table of a probe, one row a step."""
         return read_csv(self.path / f"probe-{name}.csv")
 
+    def line_names(self):
+        """Names of the lines whose files are in the folder, sorted."""
+        names = (re.fullmatch("line-(.+)-(?:[0-9]{4}|[1-9][0-9]{4,8})", file.stem) for file in self.path.glob("line-*.csv"))
+        return sorted({name[1] for name in names if name})
+
+    def line_steps(self, name):
+        """Numbers of the steps that have a file of this line."""
+        return self._steps_of(f"line-{name}", "csv")
+
+    def line(self, name, step):
+        """The table of a line after a step, one row a point: displacement and stress, and what acts on the contact surface,
+        which is nan at points inside of the body."""
+        return read_csv(self.path / f"line-{name}-{step:04d}.csv")
+
     @functools.cached_property
     def timing(self):
         """The table of wall times, s, one row a step."""

@@ -38,7 +38,7 @@ auto naming_file(const CommandLine &line, const Function &function)
 ModelChoice resolve(const CommandLine &line, const Parameters &parameters);
 
 /// Throws InputError, with the name of the parameter file, where a lower body is not under all of the upper
-/// one: require_cover().
+/// one, or a line leaves the bodies: require_cover() and require_lines_inside().
 void require_bodies_that_meet(const CommandLine &line, const Parameters &parameters,
                               const ModelSymmetry &symmetry);
 

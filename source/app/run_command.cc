@@ -12,7 +12,8 @@
 #include <orthocone/body/backends/stiffness_factor.h>
 #include <orthocone/body/shapes/mesh_ladder.h>
 #include <orthocone/march/rank_memory.h>
-#include <orthocone/output/history.h>
+#include <orthocone/output/line_files.h>
+#include <orthocone/scene/line_points.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -87,14 +88,13 @@ fs::path run_folder_of(const CommandLine &line)
 void keep_parameters(RunFolder &folder, Assignment &task, const Parameters &parameters)
 {
   const std::string path = path_of(task.line);
-  if (const auto earlier =
-          folder.start_anew(complete_text(parameters), path, probe_files(parameters.output.probes)))
+  if (const auto earlier = folder.start_anew(complete_text(parameters), path, named_files(parameters.output)))
     task.report("warning: " + folder.path() + " held the results of another file, " + *earlier +
                 "; those of this run take their place (--output DIR keeps both)");
   folder.write(input_name(task.line), task.file.text);
 }
 
-/// The same for a run that goes on, perhaps with more cycles, probes or fields than it began with.
+/// The same for a run that goes on, perhaps with more cycles, probes, lines or fields than it began with.
 void update_parameters(RunFolder &folder, const Assignment &task, const Parameters &parameters)
 {
   const std::string text = complete_text(parameters);
@@ -119,9 +119,9 @@ void require_memory_for(const Assignment &task, const Parameters &parameters)
 void require_model_of(const Assignment &task)
 {
   Parameters parameters = task.file.parameters;
-  if (parameters.mesh.accuracy != 0) // a search finds out itself
-    return;
   const ModelSymmetry &symmetry = task.model.symmetry;
+  if (parameters.mesh.accuracy != 0) // a search finds out the rest
+    return naming_file(task.line, [&] { require_lines_inside(parameters, symmetry); });
   parameters.mesh = resolved_mesh(parameters.geometry, parameters.mesh, symmetry.is_axisymmetric());
   if (!task.line.insist)
     require_memory_for(task, parameters);
@@ -177,7 +177,7 @@ void go_on(Assignment &task, const Checkpoint &checkpoint)
 Ending solve(Assignment &task, RunFolder &folder)
 {
   const Parameters &given = task.file.parameters;
-  folder.require_own(probe_files(given.output.probes));
+  folder.require_own(named_files(given.output));
   const auto checkpoint = checkpoint_to_resume(task, folder);
   if (checkpoint)
     go_on(task, *checkpoint);
@@ -205,7 +205,7 @@ Ending solve(Assignment &task, RunFolder &folder)
     folder.append("log.txt", task.lines);
   QuasiStaticProblem problem(std::move(chosen), task.model, folder, log, task.threads);
   if (checkpoint)
-    folder.mark(path_of(task.line), probe_files(parameters.output.probes));
+    folder.mark(path_of(task.line), named_files(parameters.output));
   return problem.run(checkpoint, [&] { update_parameters(folder, task, parameters); });
 }
 

@@ -10,6 +10,7 @@
 #include <boost/crc.hpp>
 
 #include <algorithm>
+#include <cctype>
 #include <sstream>
 #include <utility>
 #include <vector>
@@ -51,6 +52,13 @@ std::string other_files(const Parameters &parameters)
   return text;
 }
 
+std::string in_small_letters(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(),
+                 [](const unsigned char c) { return std::tolower(c); });
+  return text;
+}
+
 /// Whether all pieces of an earlier list are among those now.
 bool has_all_pieces(const std::string &now, const std::string &earlier)
 {
@@ -76,7 +84,8 @@ void require_same_past(const Checkpoint &checkpoint, const Parameters &parameter
     if (const std::string value = entry.text(); entry.may_grow())
     {
       if (!has_all_pieces(value, earlier[entry.name()]))
-        refuse(entry.name(), value, "what has these probes and perhaps more");
+        refuse(entry.name(), value,
+               "what has these " + in_small_letters(entry.own_name()) + " and perhaps more");
     }
     else if (!entry.may_change() && earlier[entry.name()] != value)
       refuse(entry.name(), value, "the same value");
@@ -155,6 +164,7 @@ std::optional<Checkpoint> find_checkpoint(const RunFolder &folder, const Paramet
     require_fields(folder, "volume", checkpoint.fields.volume);
     if (parameters.obstacle.kind == ObstacleKind::body)
       require_fields(folder, "lower", checkpoint.fields.volume);
+    require_lines(folder, checkpoint.fields.lines);
     return checkpoint;
   }
   catch (const CheckpointError &error)

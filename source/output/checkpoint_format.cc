@@ -227,7 +227,8 @@ Checkpoint from_json(const Json &json)
   checkpoint.gap_file = count_from(json.at("gap_file"));
   json.at("program").get_to(checkpoint.program);
   checkpoint.tables = tables_from(json.at("tables"));
-  checkpoint.fields = {steps_from(json.at("fields").at(0)), steps_from(json.at("fields").at(1))};
+  checkpoint.fields = {steps_from(json.at("fields").at(0)), steps_from(json.at("fields").at(1)),
+                       line_steps_from(json.at("fields").at(2))};
   checkpoint.state = state_from(json.at("state"));
   checkpoint.starts = starts_from(json.at("starts"), checkpoint.state);
   checkpoint.cycles = cycles_from(json.at("cycles"), checkpoint.state);
@@ -244,7 +245,9 @@ std::string encode(const Checkpoint &checkpoint)
                   {"gap_file", checkpoint.gap_file},
                   {"program", checkpoint.program},
                   {"tables", tables_json(checkpoint.tables)},
-                  {"fields", {steps_json(checkpoint.fields.contact), steps_json(checkpoint.fields.volume)}},
+                  {"fields",
+                   {steps_json(checkpoint.fields.contact), steps_json(checkpoint.fields.volume),
+                    line_steps_json(checkpoint.fields.lines)}},
                   {"state", state_json(checkpoint.state)},
                   {"starts", starts_json(checkpoint.starts)},
                   {"cycles", cycles_json(checkpoint.cycles)},

@@ -94,6 +94,29 @@ std::vector<unsigned int> steps_from(const Json &json)
   return steps;
 }
 
+Json line_steps_json(const std::map<std::string, std::vector<unsigned int>> &lines)
+{
+  Json json = Json::object();
+  for (const auto &[name, steps] : lines)
+    json[name] = steps_json(steps);
+  return json;
+}
+
+std::map<std::string, std::vector<unsigned int>> line_steps_from(const Json &json)
+{
+  constexpr std::size_t most = 10000000; // files of a folder
+  std::map<std::string, std::vector<unsigned int>> lines;
+  std::size_t n = 0;
+  for (const auto &[name, steps] : json.items())
+  {
+    lines[name] = steps_from(steps);
+    n += lines[name].size();
+    if (n > most)
+      throw CheckpointError("is damaged (a number is out of range)");
+  }
+  return lines;
+}
+
 Json json_from_cbor(const std::string &bytes)
 {
   constexpr unsigned int deepest = 19;

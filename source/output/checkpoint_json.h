@@ -30,6 +30,10 @@ TableMarks tables_from(const Json &json);
 Json steps_json(const std::vector<unsigned int> &steps);
 std::vector<unsigned int> steps_from(const Json &json);
 
+/// The same of each line by its name.
+Json line_steps_json(const std::map<std::string, std::vector<unsigned int>> &lines);
+std::map<std::string, std::vector<unsigned int>> line_steps_from(const Json &json);
+
 Json state_json(const ContactState &state);
 ContactState state_from(const Json &json);
 

@@ -59,13 +59,26 @@ std::vector<std::string> with_pieces(const RunFolder &folder, const std::string 
 }
 } // namespace
 
+/// Throws FileError if a file is missing, or has another end.
+static void require_whole(const RunFolder &folder, const std::string &file, const std::string &end)
+{
+  if (!folder.has(file) || !folder.ends_with(file, end))
+    throw FileError(folder.path(file) + (folder.has(file) ? ": is cut off" : ": is missing") +
+                    ", so that the run cannot be continued; without --resume it starts anew");
+}
+
 void require_fields(const RunFolder &folder, const std::string &kind, const std::vector<unsigned int> &steps)
 {
   for (const unsigned int step : steps)
     for (const std::string &file : with_pieces(folder, written_file(folder, kind, step)))
-      if (!folder.has(file) || !folder.ends_with(file, "</VTKFile>\n"))
-        throw FileError(folder.path(file) + (folder.has(file) ? ": is cut off" : ": is missing") +
-                        ", so that the run cannot be continued; without --resume it starts anew");
+      require_whole(folder, file, "</VTKFile>\n");
+}
+
+void require_lines(const RunFolder &folder, const std::map<std::string, std::vector<unsigned int>> &lines)
+{
+  for (const auto &[name, steps] : lines)
+    for (const unsigned int step : steps)
+      require_whole(folder, field_file("line-" + name, step, "csv"), "\n");
 }
 
 void FieldList::set(const std::vector<unsigned int> &steps)

@@ -25,12 +25,20 @@ bool is_step_number(const std::string &text)
          text.find_first_not_of("0123456789") == std::string::npos;
 }
 
-/// The part of a name in place of the first placeholder of a pattern; nothing where the rest differs.
+/// The part of a name in place of the first placeholder of a pattern, or of the step behind a "*"; nothing
+/// where the rest differs.
 std::optional<std::string> filled_in(const std::string &pattern, const std::string &name)
 {
   const std::size_t place = pattern.find_first_of(placeholders);
   const std::string before = pattern.substr(0, place);
   const std::string after = pattern.substr(place + 1);
+  if (pattern[place] == '*' && after.find_first_of(placeholders) != std::string::npos)
+  {
+    const std::size_t dash = name.rfind(after.front());
+    const bool fits = dash != std::string::npos && dash > place && name.compare(0, place, before) == 0 &&
+                      is_plain(name.substr(place, dash - place));
+    return fits ? filled_in(after, name.substr(dash)) : std::nullopt;
+  }
   if (after.find_first_of(placeholders) != std::string::npos)
   {
     const std::size_t end = name.find_first_not_of("0123456789", place);
@@ -50,6 +58,8 @@ bool has_placeholder(const std::string &pattern)
   return pattern.find_first_of(placeholders) != std::string::npos;
 }
 
+} // namespace
+
 std::string without_part(const std::string &name)
 {
   const std::string part = ".part";
@@ -57,7 +67,6 @@ std::string without_part(const std::string &name)
       name.size() > part.size() && name.compare(name.size() - part.size(), part.size(), part) == 0;
   return is_part ? name.substr(0, name.size() - part.size()) : name;
 }
-} // namespace
 
 const std::vector<RunFile> &run_files()
 {
@@ -70,6 +79,7 @@ const std::vector<RunFile> &run_files()
       {"history.csv", FileKind::table, "one row a step"},
       {"timing.csv", FileKind::table, "seconds of each step"},
       {"probe-*.csv", FileKind::probe_table, "one row a step, of a contact node"},
+      {"line-*-#.csv", FileKind::line_file, "fields along a line after a step, one row a point"},
       {"contact.pvd", FileKind::file, "names the files of the contact surface"},
       {"contact-#.vtu", FileKind::file, "fields on the contact surface"},
       {"volume.pvd", FileKind::file, "names the files of the volume"},

@@ -16,6 +16,7 @@ enum class FileKind
 {
   table,       ///< grows by a row in each step or cycle
   probe_table, ///< the same; the marker names the run's own ones
+  line_file,   ///< of a line after a step; the marker names the run's own lines
   file,
   checkpoint, ///< useless without the other files
   marker,     ///< stays when another run begins
@@ -24,7 +25,7 @@ enum class FileKind
 struct RunFile
 {
   /// A name; "*" stands for any text without '/', "#" for the number of a step (4 to 9 digits), "*" behind it
-  /// for that of a process.
+  /// for that of a process. "-#" behind a "*" is the last number of the name.
   const char *pattern;
   FileKind kind;
   const char *what;
@@ -40,6 +41,9 @@ const std::vector<RunFile> &run_files();
 /// decides what is a name of ours, whoever states it: a marker, a checkpoint, a list of pieces. Such a name
 /// leads nowhere else, because it is plain or `checkpoint/state`.
 const RunFile *run_file(const std::string &name);
+
+/// The name without ".part" at its end.
+std::string without_part(const std::string &name);
 
 /// Names of the files of a kind whose names do not vary.
 std::vector<std::string> fixed_names(FileKind kind);

@@ -56,12 +56,18 @@ void RunFolder::lock()
   lock_ = result.descriptor;
 }
 
+static bool is_of_a_line(const std::string &name)
+{
+  return run_folder::run_file(name)->kind == run_folder::FileKind::line_file;
+}
+
 void RunFolder::remove_fields_after(const unsigned int step)
 {
   if (is_nowhere())
     return;
+  const std::set<std::string> of_lines = own_line_files();
   for (const std::string &name : names_in(path_))
-    if (run_folder::step_of(name).value_or(0) > step)
+    if (run_folder::step_of(name).value_or(0) > step && (!is_of_a_line(name) || of_lines.count(name) > 0))
       remove(name);
 }
 

@@ -97,6 +97,18 @@ bool begins_with(const std::string &text, const char *const beginning)
   return text.compare(0, std::strlen(beginning), beginning) == 0;
 }
 
+/// Whether a file is of one of the lines among named_files(), which has the name "line-NAME-#.csv" there.
+bool is_of_a_line(const std::string &name, const std::vector<std::string> &named)
+{
+  const std::string whole = run_folder::without_part(name);
+  return std::any_of(named.begin(), named.end(),
+                     [&](const std::string &line)
+                     {
+                       return begins_with(line, "line-") && line.find('*') == std::string::npos &&
+                              RunFile{line.c_str(), FileKind::line_file, ""}.fits(whole);
+                     });
+}
+
 std::string with_line_ends(const std::vector<std::string> &lines)
 {
   std::string text;
@@ -114,7 +126,7 @@ bool RunFolder::is_of_a_run() const
   return starts_with(marker, marker_line) || starts_with(checkpoint_file, checkpoint_start);
 }
 
-/// The marker's lines behind its first one: the parameter file, and tables of probes.
+/// The marker's lines behind its first one: the parameter file, and named_files().
 std::vector<std::string> RunFolder::marked_lines() const
 {
   std::vector<std::string> lines;
@@ -125,12 +137,12 @@ std::vector<std::string> RunFolder::marked_lines() const
   return lines;
 }
 
-void RunFolder::mark(const std::string &parameter_file, const std::vector<std::string> &probes)
+void RunFolder::mark(const std::string &parameter_file, const std::vector<std::string> &named)
 {
   if (is_nowhere())
     return;
   std::vector<std::string> lines{marker_line, parameter_file};
-  lines.insert(lines.end(), probes.begin(), probes.end());
+  lines.insert(lines.end(), named.begin(), named.end());
   if (const std::string text = with_line_ends(lines); !has(marker) || read(marker) != text)
     replace(marker, text, false);
 }
@@ -144,6 +156,17 @@ std::vector<std::string> RunFolder::own_tables() const
                [](const std::string &name)
                { return is_of_kind(name, FileKind::probe_table) && run_file(name)->fits(name); });
   return names;
+}
+
+/// Names of the files of lines that the folder's run has left, also of those that are half written.
+std::set<std::string> RunFolder::own_line_files() const
+{
+  const std::vector<std::string> marked = marked_lines();
+  std::set<std::string> own;
+  for (const std::string &name : names_in(path_))
+    if (is_of_kind(name, FileKind::line_file) && is_of_a_line(name, marked))
+      own.insert(name);
+  return own;
 }
 
 /// All files that the folder's run has left. The checkpoint is the first one, because it is useless without
@@ -162,10 +185,12 @@ std::vector<std::string> RunFolder::files() const
   for (const std::string &name : names_in(path_))
     if (is_of_kind(name, FileKind::file))
       names.push_back(name);
+  const std::set<std::string> of_lines = own_line_files();
+  names.insert(names.end(), of_lines.begin(), of_lines.end());
   return names;
 }
 
-void RunFolder::require_own(const std::vector<std::string> &probes) const
+void RunFolder::require_own(const std::vector<std::string> &named) const
 {
   if (is_nowhere())
     return;
@@ -179,9 +204,13 @@ void RunFolder::require_own(const std::vector<std::string> &probes) const
   if (foreign.empty() && has(marker) && !is_own)
     foreign.emplace_back(marker);
   const std::vector<std::string> own = own_tables();
-  for (const std::string &probe : probes)
-    if (has(probe) && std::find(own.begin(), own.end(), probe) == own.end())
-      foreign.push_back(probe);
+  for (const std::string &table : named)
+    if (has(table) && std::find(own.begin(), own.end(), table) == own.end())
+      foreign.push_back(table);
+  const std::set<std::string> of_lines = own_line_files();
+  for (const std::string &name : names_in(path_))
+    if (is_of_a_line(name, named) && of_lines.count(name) == 0)
+      foreign.push_back(name);
   if (!foreign.empty())
     fail(path_, "cannot be the run folder",
          "it holds a " + foreign.front() + ", and no run has left it there; --output DIR takes another one");
@@ -189,11 +218,11 @@ void RunFolder::require_own(const std::vector<std::string> &probes) const
 
 std::optional<std::string> RunFolder::start_anew(const std::string &parameters,
                                                  const std::string &parameter_file,
-                                                 const std::vector<std::string> &probes)
+                                                 const std::vector<std::string> &named)
 {
   if (is_nowhere())
     return std::nullopt;
-  require_own(probes);
+  require_own(named);
   const std::vector<std::string> old = files();
   // Before anything is removed, everything must be removable, and there must be room for the new parameters.
   for (const std::string &file : old)
@@ -211,7 +240,7 @@ std::optional<std::string> RunFolder::start_anew(const std::string &parameters,
   for (const std::string &name : old)
     if (name != identity)
       remove(name);
-  mark(parameter_file, probes);
+  mark(parameter_file, named);
   growing_.clear();
   const bool is_other = !before.empty() && !before.front().empty() && before.front() != parameter_file;
   return is_other ? std::optional<std::string>(before.front()) : std::nullopt;

@@ -17,6 +17,7 @@ RunOutput::RunOutput(RunFolder &folder, const OutputOptions &options, const Scen
       evaluator_(evaluator),
       history_(folder, scene.parameters().load.loads),
       probes_(folder, options.probes, evaluator),
+      lines_(folder, options.lines, evaluator),
       cycles_(folder),
       contact_(folder, "contact"),
       volume_(folder, "volume"),
@@ -45,6 +46,7 @@ void RunOutput::return_to(const unsigned int step, const TableMarks &tables, con
   if (scene_.lower() != nullptr)
     lower_.set(fields.volume);
   folder_.remove_fields_after(step);
+  lines_.return_to(step, fields.lines);
 }
 
 void RunOutput::write(const SolvedStep &step)
@@ -76,15 +78,32 @@ void RunOutput::write_fields(const ContactState &state, const Eigen::VectorXd &v
     write_volume(state, volume);
     write_lower(state);
   }
+  if (is_due(options_.line_interval, state.step) && !lines_.is_empty() && !lines_.has(state))
+    write_lines(state, volume);
+}
+
+Deformation RunOutput::deformation(const ContactState &state, const Eigen::VectorXd &volume) const
+{
+  const Parameters &parameters = scene_.parameters();
+  return {scene_.body().with_motion(state.motion, volume, state.loads),
+          free_strain(parameters.load.loads, state.loads, false, parameters.material)};
+}
+
+/// Of the lower body's mirror image.
+Deformation RunOutput::lower_deformation(const ContactState &state) const
+{
+  const Parameters &parameters = scene_.parameters();
+  const ElasticBody &body = scene_.lower()->body();
+  const Eigen::VectorXd elastic = body.elastic_displacement(scene_.lower()->own_force(state.force));
+  return {body.with_motion({}, elastic, state.loads),
+          free_strain(parameters.load.loads, state.loads, true, parameters.lower.material)};
 }
 
 /// The first process collects the pieces of the others, because it alone writes.
 void RunOutput::write_volume(const ContactState &state, const Eigen::VectorXd &volume)
 {
-  const Parameters &parameters = scene_.parameters();
-  const auto make = [this, u = scene_.body().with_motion(state.motion, volume, state.loads),
-                     strain = free_strain(parameters.load.loads, state.loads, false, parameters.material)]
-  { return volume_vtu(scene_.body().mesh(), u, strain); };
+  const auto make = [this, found = deformation(state, volume)]
+  { return volume_vtu(scene_.body().mesh(), found.displacement, found.free_strain); };
   if (n_ranks() == 1)
     return volume_.add(state.step, make);
   volume_.add_pieces(state.step, gather_on_first(make()), volume_pvtu);
@@ -92,17 +111,17 @@ void RunOutput::write_volume(const ContactState &state, const Eigen::VectorXd &v
 
 void RunOutput::write_lower(const ContactState &state)
 {
-  const LowerBody *const lower = scene_.lower();
-  if (lower == nullptr)
+  if (scene_.lower() == nullptr)
     return;
-  const ElasticBody &body = lower->body();
-  const Parameters &parameters = scene_.parameters();
-  const Eigen::VectorXd elastic = body.elastic_displacement(lower->own_force(state.force));
-  const auto make =
-      [&body, u = body.with_motion({}, elastic, state.loads),
-       strain = free_strain(parameters.load.loads, state.loads, true, parameters.lower.material)]
-  { return volume_vtu(body.mesh(), u, strain, true); };
+  const auto make = [this, found = lower_deformation(state)]
+  { return volume_vtu(scene_.lower()->body().mesh(), found.displacement, found.free_strain, true); };
   lower_.add(state.step, make);
+}
+
+void RunOutput::write_lines(const ContactState &state, const Eigen::VectorXd &volume)
+{
+  lines_.write(state, deformation(state, volume),
+               lines_.need_lower() ? lower_deformation(state) : Deformation());
 }
 
 void RunOutput::end_with(const ContactState &state)

@@ -65,9 +65,7 @@ static unsigned int nearest(const HangingNode &hanging)
       ->node;
 }
 
-/// Fields of a hanging node: interpolated between contact nodes, or those of the nearest one where they
-/// cannot be.
-static ContactFields between(const HangingNode &hanging, const std::vector<ContactFields> &all)
+ContactFields between(const HangingNode &hanging, const std::vector<ContactFields> &all)
 {
   ContactFields fields;
   for (const auto &[node, weight] : hanging.terms)

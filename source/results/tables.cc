@@ -172,6 +172,55 @@ Columns<CycleRow> columns_of_fretting()
            [](const Cycle &c) { return c.worst_wear; }}};
 }
 
+std::optional<double> on_surface(const LinePoint &point, const double value)
+{
+  return point.contact ? std::optional(value + 0.) : std::nullopt; // zero has no sign
+}
+
+Columns<LinePoint> line_columns_in_body()
+{
+  using P = LinePoint;
+  return {{"s", "mm", "distance from the first end of the line", [](const P &p) { return p.distance; }},
+          {"x", "mm", "place of the point in the undeformed whole body, along x",
+           [](const P &p) { return p.body.place[0]; }},
+          {"y", "mm", "place along y", [](const P &p) { return p.body.place[1]; }},
+          {"z", "mm", "place along z, > 0 in the body, < 0 in the lower body",
+           [](const P &p) { return p.body.place[2]; }},
+          {"u_x", "mm", "displacement from the undeformed body along x",
+           [](const P &p) { return p.body.displacement[0]; }},
+          {"u_y", "mm", "displacement along y", [](const P &p) { return p.body.displacement[1]; }},
+          {"u_z", "mm", "displacement along z", [](const P &p) { return p.body.displacement[2]; }},
+          {"stress_xx", "MPa",
+           "normal stress along x, > 0 is tension; like all stresses the mean of the elements that meet at "
+           "the point",
+           [](const P &p) { return p.body.stress[0][0]; }},
+          {"stress_yy", "MPa", "normal stress along y", [](const P &p) { return p.body.stress[1][1]; }},
+          {"stress_zz", "MPa", "normal stress along z", [](const P &p) { return p.body.stress[2][2]; }},
+          {"stress_xy", "MPa", "shear stress of x and y", [](const P &p) { return p.body.stress[0][1]; }},
+          {"stress_xz", "MPa", "shear stress of x and z", [](const P &p) { return p.body.stress[0][2]; }},
+          {"stress_yz", "MPa", "shear stress of y and z", [](const P &p) { return p.body.stress[1][2]; }}};
+}
+
+/// nan where a point is not on the contact surface.
+Columns<LinePoint> line_columns_on_surface()
+{
+  using P = LinePoint;
+  const auto of = [](const P &p) { return p.contact.value_or(ContactFields()); };
+  return {{"pressure", "MPa", "normal traction; nan off the contact surface, as all that follow",
+           [of](const P &p) { return on_surface(p, of(p).pressure); }},
+          {"traction_x", "MPa", "friction traction of the counterface on the body along x",
+           [of](const P &p) { return on_surface(p, of(p).friction_traction[0]); }},
+          {"traction_y", "MPa", "friction traction of the counterface on the body along y",
+           [of](const P &p) { return on_surface(p, of(p).friction_traction[1]); }},
+          {"slip_x", "mm", "slip along x; 0 where the surface is open",
+           [of](const P &p) { return on_surface(p, of(p).slip[0]); }},
+          {"slip_y", "mm", "slip along y; 0 where the surface is open",
+           [of](const P &p) { return on_surface(p, of(p).slip[1]); }},
+          {"status", "",
+           "open, stick or slip, as at the nearest contact node; inside off the contact surface",
+           [of](const P &p) { return p.contact ? word_of(of(p).status) : std::string("inside"); }}};
+}
+
 /// The lines of one file. An `Item` has a name, a unit, and a text on its meaning.
 template<typename Item>
 std::string lines(const std::string &file, const std::vector<Item> &items)
@@ -287,11 +336,22 @@ const Columns<CycleRow> &cycle_columns()
   return columns;
 }
 
+const Columns<LinePoint> &line_columns()
+{
+  static const Columns<LinePoint> columns = []
+  {
+    Columns<LinePoint> all = line_columns_in_body(), later = line_columns_on_surface();
+    all.insert(all.end(), later.begin(), later.end());
+    return all;
+  }();
+  return columns;
+}
+
 std::string described_columns()
 {
   return lines("history.csv", history_columns()) + lines("probe-NAME.csv", probe_columns()) +
          lines("cycles.csv", cycle_columns()) + lines("checks.csv", checks_columns()) +
-         lines("timing.csv", timing_columns()) + lines("contact-NNNN.vtu", contact_field_list()) +
-         lines("volume-NNNN.vtu", volume_field_list());
+         lines("timing.csv", timing_columns()) + lines("line-NAME-NNNN.csv", line_columns()) +
+         lines("contact-NNNN.vtu", contact_field_list()) + lines("volume-NNNN.vtu", volume_field_list());
 }
 } // namespace orthocone

@@ -3,7 +3,9 @@
 #include <orthocone/scene/legs.h>
 
 #include <cctype>
+#include <numeric>
 #include <set>
+#include <sstream>
 
 namespace orthocone
 {
@@ -25,6 +27,62 @@ std::optional<Probe> parse_probe(const std::string &text)
   const auto position = parse_numbers(parts[1], 2, ' ');
   return position ? std::optional<Probe>({parts[0], {{(*position)[0], (*position)[1]}}}) : std::nullopt;
 }
+
+constexpr unsigned int most_points = 100000; // of all lines
+
+std::array<double, 3> three_of(const std::vector<double> &numbers)
+{
+  return {{numbers[0], numbers[1], numbers[2]}};
+}
+
+/// The ends of a line: "x y z to x y z".
+bool parse_ends(const std::string &text, Line &line)
+{
+  std::istringstream words(text);
+  std::array<std::string, 2> ends;
+  unsigned int end = 0;
+  for (std::string word; words >> word;)
+    if (word != "to")
+      ends[end] += " " + word;
+    else if (++end == ends.size())
+      return false;
+  const auto from = parse_numbers(trimmed(ends[0]), 3, ' '), to = parse_numbers(trimmed(ends[1]), 3, ' ');
+  if (!from || !to || *from == *to)
+    return false;
+  line.from = three_of(*from);
+  line.to = three_of(*to);
+  return std::isfinite(line.length()) && line.length() > 0;
+}
+
+std::optional<Line> parse_line(const std::string &text)
+{
+  const auto parts = split(text, ':');
+  if (parts.size() != 2 || !is_file_name(parts[0]))
+    return std::nullopt;
+  const auto course = split(parts[1], ',');
+  Line line{parts[0]};
+  if (course.size() != 2 || !parse_ends(course[0], line))
+    return std::nullopt;
+  const auto n_points = parse_count(course[1]);
+  if (!n_points || *n_points < 2 || *n_points > most_points)
+    return std::nullopt;
+  line.n_points = *n_points;
+  return line;
+}
+
+std::string print_place(const std::array<double, 3> &place)
+{
+  return to_text(place[0]) + " " + to_text(place[1]) + " " + to_text(place[2]);
+}
+
+/// Whether no two of probes, or of lines, have the same name.
+template<typename Named>
+bool have_own_names(const std::vector<Named> &all)
+{
+  std::set<std::string> names;
+  return std::all_of(all.begin(), all.end(),
+                     [&](const Named &named) { return names.insert(named.name).second; });
+}
 } // namespace
 
 Codec<std::vector<Probe>> probes_codec()
@@ -39,11 +97,32 @@ Codec<std::vector<Probe>> probes_codec()
   codec.parse = [parse = codec.parse](const std::string &text, std::string &instead)
   {
     auto probes = parse(text, instead);
-    std::set<std::string> names;
-    if (probes && !std::all_of(probes->begin(), probes->end(),
-                               [&](const Probe &probe) { return names.insert(probe.name).second; }))
+    if (probes && !have_own_names(*probes))
       probes.reset();
     return probes;
+  };
+  return codec;
+}
+
+Codec<std::vector<Line>> lines_codec()
+{
+  const auto print = [](const Line &line)
+  {
+    return line.name + ": " + print_place(line.from) + " to " + print_place(line.to) + ", " +
+           std::to_string(line.n_points);
+  };
+  Codec<std::vector<Line>> codec = list_codec<Line>(
+      "lines \"name: x y z to x y z, points\" (ends in mm that differ; 2 to 100000 points, those of all "
+      "lines counted; name of up to 100 letters, digits, '-', '_', used once), separated by ';'",
+      ';', "; ", parse_line, print);
+  codec.parse = [parse = codec.parse](const std::string &text, std::string &instead)
+  {
+    auto lines = parse(text, instead);
+    const auto add = [](const double sum, const Line &line) { return sum + line.n_points; };
+    if (lines &&
+        (!have_own_names(*lines) || std::accumulate(lines->begin(), lines->end(), 0., add) > most_points))
+      lines.reset();
+    return lines;
   };
   return codec;
 }
@@ -80,6 +159,24 @@ void declare_checks(CheckOptions &checks, Section &section)
       "slips back reaches 1, and its loop is not to be trusted; above 0.05 there is a warning.");
 }
 
+static void declare_lines(OutputOptions &output, const Codec<unsigned int> &interval, Section &section)
+{
+  section
+      .add("Lines", output.lines, lines_codec(),
+           "Straight lines in the bodies or on the contact surface, along which displacement, stress and "
+           "what acts on the surface are written. The ends are places of the whole body, whatever part of it "
+           "is meshed, and those below z = 0 lie in the lower body. Stress is computed in the element at the "
+           "point; where several elements meet, it is their mean.")
+      .unit("(mm)")
+      .may_grow_on_resume()
+      .also_called({"path", "sample", "polyline"});
+  section
+      .add("Line fields", output.line_interval, interval,
+           "Every how many steps the fields along Lines are written; 0 = never.")
+      .only_if({[&output] { return !output.lines.empty(); }, [] { return "no Output/Lines"; }})
+      .may_change_on_resume();
+}
+
 void declare_output(OutputOptions &output, Section &section)
 {
   const Codec<unsigned int> interval = count_codec(0, 1000000);
@@ -108,5 +205,6 @@ void declare_output(OutputOptions &output, Section &section)
            "Points of the contact surface whose history is written; the nearest contact node is taken.")
       .unit("(mm)")
       .may_grow_on_resume();
+  declare_lines(output, interval, section);
 }
 } // namespace orthocone

@@ -108,6 +108,7 @@ Parameters lower_parameters(const Parameters &parameters)
                    parameters.contact_solver, parameters.checks,   parameters.output};
   lower.mesh.backend = BodyBackend::condensed;
   lower.output.probes.clear();
+  lower.output.lines.clear();
   return lower;
 }
 } // namespace orthocone

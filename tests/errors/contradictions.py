@@ -162,6 +162,20 @@ ROWS = [
      "{file}: Mesh/Layer grading = 1.2 with 200 layers: allowed is what leaves every layer 1e-6 of the height"),
     ("layer_grading_too_fine", "subsection Mesh\n  set Layers = 20\n  set Layer grading = 0.2\nend\n",
      "{file}: Mesh/Layer grading = 0.2 with 20 layers: allowed is what leaves every layer 1e-6 of the height"),
+    ("line_above_the_body", "subsection Output\n  set Lines = axis: 0 0 0 to 0 0 12, 13\nend\n",
+     "{file}: Output/Lines: point 12 of 13 of 'axis' at (0, 0, 11) lies in no body: allowed are points of the body "
+     "(cylinder, radius 10 mm, height 10 mm), whose contact surface is at z = 0 and whose other points are above it"),
+    ("line_beside_the_section", PLANE + "subsection Output\n  set Lines = L: 0 0 1 to 0 99 1, 2\nend\n",
+     "{file}: Output/Lines: point 2 of 2 of 'L' at (0, 99, 1) lies in no body: allowed are points of the body "
+     "(box, 20 x 20 x 10 mm), whose contact surface is at z = 0 and whose other points are above it; y from -10 to 10 mm"),
+    ("line_below_a_rigid_obstacle",
+     "subsection Output\n  set Lines = in: 0 0 5 to 1 0 5, 2 ; below: 9 0 0 to 9 0 -1, 5\nend\n",
+     "{file}: Output/Lines: point 2 of 5 of 'below' at (9, 0, -0.25) lies in no body: allowed are points of the body "
+     "(cylinder, radius 10 mm, height 10 mm), whose contact surface is at z = 0 and whose other points are above it"),
+    ("line_below_the_lower_body", ON_BODY + "subsection Output\n  set Lines = L: 0 0 0 to 0 0 -99, 2\nend\n",
+     "{file}: Output/Lines: point 2 of 2 of 'L' at (0, 0, -99) lies in no body: allowed are points of the body "
+     "(cylinder, radius 10 mm, height 10 mm), whose contact surface is at z = 0 and whose other points are above it, "
+     "and of the lower body (cylinder, radius 10 mm, height 10 mm) below it"),
     ("no_cycles", "subsection Load program\n  set Legs = 0 0 -0.1 : 5 ; 0 0 0 : 10\n  set Cycles = 0\nend\n",
      "{file}: Load program/Cycles = 0 and Load program/Preload is empty: allowed is at least one cycle or a preload"),
     ("no_legs", "subsection Load program\n  set Legs = \n  set Cycles = 3\nend\n",

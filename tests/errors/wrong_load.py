@@ -136,6 +136,45 @@ ROWS = [
      'step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N '
      "mm), separated by ';'; "
      '"steps * parts" solves each step in so many parts'),
+    ("line_fields_negative", "subsection Output\n  set Lines = L: 0 0 0 to 0 0 1, 5\n  set Line fields = -1\nend\n",
+     "{file}:4: Output/Line fields = -1: allowed is a whole number from 0 to 1000000"),
+    ("lines_ends_alike", "subsection Output\n  set Contact fields = 1\n  set Lines = L: 1 2 3 to 1 2 3, 5\nend\n",
+     '{file}:4: Output/Lines = L: 1 2 3 to 1 2 3, 5: allowed is lines "name: x y z to x y z, points" (ends in mm that differ; '
+     "2 to 100000 points, those of all lines counted; name of up to 100 letters, digits, '-', '_', used once), "
+     "separated by ';'"),
+    ("lines_one_point", "subsection Output\n  set Contact fields = 1\n  set Lines = L: 0 0 0 to 0 0 1, 1\nend\n",
+     '{file}:4: Output/Lines = L: 0 0 0 to 0 0 1, 1: allowed is lines "name: x y z to x y z, points" (ends in mm that differ; '
+     "2 to 100000 points, those of all lines counted; name of up to 100 letters, digits, '-', '_', used once), "
+     "separated by ';'"),
+    ("lines_path", "subsection Output\n  set Contact fields = 1\n  set Lines = ../L: 0 0 0 to 0 0 1, 5\nend\n",
+     '{file}:4: Output/Lines = ../L: 0 0 0 to 0 0 1, 5:'
+     ' allowed is lines "name: x y z to x y z, points" (ends in mm that differ; '
+     "2 to 100000 points, those of all lines counted; name of up to 100 letters, digits, '-', '_', used once), "
+     "separated by ';'"),
+    ("lines_same_name",
+     "subsection Output\n  set Contact fields = 1\n  set Lines = L: 0 0 0 to 0 0 1, 5; L: 0 0 0 to 1 0 0, 5\nend\n",
+     '{file}:4: Output/Lines = L: 0 0 0 to 0 0 1, 5; L: 0 0 0 to 1 0 0, 5:'
+     ' allowed is lines "name: x y z to x y z, points" (ends in mm that differ; '
+     "2 to 100000 points, those of all lines counted; name of up to 100 letters, digits, '-', '_', used once), "
+     "separated by ';'"),
+    ("lines_too_many_points",
+     "subsection Output\n  set Contact fields = 1\n  set Lines = L: 0 0 0 to 0 0 1, 60000; M: 0 0 0 to 1 0 0, 60000\nend\n",
+     '{file}:4: Output/Lines = L: 0 0 0 to 0 0 1, 60000; M: 0 0 0 to 1 0 0, 60000:'
+     ' allowed is lines "name: x y z to x y z, points" (ends in mm that differ; '
+     "2 to 100000 points, those of all lines counted; name of up to 100 letters, digits, '-', '_', used once), "
+     "separated by ';'"),
+    ("lines_two_coordinates", "subsection Output\n  set Contact fields = 1\n  set Lines = L: 0 0 to 0 1, 5\nend\n",
+     '{file}:4: Output/Lines = L: 0 0 to 0 1, 5: allowed is lines "name: x y z to x y z, points" (ends in mm that differ; '
+     "2 to 100000 points, those of all lines counted; name of up to 100 letters, digits, '-', '_', used once), "
+     "separated by ';'"),
+    ("lines_without_points", "subsection Output\n  set Contact fields = 1\n  set Lines = L: 0 0 0 to 0 0 1\nend\n",
+     '{file}:4: Output/Lines = L: 0 0 0 to 0 0 1: allowed is lines "name: x y z to x y z, points" (ends in mm that differ; '
+     "2 to 100000 points, those of all lines counted; name of up to 100 letters, digits, '-', '_', used once), "
+     "separated by ';'"),
+    ("lines_without_to", "subsection Output\n  set Contact fields = 1\n  set Lines = L: 0 0 0, 0 0 1, 5\nend\n",
+     '{file}:4: Output/Lines = L: 0 0 0, 0 0 1, 5: allowed is lines "name: x y z to x y z, points" (ends in mm that differ; '
+     "2 to 100000 points, those of all lines counted; name of up to 100 letters, digits, '-', '_', used once), "
+     "separated by ';'"),
     ("long_list",
      "subsection Output\n  set Probes = P1: 1 0; P2: 2 0; P3: 3 0; P4: 4 0; P5: 5 0; P6: 6 0; P7: 7 0; P8: 8 0; "
      "P9: 9 0; P10: 0 0; P11: 1 0; P12: 2 0; P13: 3 0; P14: 4 0; P15: 5 0; P16: 6 0; P17: 7 0; P18: 8 0; P19: 9 0; "

@@ -15,7 +15,7 @@ LONG = ["Mesh/Core cells=4", "Mesh/Model=full", "Load program/Cycles=10", "Outpu
 MINE = b"three years of measurements\n"
 # What users may keep in a run folder: names that no run of theirs has written.
 USERS_FILES = ["probe-measured.csv", "probe-Q.csv", "probe-notes.txt", "contact-reference.vtu",
-               "contact-0001 (copy).vtu",
+               "contact-0001 (copy).vtu", "line-measured-2024.csv",
                "volume.pvsm", "history.csv.bak", "my history.csv", "log.txt.1", "notes/history.csv",
                "checkpoint/notes.txt", "checkpoint/state.bak", ".hidden", "parameters.prm~", "summary.json.orig"]
 # Files of a run that a run can be continued without, and those that it cannot.

@@ -65,6 +65,11 @@ REFUSED = {
     "Output/Volume fields": ["0.5", "-0", "all"], "Output/Problems": ["1.0", "-0", "every"], "Output/Checkpoint": ["-1e-9", "1.1e9", "2 s", "nan"],
     "Output/Probes": ["P: 1e400 0", "P: nan 0", ";", "P 1 0", "P: 0 0; p: 0", "P/Q: 0 0", "P.csv: 0 0", "P: 0,0",
                       "\u00b5: 0 0", "P:: 0 0"],
+    "Output/Lines": ["L: 0 0 0 to 0 0 1e400, 2", "L: nan 0 0 to 0 0 1, 2", ";", "L: 0 0 0 to 0 0 1, 2;; M: 0 0 0 to 0 0 1, 2",
+                     "L: 0 0 0 to 0 0 1, 4294967298", "L: 0 0 0 to 0 0 1, -2", "L: 0 0 0 to 0 0 1, 2.0", "to: to", "L: to, 2",
+                     "L: 0 0 0 TO 0 0 1, 2", "L: 0 0 0 to 0 0 1e-320 , 1e1", "L: -1.7e308 0 0 to 1.7e308 0 0, 2",
+                     "L-0001: 0 0 0 to 0 0 1, 99999; L: 0 0 0 to 0 0 1, 2"],
+    "Output/Line fields": ["-0", "1.5", "all"],
 }
 # The lower body has the entries of the other one.
 REFUSED.update({f"Lower {entry[0].lower()}{entry[1:]}": REFUSED[entry][:2] for entry in
@@ -127,6 +132,8 @@ DONE_WITH = [
     ["Output/Contact fields=1000000", "Output/Volume fields=1000000"],
     ["Output/Contact fields=0", "Output/Checkpoint=1e9"], ["Output/Checkpoint=0", "Output/Volume fields=1"],
     ["Output/Probes=" + "; ".join(f"P{i}: 0 0" for i in range(300))], ["Output/Probes=" + "P" * 100 + ": 1e-320 -0"],
+    ["Output/Lines=L-0001: 0 0 0 to 0 0 10, 2; L: 0 0 0 to 0 1e-300 1e-320, 3; to: -10 -0 -0 to 10 0 1e-15, 999"],
+    ["Output/Lines=" + "; ".join(f"{'L' * 97}{i}: 0 0 {i / 9} to 1 0 {i / 9}, 2" for i in range(90))],
     ["Output/Probes=-: 0 0; _: 1 1"], ["Load program/Legs=1e9 0 -0.1 : 2"],
 ]
 # Settings of a run that cannot be solved, and what is said.

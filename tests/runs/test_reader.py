@@ -26,7 +26,8 @@ STEP = 5
 SPECIAL = (("a pipe", os.mkfifo), ("a folder", os.mkdir), ("a device", lambda path: os.symlink("/dev/zero", path)),
            ("a socket", lambda path: os.mknod(path, stat.S_IFSOCK | 0o600)))
 READ = {"history.csv": lambda run: run.history, "timing.csv": lambda run: run.timing, "checks.csv": lambda run: run.checks,
-        "cycles.csv": lambda run: run.cycles, "probe-P.csv": lambda run: run.probe("P"), "summary.json": lambda run: run.summary,
+        "cycles.csv": lambda run: run.cycles, "probe-P.csv": lambda run: run.probe("P"),
+        "line-L-0001.csv": lambda run: run.line("L", 1), "summary.json": lambda run: run.summary,
         "parameters.prm": lambda run: run.parameters, "contact-0001.vtu": lambda run: run.contact(1)}
 BAD_TABLES = (("step,ux\n1,2\n2\n", "row 2 has 1 entries, not 2"), ("step,ux\n1,2,3\n", "row 1 has 3 entries, not 2"),
               ("step,ux,ux\n1,2,3\n", "has 2 columns 'ux'"), ("step,,ux\n1,2,3\n", "has 1 columns ''"),
@@ -42,7 +43,8 @@ class ReaderTest(RunTest):
         cls.addClassCleanup(temporary.cleanup)
         test = cls("test_tables")
         test.folder = pathlib.Path(temporary.name)
-        result = test.run_program("run", settings=[*SMALL, "Load program/Cycles=1", "Output/Probes=rim: 10 0"])
+        result = test.run_program("run", settings=[*SMALL, "Load program/Cycles=1", "Output/Probes=rim: 10 0",
+                                                    "Output/Lines=up-1: 0 0 0 to 0 0 4, 5", "Output/Line fields=5"])
         assert result.returncode == 0, result.stderr
         cls.folder = test.folder
 
@@ -58,6 +60,10 @@ class ReaderTest(RunTest):
                 expected = [str(row[name]) if isinstance(values, list) else float(row[name]) for row in rows]
                 np.testing.assert_array_equal(list(values), expected, name)  # to which nan is nan
         self.assertEqual(self.run_folder.probe_names(), ["rim"])
+        self.assertEqual((self.run_folder.line_names(), self.run_folder.line_steps("up-1")), (["up-1"], [5, 10, 15]))
+        line = self.run_folder.line("up-1", STEP)
+        self.assertEqual(line["z"].tolist(), [0, 1, 2, 3, 4])
+        self.assertEqual(np.isnan(line["pressure"]).tolist(), [False, True, True, True, True])
         self.assertEqual(self.run_folder.summary["status"], "complete")
         self.assertEqual(self.run_folder.parameters["Load program"]["Cycles"], "1")
 

@@ -47,16 +47,18 @@ class ReferencePagesTest(unittest.TestCase):
         """From the files that a run writes."""
         with tempfile.TemporaryDirectory() as folder:
             run = pathlib.Path(folder) / "run"
-            settings = [*SMALL, "Output/Volume fields=1", "Output/Probes=P: 5 0", "Load program/Legs=0 0 -0.01 : 1"]
+            settings = [*SMALL, "Output/Volume fields=1", "Output/Probes=P: 5 0",
+                        "Output/Lines=L: 0 0 0 to 0 0 1, 2", "Load program/Legs=0 0 -0.01 : 1",
+                        "Load program/Cycles=1"]
             subprocess.run([PROGRAM, ROOT / "prm/paper/case_b.prm", "-q", "-o", run,
                             *[f"--set={setting}" for setting in settings]], check=True)
             found = {name.name: name.read_text().splitlines()[0].split(",") for name in run.glob("*.csv")}
             for name in ("contact-0001.vtu", "volume-0001.vtu"):
                 data = (run / name).read_bytes().partition(b"<PointData")[2].partition(b"</PointData>")[0]
                 found[name] = re.findall(r'<DataArray [^>]*Name="(\w+)"', data.decode("ascii", "replace"))
-        self.assertEqual(len(found), 7)
+        self.assertEqual(len(found), 8)
         for name, names in found.items():
-            heading = re.sub(r"-0001\.", "-NNNN.", name).replace("probe-P", "probe-NAME")
+            heading = re.sub(r"-0001\.", "-NNNN.", name).replace("probe-P", "probe-NAME").replace("line-L", "line-NAME")
             section = page("docs/results.md").partition(f"\n## {heading}\n")[2].partition("\n## ")[0]
             self.assertEqual(re.findall(r"^\| `(\w+)` \|", section, re.MULTILINE), names, name)
 

@@ -7,6 +7,7 @@
 
 #include <functional>
 #include <future>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -18,6 +19,7 @@ struct FieldSteps
 {
   std::vector<unsigned int> contact;
   std::vector<unsigned int> volume;
+  std::map<std::string, std::vector<unsigned int>> lines{}; ///< by the names of the lines
 };
 
 /// Name of the field file of a step. `kind` is "contact" or "volume". `ending` is "pvtu" for a file that
@@ -26,6 +28,9 @@ std::string field_file(const std::string &kind, unsigned int step, const std::st
 
 /// Throws FileError if the field file of one of the steps is missing or cut off.
 void require_fields(const RunFolder &folder, const std::string &kind, const std::vector<unsigned int> &steps);
+
+/// The same for the files of lines.
+void require_lines(const RunFolder &folder, const std::map<std::string, std::vector<unsigned int>> &lines);
 
 /// The field files of a run and the .pvd file that names them. A thread of its own makes the content of a
 /// file while the next step is solved; it is written when the next one comes. The .pvd file can only be

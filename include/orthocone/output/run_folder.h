@@ -49,17 +49,17 @@ public:
   RunFolder &operator=(const RunFolder &) = delete;
 
   /// Throws FileError where the folder has files with the names of a run's files that no run has made.
-  /// `probes` are the tables that the run is going to write for its probes.
-  void require_own(const std::vector<std::string> &probes) const;
+  /// `named` are named_files() of the run.
+  void require_own(const std::vector<std::string> &named) const;
 
   /// Removes the files that an earlier run left; all others stay. `parameters` becomes the content of
-  /// parameters.prm, which distinguishes the run from others. `parameter_file` and `probes` are stored, too.
+  /// parameters.prm, which distinguishes the run from others. `parameter_file` and `named` are stored, too.
   /// Returns the parameter file of the earlier run, if it was another one.
   std::optional<std::string> start_anew(const std::string &parameters, const std::string &parameter_file,
-                                        const std::vector<std::string> &probes);
+                                        const std::vector<std::string> &named);
 
-  /// Stores which tables of probes belong to the run; others belong to the user.
-  void mark(const std::string &parameter_file, const std::vector<std::string> &probes);
+  /// Stores which tables of probes and files of lines belong to the run; others belong to the user.
+  void mark(const std::string &parameter_file, const std::vector<std::string> &named);
 
   /// Removes the field files of steps after `step`.
   void remove_fields_after(unsigned int step);
@@ -116,6 +116,7 @@ private:
   std::map<std::string, Growing> marked_tables(const TableMarks &marks) const;
   std::vector<std::string> marked_lines() const;
   std::vector<std::string> own_tables() const;
+  std::set<std::string> own_line_files() const;
   std::vector<std::string> files() const;
   std::filesystem::path write_part(const std::string &name, const std::string &content, bool durably);
   void replace(const std::string &name, const std::string &content, bool durably);

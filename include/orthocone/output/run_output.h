@@ -4,6 +4,7 @@
 
 #include <orthocone/output/field_list.h>
 #include <orthocone/output/history.h>
+#include <orthocone/output/line_files.h>
 #include <orthocone/results/cycles.h>
 #include <orthocone/scene/load_program.h>
 
@@ -35,7 +36,7 @@ public:
   void end_with(const ContactState &state);
 
   /// Steps whose field files are written; complete after flush().
-  FieldSteps fields() const { return {contact_.steps(), volume_.steps()}; }
+  FieldSteps fields() const { return {contact_.steps(), volume_.steps(), lines_.steps()}; }
 
   /// Writes the field files that are still in the making, and brings the .pvd files up to date.
   void flush();
@@ -43,8 +44,11 @@ public:
 private:
   bool is_due(unsigned int interval, unsigned int step) const;
   std::string problem_file(unsigned int step) const;
+  Deformation deformation(const ContactState &state, const Eigen::VectorXd &volume) const;
+  Deformation lower_deformation(const ContactState &state) const;
   void write_volume(const ContactState &state, const Eigen::VectorXd &volume);
   void write_lower(const ContactState &state);
+  void write_lines(const ContactState &state, const Eigen::VectorXd &volume);
   void write_fields(const ContactState &state, const Eigen::VectorXd &volume);
 
   RunFolder &folder_;
@@ -54,6 +58,7 @@ private:
   const ContactFieldEvaluator &evaluator_;
   History history_;
   ProbeHistories probes_;
+  LineFiles lines_;
   CycleTable cycles_;
   FieldList contact_;
   FieldList volume_;

@@ -32,6 +32,10 @@ struct ContactFields
 /// The same at an image of the node; `map` is the map (2 x 2) from the model to the image.
 ContactFields mapped(ContactFields fields, const Eigen::Matrix2d &map);
 
+/// Fields of a place that is made of others, such as a hanging node: interpolated between these (`all`), or
+/// those of the nearest one where they cannot be.
+ContactFields between(const HangingNode &hanging, const std::vector<ContactFields> &all);
+
 /// A field of the files on the contact surface. A new one is a line in contact_field_list().
 struct ContactField
 {

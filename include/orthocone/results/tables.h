@@ -6,6 +6,7 @@
 #pragma once
 
 #include <orthocone/results/cycles.h>
+#include <orthocone/results/line_fields.h>
 #include <orthocone/results/solved_step.h>
 #include <orthocone/results/table.h>
 
@@ -18,7 +19,7 @@ struct ProbedStep
   ContactFields fields; ///< of the image where the probe lies
 };
 
-/// The columns of history.csv, checks.csv, timing.csv, probe-NAME.csv and cycles.csv.
+/// The columns of history.csv, checks.csv, timing.csv, probe-NAME.csv, cycles.csv and line-NAME-NNNN.csv.
 const Columns<SolvedStep> &history_columns();
 
 /// The columns of history.csv with two more for each load: the load, and its conjugate.
@@ -27,6 +28,7 @@ const Columns<SolvedStep> &checks_columns();
 const Columns<SolvedStep> &timing_columns();
 const Columns<ProbedStep> &probe_columns();
 const Columns<CycleRow> &cycle_columns();
+const Columns<LinePoint> &line_columns();
 
 /// The output of --columns: a line for each column of the CSV files and each field of the VTU files, with
 /// file, name, unit and meaning separated by tabs. docs/results.md is made from it.

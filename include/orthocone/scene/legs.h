@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// Legs and probes as users write them. Nothing here throws.
+// Legs, probes and lines as users write them. Nothing here throws.
 #pragma once
 
 #include <orthocone/scene/options.h>
@@ -25,4 +25,7 @@ std::string set_target(const std::string &name, double value, const std::vector<
 /// "name: x y ; ...", possibly empty, mm. Names become file names: they consist of letters, digits, '-' and
 /// '_', and each may occur once.
 Codec<std::vector<Probe>> probes_codec();
+
+/// "name: x y z to x y z, points ; ...", possibly empty, mm, with names as those of probes.
+Codec<std::vector<Line>> lines_codec();
 } // namespace orthocone

@@ -286,6 +286,26 @@ struct Probe
   std::array<double, 2> position{{0, 0}}; ///< mm
 };
 
+/// A straight line in the whole body or on its contact surface, along which fields are written.
+struct Line
+{
+  std::string name;
+  std::array<double, 3> from{{0, 0, 0}}, to{{0, 0, 0}}; ///< mm
+  unsigned int n_points = 2;
+
+  double length() const { return std::hypot(to[0] - from[0], to[1] - from[1], to[2] - from[2]); } ///< mm
+
+  /// Point i of n_points, mm; the first and the last one are the ends, without rounding.
+  std::array<double, 3> point(const unsigned int i) const
+  {
+    const double share = static_cast<double>(i) / (n_points - 1);
+    std::array<double, 3> place{};
+    for (unsigned int d = 0; d < 3; ++d)
+      place[d] = (1 - share) * from[d] + share * to[d];
+    return place;
+  }
+};
+
 /// The entries of section Output. Intervals are numbers of steps; 0 = never.
 struct OutputOptions
 {
@@ -294,6 +314,8 @@ struct OutputOptions
   unsigned int problem_interval = 0;
   double checkpoint_seconds = 2; ///< least time between two checkpoints; 0 = one after every step
   std::vector<Probe> probes;
+  unsigned int line_interval = 1;
+  std::vector<Line> lines{};
 };
 
 /// The whole parameter file: the body, and what it is pressed on and how. The lower body, which is there with

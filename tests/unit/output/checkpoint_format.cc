@@ -87,6 +87,12 @@ TEST(Checkpoint, KeepsManyLevels)
   EXPECT_TRUE(coarser->empty());
 }
 
+TEST(Checkpoint, KeepsTheStepsOfLines)
+{
+  const Checkpoint before = checkpoint_after(1);
+  EXPECT_EQ(decode(encode(before)).fields.lines, before.fields.lines);
+}
+
 TEST(Checkpoint, KeepsEverythingToTheLastBit)
 {
   Checkpoint before = checkpoint_after(7);

@@ -50,7 +50,7 @@ inline Checkpoint checkpoint_after(const unsigned int number, const Parameters &
   checkpoint.record.steps = StepAccuracy{{2, {{5, 4, 3, 2, 1}}, {{0.5}}, {}}, {{1e-6, 1e-7}}};
   checkpoint.program = "1.2.3 (abc)";
   checkpoint.tables = {{"history.csv", {1234, 0xfedcba98}}, {"probe-P.csv", {5, 7}}};
-  checkpoint.fields = {{1, 2, 3, 5, 10, 15, 16}, {}};
+  checkpoint.fields = {{1, 2, 3, 5, 10, 15, 16}, {}, {{"P", {2, 4, 6}}, {"Q", {}}}};
   checkpoint.state = scene.state;
   checkpoint.starts = solver.memory();
   checkpoint.cycles = cycles_after(scene.state);

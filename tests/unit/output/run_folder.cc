@@ -121,6 +121,29 @@ TEST(RunFolder, NamesNothingOutsideOfIt)
   EXPECT_EQ(posix::head(state, 9), "mine");
 }
 
+// Users may have measured along a line, and call their file as the run calls its own.
+TEST(RunFolder, RemovesFilesOfItsOwnLinesOnly)
+{
+  const ScratchFolder scratch;
+  const fs::path run = scratch.path / "run";
+  put(run / "orthocone-run.txt", std::string(marker) + "line-P-#.csv\n");
+  for (const char *const name : {"line-P-0001.csv", "line-P-0012.csv", "line-P-0013.csv.part"})
+    put(run / name, "of the run");
+  for (const char *const name : {"line-P2-2024.csv", "line-P-2-2024.csv", "line-Q-0013.csv"})
+    put(run / name, "mine");
+  RunFolder folder(run);
+  folder.require_own({"line-P-#.csv", "line-R-#.csv"});
+  EXPECT_THROW(folder.require_own({"line-Q-#.csv"}), FileError);
+  folder.remove_fields_after(5);
+  EXPECT_TRUE(folder.has("line-P-0001.csv"));
+  EXPECT_FALSE(folder.has("line-P-0012.csv"));
+  folder.start_anew("parameters", "a.prm", {"line-R-#.csv"});
+  EXPECT_FALSE(folder.has("line-P-0001.csv"));
+  EXPECT_FALSE(fs::exists(run / "line-P-0013.csv.part"));
+  for (const char *const name : {"line-P2-2024.csv", "line-P-2-2024.csv", "line-Q-0013.csv"})
+    EXPECT_TRUE(folder.has(name)) << name;
+}
+
 TEST(RunFolder, CutsAndReadsNoLinks)
 {
   const ScratchFolder scratch;

@@ -37,6 +37,9 @@ Parameters unusual_parameters()
   parameters.contact_solver = {"gauss-seidel", 1e-7, 17, 1.2, 0.7};
   parameters.checks = {1e-7, 2, 3, 4.5, 6, 1e-9, 0.25};
   parameters.output = {3, 4, 5, 12.5, {Probe{"P", {{1, -2}}}, Probe{"rim-1", {{0, 3}}}}};
+  parameters.output.line_interval = 2;
+  parameters.output.lines = {{"axis", {{0, 0, 0}}, {{0, 0, 1e-3}}, 2},
+                             {"L-1", {{-1, 2, 0.5}}, {{1, 2, 0.5}}, 99}};
   return parameters;
 }
 } // namespace
@@ -89,6 +92,27 @@ TEST(Text, ReadsProbes)
   EXPECT_FALSE(parsed(probes_codec(), std::string(101, 'P') + ": 1 2").has_value());
   for (const char *const wrong : {"P", "P: 1", "P: 1 2 3", "a/b: 1 2", ": 1 2", "P: 1 2; P: 3 4", "P: 1 inf"})
     EXPECT_FALSE(parsed(probes_codec(), wrong).has_value()) << wrong;
+}
+
+TEST(Text, ReadsLines)
+{
+  const auto lines = parsed(lines_codec(), " flank: 0 0 -1 to\t4 0 -1, 41 ; axis:0 0 0 to 0 0 1e-3,2");
+  ASSERT_TRUE(lines.has_value());
+  ASSERT_EQ(lines->size(), 2u);
+  EXPECT_EQ((*lines)[0].name, "flank");
+  EXPECT_EQ((*lines)[0].n_points, 41u);
+  EXPECT_EQ((*lines)[0].length(), 4);
+  EXPECT_EQ((*lines)[0].point(10), (std::array<double, 3>{{1, 0, -1}}));
+  EXPECT_EQ((*lines)[1].point(1), (std::array<double, 3>{{0, 0, 1e-3}}));
+  EXPECT_TRUE(parsed(lines_codec(), "")->empty());
+  EXPECT_TRUE(parsed(lines_codec(), "a: 0 0 0 to 0 0 1, 50000; b: 0 0 0 to 0 0 1, 50000").has_value());
+  for (const char *const wrong :
+       {"a: 0 0 0 to 0 0 1", "a: 0 0 0 to 0 0 1, 1", "a: 0 0 0 to 0 0 0, 5", "a: 0 0 to 0 1, 5",
+        "0 0 0 to 0 0 1, 5", "a: 0 0 0 0 0 1, 5", "a: 0 0 0 to 0 0 1 to 0 0 2, 5", "a: 0 0 0 to 0 0 nan, 5",
+        "a: 0 0 0 to 0 0 1, 100001", "a: 0 0 0 to 0 0 1, 5; a: 0 0 0 to 0 0 2, 5", "a/b: 0 0 0 to 0 0 1, 5",
+        "a: 0 0 0 to 0 0 1, 5.5", "a: 0 0 0 to 0 0 1, 5, 5", "a: to 0 0 1, 5",
+        "a: -1e300 0 0 to 1e300 0 0, 5 6", "a: 0 0 0 to 0 0 1, 50001; b: 0 0 0 to 0 0 1, 50000"})
+    EXPECT_FALSE(parsed(lines_codec(), wrong).has_value()) << wrong;
 }
 
 TEST(Text, FindsTheNameThatIsUsedTwiceAmongManyProbes)
