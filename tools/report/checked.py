@@ -64,10 +64,11 @@ def summary(found):
 
 
 def columns(table, needed=(), whole=("step",), ascending="step"):
-    """A table whose columns are numbers, the needed ones among them and finite; steps are whole and ascend."""
+    """A table whose columns are numbers, the needed ones among them and finite; steps are whole, and what
+    ascends (None: nothing) does so."""
     if not table:
         return table
-    for name in (*needed, ascending):
+    for name in (*needed, *([ascending] if ascending else ())):
         if name not in table:
             raise ValueError(f"no column {name}")
     for name, values in table.items():
@@ -80,7 +81,7 @@ def columns(table, needed=(), whole=("step",), ascending="step"):
         values = table[name]
         if not np.all((values == np.floor(values)) & (values >= 0) & (values <= LARGEST_STEP)):
             raise ValueError(f"column {name} has something that is not a whole number from 0 on")
-    if np.any(np.diff(table[ascending], prepend=0) <= 0):
+    if ascending and np.any(np.diff(table[ascending], prepend=0) <= 0):
         raise ValueError(f"column {ascending} does not ascend from 1 on")
     return table
 

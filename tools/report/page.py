@@ -5,6 +5,7 @@ import json
 import pathlib
 import re
 
+import body_lines
 import loops
 import model_picture
 import numpy as np
@@ -16,7 +17,7 @@ from run_folder import text_of
 HERE = pathlib.Path(__file__).resolve().parent
 SCRIPTS = ("numbers.js", "elements.js", "scales.js", "charts.js", "reading.js", "save.js", "maps.js", "lines.js",
            "player.js", "map_picture.js",
-           "specs.js", "loops.js", "cycles.js", "wear.js", "report.js")
+           "specs.js", "loops.js", "cycles.js", "wear.js", "body_lines.js", "report.js")
 MOST_LEDGER_ROWS = 12
 
 
@@ -225,11 +226,18 @@ WEAR = """<section id="wear" aria-labelledby="wear-title">
   <div class="grid" id="wear-charts"></div>
 </section>"""
 
+LINES = """<section id="lines" aria-labelledby="lines-title">
+  <h2 id="lines-title">Lines in the body</h2>
+  <p class="hint">s is the distance from the first end. The scales are those of all steps that can be chosen.</p>
+  <div id="body-lines"></div>
+</section>"""
+
 
 def optional_sections(runs):
     """Sections that only some runs have, and their links."""
     found = {"fretting": (FRETTING, "Fretting", any(map(loops.is_fretting, runs)) and any(run.n_solved for run in runs)),
-             "wear": (WEAR, "Wear", worn.is_worn(runs[0]) and runs[0].n_solved)}
+             "wear": (WEAR, "Wear", worn.is_worn(runs[0]) and runs[0].n_solved),
+             "lines": (LINES, "Lines", bool(body_lines.lines_in(runs[0])))}
     sections = {name: section if is_there else "" for name, (section, _, is_there) in found.items()}
     links = {f"{name}_link": f'<a href="#{name}">{words}</a>' if is_there else ""
              for name, (_, words, is_there) in found.items()}

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 """Everything that the scripts of the page draw: tables, thinned where they are long, and the maps."""
+import body_lines
 import checked
 import cycle_table
 import loops
@@ -91,7 +92,7 @@ def payload_of(runs):
     return {"runs": [first, *(comparable_part(other, name) for other, name in zip(runs[1:], names[1:]))],
             "checks": table(data.checks, CHECKS, steps) if data.checks else None,
             "timing": table(data.timing, ("seconds",), steps),
-            "probes": probes(data), "maps": data.maps.payload(frames), "plane": data.is_plane, "periodic": thresholds,
+            "probes": probes(data), "lines": body_lines.lines(data, numbers), "maps": data.maps.payload(frames), "plane": data.is_plane, "periodic": thresholds,
             "wear": (data.read("history.csv", lambda: worn.profiles(data, numbers))
                      if worn.is_worn(data) and data.n_solved else None),
             "radius": data.radius, "centre": numbers(data.centre),

@@ -85,6 +85,7 @@ function drawAll() {
   drawBodyLoops();
   data.probes.forEach(drawProbeLoops);
   if (!data.probes.length) htmlElement(byId("probe-loops"), "p", {class: "hint"}, "This run has no probes.");
+  drawBodyLines();
   drawWear();
   drawCycles();
   drawEnergy();
