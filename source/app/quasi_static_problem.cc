@@ -295,7 +295,8 @@ std::string QuasiStaticProblem::failure_text(const LoadStep &step, const SolverR
 {
   const LoadStep reported = step.resolved(solver_.leg_begin(state_, step));
   if (report.verdict == Verdict::unbalanced)
-    return no_equilibrium_text(reported, steps_, solver_.carried_share(state_, step));
+    return no_equilibrium_text(reported, steps_, solver_.carried_share(state_, step),
+                               scene_.body().unknowns());
   return unsolved_step_text(reported, steps_, parameters_.contact_solver, report, scene_);
 }
 

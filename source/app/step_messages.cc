@@ -38,13 +38,28 @@ std::string unsolved_step_text(const LoadStep &step, const LoadSteps &steps,
   return text.str();
 }
 
-std::string no_equilibrium_text(const LoadStep &step, const LoadSteps &steps, const double carried)
+/// What a body without a held face can do where contact does not hold it: "along z and about y".
+static std::string motions_in_words(const std::vector<unsigned int> &components)
+{
+  std::string text;
+  for (const unsigned int component : components)
+    text += (text.empty()                       ? ""
+             : &component == &components.back() ? " and "
+                                                : ", ") +
+            std::string(component < 3 ? "along " : "about ") + "xyz"[component % 3];
+  return text;
+}
+
+std::string no_equilibrium_text(const LoadStep &step, const LoadSteps &steps, const double carried,
+                                const BodyUnknowns &unknowns)
 {
   constexpr double percent = 100;
+  const std::vector<unsigned int> &loose = unknowns.loose_components();
   std::ostringstream text;
-  text << name_of(step, steps)
-       << " has no equilibrium: what drives the held face is more than contact and friction "
-       << "can carry.\nThe first " << std::setprecision(3) << percent * carried
+  text << name_of(step, steps) << " has no equilibrium: what drives the "
+       << (loose.empty() ? "held face" : "body") << " is more than contact and friction can carry"
+       << (loose.empty() ? "" : ", which alone hold it " + motions_in_words(loose)) << ".\nThe first "
+       << std::setprecision(3) << percent * carried
        << " % of the leg are carried (to 1 %), and the files of the steps before stay. Drive it less far, or "
           "by a motion.";
   return text.str();

@@ -20,7 +20,8 @@ std::string unsolved_step_text(const LoadStep &step, const LoadSteps &steps,
                                const Scene &scene);
 
 /// Text for a step that forces drive beyond what can be carried. `carried`: StepSolver::carried_share().
-std::string no_equilibrium_text(const LoadStep &step, const LoadSteps &steps, double carried);
+std::string no_equilibrium_text(const LoadStep &step, const LoadSteps &steps, double carried,
+                                const BodyUnknowns &unknowns);
 
 /// Text for a run that had to compute too many steps, because fewer cycles were jumped than might have been.
 std::string too_few_jumps_text(std::size_t n_computed, std::size_t n_left);

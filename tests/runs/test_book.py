@@ -25,6 +25,7 @@ import answers  # noqa: E402
 import book  # noqa: E402
 import sheared  # noqa: E402
 import spheres  # noqa: E402
+import square_mesh  # noqa: E402
 import strips  # noqa: E402
 from row import Runs  # noqa: E402
 from rows import CHAPTERS, ROWS  # noqa: E402
@@ -68,6 +69,7 @@ class WrongScenesTest(unittest.TestCase):
     def test_another_modulus_radius_or_friction(self):
         self.fails("hertz.a", "Material/Young modulus=212000")
         self.fails("hertz.shear", "Material/Poisson ratio=0.25")
+        self.fails("square.mises", "Material/Poisson ratio=0.2")
         self.fails("cone.approach", "Obstacle/Gap=0.0101*sqrt(x^2+y^2)")
         self.fails("line.p0", "Obstacle/Gap=x^2/(2*101)")
         self.fails("nafems.a", "Lower material/Young modulus=71000")
@@ -185,6 +187,20 @@ class FormulasTest(unittest.TestCase):
                 rest = np.sum(weight * (pressure - here) / (place - x)) + here * math.log((a + place) / (a - place))
                 slope = 2 / (math.pi * punch.modulus) * rest
                 self.assertAlmostEqual(slope, max(0, place - 1) / 10, delta=2e-5)
+
+    def test_below_square(self):
+        """By the stresses of Boussinesq's forces, spread over the square."""
+        nodes, weights = np.polynomial.legendre.leggauss(60)
+        x, y = np.meshgrid(nodes / 2, nodes / 2)
+        area = np.outer(weights, weights) / 4
+        for depth in (0.2, 0.4, 0.9):
+            distance = np.sqrt(x * x + y * y + depth * depth)
+            along = -np.sum(area * 3 * depth**3 / (2 * math.pi * distance**5))
+            total = -np.sum(area * (1 + 0.28) * depth / (math.pi * distance**3))
+            np.testing.assert_allclose(answers.below_square(depth, 0.28), (abs(along - (total - along) / 2), total / 3), rtol=1e-9)
+
+    def test_the_mesh_of_the_square_is_the_one_that_is_made(self):
+        self.assertEqual((ROOT / "prm/verification/pressed_square.msh").read_text(), square_mesh.text())
 
     def test_deepest_shear(self):
         """Stresses on the axis by Boussinesq's and Flamant's point and line forces under Hertz' pressures."""

@@ -276,3 +276,18 @@ def gross_sliding(mu, p, direction):
 def radius_of_punch(middle, force):
     """Of the punch whose pressure in the middle (MPa) this is, mm: that of a circle which nodes follow roughly."""
     return math.sqrt(force / (2 * math.pi * middle))
+
+
+def below_square(depth, poisson):
+    """Von Mises and mean normal stress on the axis below a square of side 1 on a half-space under the pressure 1 (Love 1929): the
+    sum of the normal stresses is -(1 + nu)/pi times the solid angle of the square, and that along z is four times that below the
+    corner of a quarter."""
+    a, reach = 0.5, math.sqrt(0.5 + depth * depth)
+    quarter = math.atan2(a * a, depth * reach)
+    along = -2 / math.pi * (quarter + (2 * a * a * depth / (reach * (a * a + depth * depth)) if depth > 0 else 0))
+    total = -(1 + poisson) / math.pi * 4 * quarter
+    return abs(along - (total - along) / 2), total / 3
+
+
+def largest_mises_below_square(poisson):
+    return max(below_square(depth, poisson)[0] for depth in np.linspace(0.2, 0.6, 401))

@@ -8,3 +8,4 @@ sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent.parent / "pyt
 from orthocone.outside import (  # noqa: E402, F401
     BadFile, check_ordinary, content_of, object_of, one_line, text_of, write_whole)
 from orthocone.run_folder import OPEN, SLIP, STICK, ContactFile, Run as RunFolder, read_csv  # noqa: E402, F401
+from orthocone.vtu import Vtu  # noqa: E402, F401

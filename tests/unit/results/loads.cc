@@ -156,31 +156,40 @@ TEST(Loads, WarmABodyBetweenPlates)
   EXPECT_NEAR(totals.conjugates[0], stress * alpha * 24, 1e-10 * stress * alpha * 24);
 }
 
-// Betti: the work of contact forces on the displacement by a pressure is that of the pressure on the
-// displacement by these forces, which is integrated over its surface from the field of the whole body.
-TEST(Loads, KeepReciprocityWithContactForces)
+// Betti between two pressures, and between each of them and contact forces: the work of one on the
+// displacement by the other is the same both ways. Works are integrated over the surfaces from fields of the
+// whole body.
+TEST(Loads, KeepReciprocity)
 {
-  Parameters parameters = loaded_box({"side: pressure on x+"}, {leg_of({{"side", 1}})});
+  Parameters parameters =
+      loaded_box({"side: pressure on x+", "flank: pressure on y+"}, {leg_of({{"side", 1}, {"flank", 1}})});
   parameters.geometry.supports = {{"y-", along_y}};
   parameters.mesh.model = ModelKind::full;
   share_among_bodies(parameters);
   TestScene scene(parameters);
-  const Discretization &space = scene.condensed.mesh().solid();
+  const ElasticBody &body = scene.condensed;
+  const Discretization &space = body.mesh().solid();
+  constexpr std::array<double, 2> areas{{6, 8}}; // mm^2
+  const auto work = [&](const unsigned int load, const Eigen::VectorXd &u)
+  {
+    return areas[load] *
+           mean_inwards(space, u, boundary_of_marked(parameters.geometry, load == 0 ? "x+" : "y+"));
+  };
   NodeVector force(3 * scene.state.n_nodes());
   for (Eigen::Index i = 0; i < force.size(); ++i)
     force[i] = std::sin(1. + static_cast<double>(i * i));
-  Eigen::VectorXd u = scene.condensed.with_motion({}, scene.condensed.elastic_displacement(force));
-  Eigen::VectorXd by_number(u.size()); // with one process both have the same numbers
-  for (unsigned int dof = 0; dof < space.n_dofs(); ++dof)
-    by_number[dof] = u[space.local_dof(dof)];
-  constexpr double area = 6;
-  const unsigned int boundary = boundary_of_marked(parameters.geometry, "x+");
-  const double by_forces = area * mean_inwards(space, by_number, boundary);
-  const Eigen::VectorXd one = Eigen::VectorXd::Ones(1);
-  const double by_pressure = force.dot(scene.condensed.moved_with({}, one));
-  EXPECT_NEAR(by_forces, by_pressure, 1e-10 * std::abs(by_pressure));
-  EXPECT_NEAR(scene.scene.load_conjugates(force, {}, Eigen::VectorXd::Zero(1))[0], by_forces,
-              1e-10 * std::abs(by_forces));
+  const Eigen::VectorXd by_forces = body.with_motion({}, body.elastic_displacement(force));
+  const Eigen::VectorXd at_rest = Eigen::VectorXd::Zero(space.n_free());
+  for (const unsigned int load : {0, 1})
+  {
+    const Eigen::VectorXd unit = Eigen::Vector2d::Unit(load), other = Eigen::Vector2d::Unit(1 - load);
+    const double of_pair = work(load, body.with_motion({}, at_rest, other));
+    EXPECT_NEAR(of_pair, work(1 - load, body.with_motion({}, at_rest, unit)), 1e-10 * std::abs(of_pair));
+    const double of_forces = work(load, by_forces);
+    EXPECT_NEAR(of_forces, force.dot(body.moved_with({}, unit)), 1e-10 * std::abs(of_forces));
+    EXPECT_NEAR(of_forces, scene.scene.load_conjugates(force, {}, Eigen::Vector2d::Zero())[load],
+                1e-10 * std::abs(of_forces));
+  }
 }
 
 // Without contact the held face and supports carry what loads bring, force and moment.
