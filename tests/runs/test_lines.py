@@ -145,6 +145,34 @@ class ModelsTest(LinesTest):
         self.assertEqual([row["status"] == "inside" for row in points], [True] * 20 + [False] + [True] * 20)
 
 
+class VolumeTest(LinesTest):
+    def test_fields_are_those_of_the_volume_files(self):
+        """Of warm bodies, too, whose strain of heat causes no stress: at the points that cells have for themselves."""
+        import meshio
+        import numpy
+        settings = [*SMALL, "Mesh/Degree=2", "Load program/Loads=heat: temperature; cool: temperature on lower",
+                    "Material/Thermal expansion=1.2e-5", "Lower material/Thermal expansion=2e-5", "Obstacle/Kind=body",
+                    "Load program/Legs=uz -0.05 heat 80 cool -30 : 1", "Load program/Cycles=1", "Output/Volume fields=1"]
+        result = self.run_program("volume", settings=settings)
+        self.assertEqual((result.returncode, result.stderr), (DONE, ""))
+        for kind in ("volume", "lower"):
+            mesh = meshio.read(self.folder / f"volume/{kind}-0001.vtu")
+            _, first, count = numpy.unique(numpy.round(mesh.points, 5), axis=0, return_index=True, return_counts=True)
+            least = numpy.abs(mesh.points[first]).min(axis=1)  # in planes of symmetry a line has the mean of both sides
+            inside = first[(count == 1) & (least > 0.5) & (numpy.hypot(*mesh.points[first, :2].T) < 8)]
+            self.assertGreater(len(inside), 3)
+            for i in inside[::len(inside) // 3]:
+                x, y, z = map(float, mesh.points[i])
+                line = f"Output/Lines=L: {x!r} {y!r} {z!r} to 0 0 {1 if z > 0 else -1}, 2"
+                self.assertEqual(self.run_program("line", settings=[*settings, VOLUME_OFF, line]).returncode, DONE)
+                point = self.points("line", "L", 1)[0]
+                stress = mesh.point_data["stress"][i].reshape(3, 3)
+                for name, (a, b) in {"xx": (0, 0), "yy": (1, 1), "zz": (2, 2), "xy": (0, 1), "xz": (0, 2), "yz": (1, 2)}.items():
+                    self.assertAlmostEqual(point["stress_" + name], stress[a, b], delta=1e-5 * abs(stress).max(), msg=(kind, name))
+                for axis, name in enumerate(("u_x", "u_y", "u_z")):
+                    self.assertAlmostEqual(point[name], mesh.point_data["displacement"][i][axis], delta=1e-7, msg=(kind, name))
+
+
 class GoOnTest(LinesTest):
     SETTINGS = [*SMALL, EVERY_STEP, LINES, "Output/Line fields=3", "Load program/Cycles=2"]
 

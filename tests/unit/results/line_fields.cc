@@ -127,7 +127,7 @@ TEST(LineFields, OfARevolvedBodyAreThoseOfTheSolid)
   parameters.geometry.top_face = TopFace::guided;
   parameters.friction.mu = {{1e-11, 1e-11}};
   parameters.load.legs = {move_to(0, 0, -0.1, 1)};
-  TestScene section(parameters), solid(with_model(parameters, ModelKind::full));
+  TestScene section(parameters), solid(with_model(parameters, ModelKind::quarter));
   ASSERT_TRUE(section.symmetry.is_axisymmetric());
   ASSERT_FALSE(solid.symmetry.is_axisymmetric());
   section.march();
