@@ -11,6 +11,9 @@ sys.dont_write_bytecode = True  # the source tree stays clean
 import program  # noqa: E402
 from program import PROGRAM, ROOT  # noqa: E402
 
+sys.path.insert(0, str(ROOT / "tools/runs"))
+import run_folder  # noqa: E402
+
 FOLDER = ROOT / "prm/rigs"
 DONE, WRONG_INPUT, FILE_ERROR = 0, 2, 4
 STEEL = 210000 / (1 - 0.3**2)  # E*, MPa, of steel on what is rigid; half of it on steel
@@ -71,6 +74,23 @@ class RigTest(program.RunTest):
         self.assert_near(cycle[9]["held_force_x"], 20000 / math.hypot(along, across), 1e-4)
         self.assertGreater(cycle[9]["uy"], 1e-3)
         self.assertLess(abs(cycle[9]["held_force_y"]), 2)
+
+    def test_fretting_fatigue(self):
+        """In phase with the shear, the bulk stress moves the stick zone away from the edge that both pull (Nowell and Hills)."""
+        rows, cycle = self.done("fretting_fatigue", "Output/Contact fields=1")
+        force, shear, mu, radius, thickness, bulk = 543, 155, 0.85, 50, 4, 100
+        a = math.sqrt(4 * force / thickness * radius / (math.pi * STEEL / 2))
+        p0 = 2 * force / thickness / (math.pi * a)
+        self.assert_near(rows[1]["max_pressure"], p0, 0.005)
+        stick, shift = a * math.sqrt(1 - shear / (mu * force)), bulk * a / (4 * mu * p0)
+        contact = run_folder.RunFolder(self.folder / "run").contact(8)  # the first peak, behind two steps of the preload
+        x, nodal = contact.points[:, 0].astype(float), contact["nodal_force"].astype(float)
+        weights = mu * nodal[:, 2] + nodal[:, 0]  # what friction leaves of its limit: an ellipse where it sticks
+        middle = float(weights @ x / sum(weights))
+        self.assertAlmostEqual(middle, shift, delta=0.0015)  # a tenth of a node's spacing
+        self.assert_near(2 * math.sqrt(weights @ (x - middle)**2 / sum(weights)), stick, 0.01)
+        self.assertEqual(cycle[5]["bulk"], bulk)
+        self.assert_turns(cycle, "ux", 6)
 
     def test_balance_of_the_others(self):
         for name, force, mu, n_loading in (("crossed_cylinders", 200, 0.4, 6), ("rounded_punch", 600, 0.4, 6),

@@ -102,7 +102,16 @@ def brushed_plate(ax):
     ax.text(0.1, 1.2, "from above; marks at 30°", fontsize=8, ha="center")
 
 
-SKETCHES = (sphere_on_flat, cylinder_on_flat, crossed_cylinders, rounded_punch, flat_on_flat, torsion, brushed_plate)
+def fretting_fatigue(ax):
+    block(ax, -1.5, 1.25, -0.55, 0, GROUND)
+    ax.plot([-1.5, -1.5], [-0.62, 0.07], color="0.25", linewidth=2.5)  # the end that is held
+    profile(ax, lambda x: 0.3 * x**2)
+    press_and_move(ax)
+    arrow(ax, (1.3, -0.28), (1.95, -0.28), "bulk", (1.65, -0.08), both=True)
+
+
+SKETCHES = (sphere_on_flat, cylinder_on_flat, crossed_cylinders, rounded_punch, flat_on_flat, torsion, brushed_plate,
+            fretting_fatigue)
 
 
 def draw_loop(ax, history, name):
