@@ -23,6 +23,7 @@ sys.path[:0] = [str(BOOK), str(ROOT / "tools/studies")]
 import paths  # noqa: E402, F401 (finds the modules of all studies)
 import answers  # noqa: E402
 import book  # noqa: E402
+import loaded  # noqa: E402
 import sheared  # noqa: E402
 import spheres  # noqa: E402
 import square_mesh  # noqa: E402
@@ -77,6 +78,12 @@ class WrongScenesTest(unittest.TestCase):
         self.fails("squeezed.0.2", "Friction/Coefficients=0.205, 0.205")
         self.fails("cattaneo.c", "Friction/Coefficients=0.31, 0.31")
         self.fails("wedge.push", "Friction/Coefficients=0.201, 0.201")
+
+    def test_another_bulk_stress(self):
+        """It is the bulk stress that shifts what sticks, and turned about, it shifts it to the other side."""
+        for bulk in (0, 90, -100):
+            for row in ("fatigue.e", "fatigue.stress"):
+                self.fails(row, f"Load program/Legs=Fx 155 bulk {bulk} : 1")
 
     def test_one_load_step_fails_what_friction_uses_up(self):
         self.fails("spence.35", "Friction/Coefficients=0, 0")
@@ -171,6 +178,38 @@ class FormulasTest(unittest.TestCase):
             self.assertAlmostEqual(0.3 * normal - inner, shear, delta=1e-8)
         self.assertAlmostEqual(strips.ROLLER.half_width, 6.21463, delta=1e-5)
         self.assertAlmostEqual(strips.ROLLER.largest_pressure, 3585.36, delta=5e-3)
+
+    def test_fretted_pad(self):
+        """Its friction carries the shear and strains what sticks by as much as half of the bulk stress, by principal values as
+        below; the stress at the edge by the integral of friction(s) / (-a - s), where s = a sin u takes the root away."""
+        for pad, known in ((loaded.fretted(10, 0.85), 543.19), (loaded.fretted(50, 0.85), 311.19), (loaded.fretted(50, 2.0), 446.40),
+                           (loaded.fretted(30, 0.6, 200, 60), None)):
+            a = pad.half_width
+            u = np.pi * (np.arange(20000) + 0.5) / 20000 - np.pi / 2
+            x, weight = a * np.sin(u), a * np.cos(u) * np.pi / 20000
+            friction = pad.friction(x)
+            self.assertAlmostEqual(np.sum(weight * friction), pad.shear, delta=1e-4)
+            self.assertAlmostEqual(pad.bulk + 2 / math.pi * np.sum(weight * friction / (a + x)), pad.edge_stress, delta=1e-3)
+            if known:
+                self.assertAlmostEqual(pad.edge_stress, known, delta=5e-3)
+            for place in (pad.shift, pad.shift - 0.6 * pad.stick(pad.shear), pad.shift + 0.5 * pad.stick(pad.shear)):
+                here = pad.friction(place)
+                value = np.sum(weight * (friction - here) / (place - x)) + here * math.log((a + place) / (a - place))
+                self.assertAlmostEqual(value / math.pi / (pad.bulk / 4), 1, delta=2e-3)
+
+    def test_height_of_a_specimen(self):
+        """A wave of pressure cos k x on a strip -h < z < h, by the stress function (A cosh k z + B k z sinh k z) cos k x: the
+        stress along x at the surface, less that of a half-plane, is what the formula integrates."""
+        for t in (0.1, 1, 3):
+            c, s = math.cosh(t), math.sinh(t)
+            # z-stress -k^2 f = -1 and no shear k^2 (A s + B (s + t c)) = 0 at k z = t, with k = 1.
+            first, second = np.linalg.solve([[c, t * s], [s, s + t * c]], [1, 0])
+            along = first * c + second * (2 * c + t * s)
+            self.assertAlmostEqual(along + 1, 2 * (2 * t) / (math.sinh(2 * t) + 2 * t), delta=1e-12)
+        pad = loaded.fretted(50, 0.85, shear=0)
+        x = np.linspace(1e-9, 60, 600001)
+        grown = np.sum(x / (np.sinh(x) + x)) * (x[1] - x[0])
+        self.assertAlmostEqual(pad.stress_of_height(20) / (pad.force / 20 * grown / math.pi), 1, delta=1e-4)
 
     def test_rounded_punch(self):
         """Its pressure carries its force and fits the punch: the slope of the surface, by the principal value of the pressure

@@ -6,7 +6,7 @@ Lengths mm, forces N, stresses MPa, forces of line contact N/mm. Each formula is
 tests/runs/test_book.py. Integrals without a closed form take 60 points of Gauss where what is integrated is smooth.
 
 Hertz 1882; Cattaneo 1938; Love 1939; Mindlin 1949; Lubkin 1951; Sneddon 1965; Johnson, Contact Mechanics, 1985;
-Jaeger 1998; Ciavarella 1998."""
+Nowell and Hills 1987; Jaeger 1998; Ciavarella 1998."""
 import dataclasses
 import math
 
@@ -210,6 +210,40 @@ class Cylinder:
     def unloaded_traction(self, x, largest, shear):
         """On the way back from the largest shear to `shear`."""
         return self.traction(x, largest) - 2 * self.traction(x, (largest - shear) / 2)
+
+
+@dataclasses.dataclass(frozen=True)
+class Fretted(Cylinder):
+    """A pad on a specimen, both of one material: `shear` (N/mm) along +x on the specimen while `bulk` (MPa) pulls it along x.
+    Friction on it is the circle on the contact less that on |x - e| < c, which strains the stick zone by as much as the bulk
+    stress does (Nowell and Hills 1987). It holds while e + c <= a."""
+
+    shear: float = 0
+    bulk: float = 0
+
+    @property
+    def shift(self):
+        """e, mm."""
+        return self.bulk * self.half_width / (4 * self.mu * self.largest_pressure)
+
+    def friction(self, x):
+        """MPa on the specimen."""
+        return self.circle(x, self.half_width) - self.circle(x - self.shift, self.stick(self.shear))
+
+    @property
+    def edge_stress(self):
+        """Of the specimen along x at x = -a, MPa, where friction and bulk stress both pull: bulk - (2/pi) times the integral of
+        friction(s) / (x - s), which is -pi mu p0 for the circle on the contact."""
+        a, stick = self.half_width, self.stick(self.shear)
+        root = math.sqrt((a + self.shift)**2 - stick**2)
+        return self.bulk + 2 * self.mu * self.largest_pressure * (root - self.shift) / a
+
+    def stress_of_height(self, height):
+        """What a specimen of this height on rollers, held at x-, has more than a half-plane, MPa, to the first order of a /
+        height. The end carries the shear, so that half of its mean stress is at the contact. The force is that on a strip twice
+        as high, pressed on both sides: waves of the pressure bring -(sinh t - t) / (sinh t + t) of it, t = 2 k height."""
+        grown = integral(lambda t: t / (np.sinh(t) + t), 1e-12, 40) / math.pi
+        return (self.shear / 2 + grown * self.force) / height
 
 
 @dataclasses.dataclass(frozen=True)
