@@ -78,6 +78,8 @@ class WrongScenesTest(unittest.TestCase):
         self.fails("squeezed.0.2", "Friction/Coefficients=0.205, 0.205")
         self.fails("cattaneo.c", "Friction/Coefficients=0.31, 0.31")
         self.fails("wedge.push", "Friction/Coefficients=0.201, 0.201")
+        self.fails("pushed.5", "Material/Young modulus=130200")
+        self.fails("warm.pressure", "Material/Thermal expansion=1.2001e-5")
 
     def test_another_bulk_stress(self):
         """It is the bulk stress that shifts what sticks, and turned about, it shifts it to the other side."""

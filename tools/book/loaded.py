@@ -6,8 +6,8 @@ import math
 import numpy as np
 
 import answers
-from answers import Fretted
-from measure import normal, on_line
+from answers import YOUNG, Fretted
+from measure import normal, of_history, on_line
 from row import Row, Scene
 
 OPEN, STICK, SLIP = 0, 1, 2
@@ -143,3 +143,74 @@ ON_HALF_PLANE = (
 
 FATIGUE = (*rig("fatigue", 50, 0.85), AT_NODES, *rig("fatigue.narrow", 10, 0.85), *rig("fatigue.rough", 50, 2.0),
            *rig("fatigue.other", 30, 0.6, shear=200, bulk=60), *ON_HALF_PLANE)
+
+# The block that is pressed and pushed on a rigid floor.
+PUSHED = Scene("pushed_block")
+IN_FIVE = PUSHED.set("Load program/Legs=top 50 side 150 : 5")
+RAOUS, BY = "Raous; code_aster SSNV128", "computed on 256 contact nodes, no closed form"
+
+
+def moved(run, step):
+    """Distances from the pushed side (mm) and displacements along x (micrometres) of the base."""
+    x, motion = on_line(run, step, "displacement")
+    return x + 20, 1000 * motion[:, 0]
+
+
+def at(place):
+    return lambda runs, scene: float(np.interp(place, *moved(runs(scene), 1)))
+
+
+def border(before, behind):
+    """A measure: half way between the last node of one status and the first of another."""
+    def measured(runs, scene):
+        x, status = on_line(runs(scene), 1, "status")
+        return float(x[status == before].max() + x[status == behind].min()) / 2 + 20
+    return measured
+
+
+def change_in_five(runs, scene):
+    return float(np.abs(moved(runs(scene), 1)[1] - moved(runs(IN_FIVE), 5)[1]).max())
+
+
+BLOCK = (
+    *(Row(f"pushed.{place:g}", PUSHED, f"displacement along x, {place:g} mm from the pushed side (µm)", at(place), known, 0.001,
+          RAOUS, BY, f"printed {printed}")
+      for place, known, printed in ((0, 28.604, 28.6), (1.25, 27.226, 27.2), (5, 22.868, 22.8), (7.5, 19.808, 19.8),
+                                    (11.25, 15.414, "15.0"))),
+    Row("pushed.friction", PUSHED, "friction of the floor (N/mm)", of_history("force_x", factor=-1), 1405.36, 1e-4, RAOUS, BY),
+    Row("pushed.open", PUSHED, "opens to (mm)", border(OPEN, SLIP), 3.25, 0.05, RAOUS, "to a node: 0.16 mm"),
+    Row("pushed.slip", PUSHED, "slips to (mm)", border(SLIP, STICK), 29.7, 0.005, RAOUS, "to a node: 0.16 mm"),
+    Row("pushed.steps", PUSHED, "largest difference between one step and five, by the largest displacement", change_in_five, 0,
+        1e-6, "the loads are in proportion", scale=28.604))
+
+# The punch with a fillet under pressure, and blocks whose stress is uniform.
+PUNCH, BOX = Scene("filleted_punch"), Scene("box")
+NAFEMS, MEAN = "NAFEMS R0094, CGS-2", "mean of both printed ones"
+
+
+def middle(runs, scene):
+    """Displacement along z of the middle of the contact, mm."""
+    contact = runs(scene).contact(2)
+    return float(contact["displacement"][np.hypot(*contact.points[:, :2].T).argmin(), 2])
+
+
+PRESSED = (
+    Row("fillet.0.1", PUNCH, "motion of the middle, mu = 0.1 (mm)", middle, -(0.12858 + 0.13079) / 2, 0.03, NAFEMS, MEAN,
+        "code_aster -0.12858 and -0.13079 (SSNA122)"),
+    Row("fillet.0", PUNCH.set("Friction/Coefficients=0, 0"), "the same, mu = 0 (mm)", middle, -(0.13073 + 0.13294) / 2, 0.03,
+        NAFEMS, MEAN, "code_aster -0.13073 and -0.13294 (SSNA122)"))
+
+CORNER = math.hypot(10, 6)
+WARM = BOX.set("Material/Thermal expansion=1.2e-5", "Load program/Loads=warm: temperature", "Load program/Legs=uz 0 warm 100 : 1")
+DEEP = BOX.set("Geometry/Top face=free", "Load program/Loads=sea: pressure on top x- x+ y- y+", "Load program/Legs=sea 100 : 1")
+UNIFORM = (
+    Row("warm.pressure", WARM, "pressure of a block 100 K warmer between rigid plates (MPa)", of_history("max_pressure"),
+        YOUNG * 1.2e-3, 1e-8, "E alpha T", "exact"),
+    Row("warm.slip", WARM, "slip at its corner (mm)", of_history("max_slip"), 1.3 * 1.2e-3 * CORNER, 1e-8, "(1 + nu) alpha T r",
+        "exact"),
+    Row("deep.pressure", DEEP, "pressure below a block with 100 MPa all around (MPa)", of_history("min_pressure"), 100, 1e-8, "p",
+        "exact"),
+    Row("deep.slip", DEEP, "slip at its corner (mm)", of_history("max_slip"), 0.4 * 100 / YOUNG * CORNER, 1e-8,
+        "(1 - 2 nu) p r / E", "exact"))
+
+SURFACES = (*BLOCK, *PRESSED, *UNIFORM)

@@ -13,5 +13,5 @@ import whole
 CHAPTERS = {"pressed": (*spheres.ROWS, *inside.ROWS), "sheared": (*sheared.MINDLIN, *sheared.EXAMPLE, *sheared.ORTHOTROPIC),
             "twisted": sheared.TORSION, "spence": sheared.SELF, "strips": strips.ROWS, "uniform": whole.UNIFORM,
             "sliding": whole.MOVING, "squeezed": whole.SQUEEZED, "worn": whole.WEARING,
-            "fatigue": loaded.FATIGUE}
+            "fatigue": loaded.FATIGUE, "loaded": loaded.SURFACES}
 ROWS = tuple(row for rows in CHAPTERS.values() for row in rows)
