@@ -33,12 +33,11 @@ std::vector<std::array<std::int32_t, 4>> quadrilaterals(const WholeSurface &whol
 }
 } // namespace
 
-std::string contact_vtu(const ContactFieldEvaluator &evaluator, const ContactState &state)
+std::string contact_vtu(const ContactFieldEvaluator &evaluator, const std::vector<ContactFields> &fields)
 {
   const ContactSurface &surface = evaluator.surface();
   const WholeSurface whole = evaluator.symmetry().whole(surface);
   const auto n_points = static_cast<Eigen::Index>(whole.nodes.size());
-  const auto fields = evaluator.all_fields(state);
   QuadrilateralSurface drawn{surface.degree, Eigen::Matrix3Xf::Zero(3, n_points),
                              quadrilaterals(whole, surface.degree), empty_fields(n_points)};
   for (Eigen::Index point = 0; point < n_points; ++point)

@@ -72,7 +72,10 @@ std::string RunOutput::problem_file(const unsigned int step) const
 void RunOutput::write_fields(const ContactState &state, const Eigen::VectorXd &volume)
 {
   if (is_due(options_.contact_interval, state.step) && !contact_.has(state.step))
-    contact_.add(state.step, [this, state] { return contact_vtu(evaluator_, state); });
+    // The fields of a counterface that gives way take a product with its compliance, which is not for two
+    // threads.
+    contact_.add(state.step,
+                 [this, fields = evaluator_.all_fields(state)] { return contact_vtu(evaluator_, fields); });
   if (is_due(options_.volume_interval, state.step) && !volume_.has(state.step))
   {
     write_volume(state, volume);

@@ -19,10 +19,10 @@ CYLINDER = ["Mesh/Core cells=2", "Mesh/Rings=2", "Mesh/Layers=2", "Mesh/Refineme
 BOX = ["Mesh/Cells=2, 2, 2", "Mesh/Refinements=1"]
 # Neither shape nor load is its own mirror image about both planes.
 NO_QUARTER = {f"verification/{name}" for name in (
-    "cattaneo_line", "cattaneo_mindlin", "equal_spheres", "first_slip_in_torsion", "fretting_wear", "gross_sliding",
-    "gross_sliding_by_force", "line_contact", "orthotropic_line_contact", "orthotropic_sphere", "pressed_by_force",
-    "pressed_sphere_in_torsion", "roller_on_block", "rounded_punch", "tilted_punch", "torsion", "wedge", "worn_punch",
-    "worn_sphere")}
+    "cattaneo_line", "cattaneo_mindlin", "equal_spheres", "first_slip_in_torsion", "fretting_fatigue", "fretting_wear",
+    "gross_sliding", "gross_sliding_by_force", "line_contact", "orthotropic_line_contact", "orthotropic_sphere",
+    "pressed_by_force", "pressed_sphere_in_torsion", "pushed_block", "roller_on_block", "rounded_punch", "tilted_punch",
+    "torsion", "wedge", "worn_punch", "worn_sphere")}
 # Wear wants steps as short as those of the files.
 WORN = {"verification/worn_punch": ["Load program/Legs=Fz -1000 : 1 ; ux 3 : 3"],
         "verification/worn_sphere": ["Load program/Legs=ux 0.1 : 2 ; ux 0 : 2"]}
@@ -30,13 +30,15 @@ PLANE = "Mesh/Backend = multigrid with Geometry/Kind = plane strain"
 HALF_SPACE = "Obstacle/Kind = half-space with Mesh/Backend = multigrid"
 BODY = "Obstacle/Kind = body with Mesh/Backend = multigrid"
 REFUSED = {f"verification/{name}": reason for reason, names in (
-    (HALF_SPACE, ("hertz_half_space", "equal_spheres", "orthotropic_sphere")), (BODY, ("cattaneo_line", "roller_on_block")),
-    (PLANE, ("line_contact", "orthotropic_line_contact", "rounded_punch"))) for name in names}
+    (HALF_SPACE, ("hertz_half_space", "equal_spheres", "orthotropic_sphere")),
+    (BODY, ("cattaneo_line", "filleted_punch", "fretting_fatigue", "roller_on_block")),
+    (PLANE, ("line_contact", "orthotropic_line_contact", "pushed_block", "rounded_punch"))) for name in names}
 # Fewer steps, a push that finds an equilibrium, a degree that solids have. At nu = 0.4999 the few cells of the twisted sphere,
 # ten times as high as wide, are what multigrid's message says it does not solve.
 OTHERS = {"verification/pressed_sphere_in_torsion": ["Material/Poisson ratio=0.45"],
           "verification/spence": ["Load program/Legs=Fz -0.4705 : 2"],
           "verification/wedge": ["Load program/Legs=Fz -1024.888306 Fx 199 : 2"],
+          "verification/pressed_square": ["Mesh/Refinements=0"],  # its file has many cells
           "verification/short_cylinder": ["Mesh/Degree=3"]}
 
 

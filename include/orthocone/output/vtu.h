@@ -13,7 +13,7 @@ namespace orthocone
 /// VTU text of the contact surface of the whole body: the modelled part and its images, so that pictures
 /// do not depend on the model. Each contact node of the whole body is one point; faces are cut at their nodes
 /// into bilinear quadrilaterals (triangles on the axis).
-std::string contact_vtu(const ContactFieldEvaluator &evaluator, const ContactState &state);
+std::string contact_vtu(const ContactFieldEvaluator &evaluator, const std::vector<ContactFields> &fields);
 
 /// VTU text of the modelled part of the body: displacement (mm), stress and von Mises stress (MPa). Each
 /// element has points of its own, because stress jumps between elements. Between them are trilinear

@@ -66,7 +66,8 @@ public:
 
   /// Fields of a contact node; its displacement is that relative to the counterface.
   ContactFields fields(const ContactState &state, unsigned int node) const;
-  /// Fields of all places: contact nodes, then hanging nodes.
+  /// Fields of all places: contact nodes, then hanging nodes. Only one thread at a time may use the scene,
+  /// whose compliance remembers its last product.
   std::vector<ContactFields> all_fields(const ContactState &state) const;
 
   /// Area that sticks in the whole body, mm^2.
