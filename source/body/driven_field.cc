@@ -11,6 +11,9 @@
 
 #include <deal.II/lac/la_parallel_vector.h>
 
+#include <algorithm>
+#include <iterator>
+
 namespace orthocone
 {
 using Eigen::Index;
@@ -79,6 +82,23 @@ void distribute_given(const DisplacementSpace<dim> &space, const std::vector<boo
           given.row(space.local_dof(line.index)) += weight * given.row(space.local_dof(mover));
 }
 
+/// The degrees of freedom that a load moves, of those that this process works with, by numbers of this
+/// process.
+template<int dim>
+std::vector<unsigned int> moved_by_load(const DisplacementSpace<dim> &space, const GeometryOptions &geometry,
+                                        const Load &load)
+{
+  std::array<bool, 3> directions{};
+  directions[axis_of(load.direction)] = true;
+  std::vector<unsigned int> moved;
+  for (const std::string &surface : load.surfaces)
+    for (const auto dof : space.dofs_on(boundary_of_marked(geometry, surface), directions))
+      if (space.partitioner()->in_local_range(dof) || space.partitioner()->is_ghost_entry(dof))
+        moved.push_back(space.local_dof(dof));
+  std::sort(moved.begin(), moved.end());
+  return moved;
+}
+
 /// Where surfaces that loads move have the value 1 along their direction. `is_supported` are the degrees of
 /// freedom that the held face does not move.
 template<int dim>
@@ -92,13 +112,9 @@ void set_moved_surfaces(const DisplacementSpace<dim> &space, const GeometryOptio
       continue;
     const unsigned int axis = axis_of(load.direction);
     const double value = load.direction[axis] * (geometry.is_lower && axis == 2 ? -1 : 1);
-    std::array<bool, 3> directions{};
-    directions[axis] = true;
-    for (const std::string &surface : load.surfaces)
-      for (const auto dof : space.dofs_on(boundary_of_marked(geometry, surface), directions))
-        if (space.partitioner()->in_local_range(dof) || space.partitioner()->is_ghost_entry(dof))
-          if (const unsigned int local = space.local_dof(dof); is_supported[local])
-            given(local, n_rigid_components + static_cast<Index>(k)) = value;
+    for (const unsigned int dof : moved_by_load(space, geometry, load))
+      if (is_supported[dof])
+        given(dof, n_rigid_components + static_cast<Index>(k)) = value;
   }
 }
 
@@ -265,6 +281,30 @@ DrivenField driven_field(const Body &body, const BodyOptions &options, const Con
   sum_over_ranks(field.areas.data(), static_cast<std::size_t>(field.areas.size()));
   field.contact = at_contact_nodes(frame, field.volume);
   return field;
+}
+
+std::string moved_twice(const Body &body, const GeometryOptions &geometry)
+{
+  const std::vector<Load> &loads = geometry.loads;
+  const auto moves = [&](const Load &load) { return geometry.has(load) && load.kind->moves_surface(); };
+  for (auto load = loads.begin(); load != loads.end(); ++load)
+    for (auto other = loads.begin(); other != load; ++other)
+    {
+      if (!moves(*load) || !moves(*other) || axis_of(load->direction) != axis_of(other->direction))
+        continue;
+      std::vector<unsigned int> both;
+      body.visit(
+          [&](const auto &space)
+          {
+            const auto one = moved_by_load(space, geometry, *load),
+                       two = moved_by_load(space, geometry, *other);
+            std::set_intersection(one.begin(), one.end(), two.begin(), two.end(), std::back_inserter(both));
+            return 0;
+          });
+      if (any_rank(!both.empty()))
+        return other->name + " and " + load->name + " along " + "xyz"[axis_of(load->direction)];
+    }
+  return {};
 }
 
 bool is_driven(const Body &body, const BodyOptions &options)

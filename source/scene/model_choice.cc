@@ -6,6 +6,7 @@
 #include <orthocone/base/ranks.h>
 #include <orthocone/base/text.h>
 #include <orthocone/body/body.h>
+#include <orthocone/body/driven_field.h>
 #include <orthocone/body/free_motion.h>
 #include <orthocone/scene/asymmetry.h>
 #include <orthocone/scene/load_path.h>
@@ -227,12 +228,19 @@ void require_hold(const Parameters &parameters, const ModelSymmetry &symmetry)
   {
     const GeometryOptions &geometry = body.geometry;
     const bool has_face = !geometry.is_from_file() || !geometry.held_surface.empty();
-    if (geometry.supports.empty() && geometry.top_face == TopFace::clamped && has_face)
+    const bool moves_surfaces =
+        std::any_of(geometry.loads.begin(), geometry.loads.end(),
+                    [&](const Load &load) { return geometry.has(load) && load.kind->moves_surface(); });
+    if (geometry.supports.empty() && geometry.top_face == TopFace::clamped && has_face && !moves_surfaces)
       return; // held in all directions
     body.mesh.refinements = body.mesh.quadrature_points = 0;
     body.mesh.refined_cells.clear();
     body.mesh.degree = 1;
-    require_hold(geometry, Body(body, symmetry).unknowns(), symmetry);
+    const Body coarse(body, symmetry);
+    require_hold(geometry, coarse.unknowns(), symmetry);
+    if (const std::string twice = moved_twice(coarse, geometry); !twice.empty())
+      throw InputError("Load program/Loads: " + twice +
+                       " move the same nodes: allowed are surfaces that do not meet, or one load on both");
   };
   require(parameters);
   if (parameters.obstacle.kind == ObstacleKind::body)

@@ -72,6 +72,10 @@ ROWS = [
      "subsection Output\n  set Problems = 1\nend\n",
      "{file}: Output/Problems with Load program/Loads = 'a: force on side along z': a problem has no stiffness of the body "
      "against the motion of that surface; allowed are motions, or Problems = 0"),
+    ("load_moves_an_edge_twice", f"{BOX}subsection Load program\n  set Loads = a: motion on x+ along z ; b: force on y+ along "
+     "z\n  set Legs = uz -0.01 a -0.01 b 1 : 1\nend\n",
+     "{file}: Load program/Loads: a and b along z move the same nodes: allowed are surfaces that do not meet, or one load on "
+     "both"),
     ("free_top_driven", "subsection Geometry\n  set Top face = free\nend\n",
      "{file}: Load program/Legs: uz in leg 1 with Geometry/Top face = free, which is not driven: allowed are names of Load "
      "program/Loads, or Top face = clamped"),

@@ -39,6 +39,10 @@ DrivenField driven_field(const Body &body, const BodyOptions &options, const Con
                          const ModelSymmetry &symmetry,
                          const std::function<Eigen::VectorXd(const Eigen::VectorXd &forces)> &solve);
 
+/// The names of two loads that move the same nodes along the same axis, as on surfaces that meet at an edge,
+/// in the words "a and b along x"; "" where there are none. All processes must call it.
+std::string moved_twice(const Body &body, const GeometryOptions &geometry);
+
 /// Whether the body has supports or loads, of which it does not follow its face alone. All processes must
 /// call it.
 bool is_driven(const Body &body, const BodyOptions &options);
