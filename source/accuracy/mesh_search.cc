@@ -10,6 +10,7 @@
 #include <orthocone/base/ranks.h>
 #include <orthocone/base/stopwatch.h>
 #include <orthocone/body/shapes/mesh_ladder.h>
+#include <orthocone/scene/expected_contact.h>
 #include <orthocone/scene/options.h>
 
 #include <algorithm>
@@ -57,7 +58,7 @@ public:
   {
     Parameters finer = given_;
     if (is_axisymmetric() || level < n_graded)
-      finer.mesh = ladder_mesh(given_.geometry, given_.mesh, is_axisymmetric(), level);
+      finer.mesh = ladder_mesh(given_, is_axisymmetric(), level);
     else
     {
       finer.mesh = before_;
@@ -164,7 +165,7 @@ ChosenModel choose_mesh(const Parameters &parameters, const ModelChoice &choice,
                      beyond(share_of_steps * larger, larger, wanted));
   ChosenModel chosen{parameters, parameters};
   MeshOptions &mesh = chosen.parameters.mesh;
-  mesh = resolved_mesh(parameters.geometry, parameters.mesh, choice.symmetry.is_axisymmetric());
+  mesh = resolved_mesh(parameters, choice.symmetry.is_axisymmetric());
   if (mesh.adaptive != 0)
   {
     const Stopwatch watch;

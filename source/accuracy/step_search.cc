@@ -6,9 +6,9 @@
 #include <orthocone/accuracy/cost_model.h>
 #include <orthocone/accuracy/first_cycle.h>
 #include <orthocone/base/machine.h>
-#include <orthocone/body/shapes/mesh_ladder.h>
 #include <orthocone/body/shapes/shape_kind.h>
 #include <orthocone/scene/computed_steps.h>
+#include <orthocone/scene/expected_contact.h>
 #include <orthocone/scene/load_program.h>
 
 #include <algorithm>
@@ -29,15 +29,15 @@ MeshOptions search_mesh(const Parameters &parameters, const ModelChoice &choice)
   const GeometryOptions &geometry = parameters.geometry;
   const bool is_axisymmetric = choice.symmetry.is_axisymmetric();
   const bool is_plain = parameters.obstacle.is_plane() && !parameters.friction.varies();
-  MeshOptions plain = parameters.mesh; // without the entries that only a single mesh has
-  plain.quadrature_points = plain.refinements = plain.adaptive = 0;
-  plain.refined_cells.clear();
-  plain.backend = BodyBackend::automatic;
-  const MeshOptions ladder = ladder_mesh(geometry, plain, is_axisymmetric, is_plain ? 1 : 3);
+  Parameters plain = parameters; // without the entries that only a single mesh has
+  plain.mesh.quadrature_points = plain.mesh.refinements = plain.mesh.adaptive = 0;
+  plain.mesh.refined_cells.clear();
+  plain.mesh.backend = BodyBackend::automatic;
+  const MeshOptions ladder = ladder_mesh(plain, is_axisymmetric, is_plain ? 1 : 3);
   if (parameters.mesh.accuracy != 0)
     return ladder;
   Parameters given = parameters, coarser = parameters;
-  given.mesh = resolved_mesh(geometry, parameters.mesh, is_axisymmetric);
+  given.mesh = resolved_mesh(parameters, is_axisymmetric);
   coarser.mesh = ladder;
   const auto dofs = [&](const Parameters &of) { return model_size(of, choice.symmetry).dofs; };
   const bool is_adaptive = given.mesh.adaptive != 0;

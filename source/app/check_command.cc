@@ -8,12 +8,14 @@
 #include <orthocone/accuracy/cost_model.h>
 #include <orthocone/base/text.h>
 #include <orthocone/body/backends/stiffness_factor.h>
-#include <orthocone/body/shapes/mesh_ladder.h>
+#include <orthocone/body/shapes/shape_kind.h>
 #include <orthocone/output/summary.h>
 #include <orthocone/scene/computed_steps.h>
+#include <orthocone/scene/expected_contact.h>
 #include <orthocone/scene/load_program.h>
 #include <orthocone/scene/mesh_files.h>
 
+#include <cmath>
 #include <iostream>
 
 namespace orthocone
@@ -77,6 +79,24 @@ void print_large_model(const Parameters &parameters, const ModelChoice &model, c
   print_warnings(parameters, is_condensed ? why_too_large(costs, lack) : lack);
 }
 
+/// Compares the contact that is to be expected with the nodes there.
+void print_expected_contact(const Parameters &parameters, const ModelChoice &model, const Body &body)
+{
+  constexpr double least_nodes = 4; // docs/accuracy.md, "Zones that the mesh does not resolve"
+  const auto expected = expected_contact(parameters);
+  if (!expected)
+    return;
+  const double across = nodes_across(*expected, body.unknowns().contact_surface(), model.symmetry);
+  std::cout << "contact        " << describe(*expected) << ", about " << std::round(across)
+            << " nodes across\n";
+  if (across < least_nodes)
+    std::cout
+        << "warning: Mesh: the contact to be expected has " << std::round(across)
+        << " nodes across, and four are the least; pressure, slip and dissipation may be wrong by tens of "
+           "percent: take "
+        << kind_of(parameters.geometry).finer_cells(parameters) << "\n";
+}
+
 void print_lower_mesh(const Parameters &parameters, const ModelChoice &model)
 {
   if (parameters.obstacle.kind != ObstacleKind::body)
@@ -92,6 +112,7 @@ void print_model(const Parameters &parameters, const ModelChoice &model, const C
   const Body body(parameters, model.symmetry);
   std::cout << describe_model(parameters, model, body.unknowns()) << "\n";
   print_lower_mesh(parameters, model);
+  print_expected_contact(parameters, model, body);
   try
   {
     const Estimate cost =
@@ -113,7 +134,7 @@ int check(const CommandLine &line, const Parameters &given)
   const ModelChoice model = resolve(line, given);
   Parameters parameters = given;
   if (given.mesh.accuracy == 0)
-    parameters.mesh = resolved_mesh(given.geometry, given.mesh, model.symmetry.is_axisymmetric());
+    parameters.mesh = resolved_mesh(given, model.symmetry.is_axisymmetric());
   const BackendChoice backend = given.mesh.accuracy == 0
                                     ? choose_backend(parameters, model.symmetry, memory_limit().gigabytes)
                                     : BackendChoice{parameters.mesh.backend};

@@ -50,6 +50,7 @@ po::options_description options_of(CommandLine &line)
   add("new", po::value(&line.rig),
       "copy the rig of this name to the new file FILE.prm and stop; --list names them (prm/rigs)");
   add_switch("defaults", line.defaults, "print a complete commented parameter file and stop");
+  add_switch("schema", line.schema, "print a JSON schema of parameter files, for editors, and stop");
   add_switch("columns", line.columns,
              "print name, unit and meaning of every column and field of the results and stop");
   add_switch("help,h", line.help, "print this text and stop");

@@ -22,12 +22,13 @@ struct CommandLine
   bool defaults = false;
   std::string rig;      ///< that --new copies to `parameter_file`
   bool list = false;    ///< prints the parameter files that come with the program
+  bool schema = false;  ///< prints a JSON schema of parameter files
   bool columns = false; ///< prints the columns of the tables, and the fields
   bool help = false;
   bool version = false;
 
   /// Whether only a text is asked for.
-  bool prints() const { return defaults || list || columns || help || version; }
+  bool prints() const { return defaults || list || schema || columns || help || version; }
 };
 
 /// Throws InputError for words that are not understood.

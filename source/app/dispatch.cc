@@ -12,6 +12,7 @@
 #include <orthocone/base/machine.h>
 #include <orthocone/base/text.h>
 #include <orthocone/base/version.h>
+#include <orthocone/entries/json_schema.h>
 #include <orthocone/results/tables.h>
 
 #include <iostream>
@@ -31,6 +32,8 @@ void print_text(const CommandLine &line)
       std::cout << name << " " << version << "\n";
   else if (line.list)
     std::cout << shipped_scenes(folder_of_shipped_scenes());
+  else if (line.schema)
+    std::cout << json_schema(DeclaredParameters().list, "Parameter file of orthocone");
   else if (line.columns)
     std::cout << described_columns();
   else

@@ -12,6 +12,7 @@
 #include <orthocone/base/version.h>
 #include <orthocone/contact/problem/critical_friction.h>
 #include <orthocone/march/rank_memory.h>
+#include <orthocone/output/answers.h>
 #include <orthocone/scene/mesh_files.h>
 #include <orthocone/scene/parameters.h>
 
@@ -205,10 +206,17 @@ void QuasiStaticProblem::finish(const Ending &outcome)
 {
   take_stock();
   const std::string status = outcome.code == ExitCode::done ? "complete" : outcome.message;
-  folder_.write("summary.json", summary_json({status, parameters_, scene_.choice(), scene_.body().unknowns(),
-                                              static_cast<unsigned int>(steps_.size()),
-                                              state_.step - cycles_.memory().n_jumped_steps(),
-                                              totals_.total_dissipation, record_, cycles_.memory()}));
+  const Summary summary{status,
+                        parameters_,
+                        scene_.choice(),
+                        scene_.body().unknowns(),
+                        static_cast<unsigned int>(steps_.size()),
+                        state_.step - cycles_.memory().n_jumped_steps(),
+                        totals_,
+                        record_,
+                        cycles_.memory()};
+  folder_.write("summary.json", summary_json(summary));
+  log_.line(describe(answers(summary)));
   // The warnings of the parameters and of the model were reported at the beginning.
   const auto warnings = all_warnings(parameters_, record_);
   for (std::size_t i = parameter_warnings(parameters_).size() + model_warnings(record_).size();

@@ -10,9 +10,9 @@
 #include <orthocone/base/ranks.h>
 #include <orthocone/base/text.h>
 #include <orthocone/body/backends/stiffness_factor.h>
-#include <orthocone/body/shapes/mesh_ladder.h>
 #include <orthocone/march/rank_memory.h>
 #include <orthocone/output/line_files.h>
+#include <orthocone/scene/expected_contact.h>
 #include <orthocone/scene/line_points.h>
 
 #include <algorithm>
@@ -122,7 +122,7 @@ void require_model_of(const Assignment &task)
   const ModelSymmetry &symmetry = task.model.symmetry;
   if (parameters.mesh.accuracy != 0) // a search finds out the rest
     return naming_file(task.line, [&] { require_lines_inside(parameters, symmetry); });
-  parameters.mesh = resolved_mesh(parameters.geometry, parameters.mesh, symmetry.is_axisymmetric());
+  parameters.mesh = resolved_mesh(parameters, symmetry.is_axisymmetric());
   if (!task.line.insist)
     require_memory_for(task, parameters);
   require_bodies_that_meet(task.line, parameters, symmetry);
@@ -140,9 +140,8 @@ double unknowns_of_search(const Assignment &task)
   constexpr unsigned int level = 2;
   Parameters parameters = task.file.parameters;
   const bool is_axisymmetric = task.model.symmetry.is_axisymmetric();
-  parameters.mesh = parameters.mesh.accuracy != 0
-                        ? ladder_mesh(parameters.geometry, parameters.mesh, is_axisymmetric, level)
-                        : resolved_mesh(parameters.geometry, parameters.mesh, is_axisymmetric);
+  parameters.mesh = parameters.mesh.accuracy != 0 ? ladder_mesh(parameters, is_axisymmetric, level)
+                                                  : resolved_mesh(parameters, is_axisymmetric);
   return model_size(parameters, task.model.symmetry).dofs;
 }
 

@@ -88,7 +88,7 @@ std::string wrong_step_text(const LoadStep &step, const LoadSteps &steps, const 
 void report_versions_and_warnings(const Parameters &parameters, Log &log)
 {
   for (const auto &[name, version] : versions())
-    log.line(name + " " + version);
+    log.note(name + " " + version);
   for (const std::string &warning : parameter_warnings(parameters))
     log.line("warning: " + warning);
 }

@@ -3,6 +3,7 @@
 #include <orthocone/entries/entry.h>
 
 #include <orthocone/base/errors.h>
+#include <orthocone/base/units.h>
 #include <orthocone/entries/names.h>
 
 #include <filesystem>
@@ -20,9 +21,9 @@ std::string Entry::why_ignored() const
 void Entry::set(const std::string &text, const std::string &place, const std::string &file)
 {
   std::string instead = binding_.allowed;
-  if (!binding_.assign(text, instead))
+  if (!binding_.assign(without_units(text, unit_), instead))
     throw InputError(place + name_ + (text.empty() ? " is empty" : " = " + shown(text)) + remark(text) +
-                     ": allowed is " + instead);
+                     ": allowed is " + instead + fault_of_units(text, unit_));
   if (path_ != nullptr)
     *path_ = path_beside(file, text);
 }

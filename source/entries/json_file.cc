@@ -121,7 +121,7 @@ std::string json_for_any_folder(const std::string &file_name, std::string conten
 {
   bool changes = false;
   for (auto &[section, entries] : json.items())
-    for (auto &[entry, value] : entries.items())
+    for (auto &[entry, value] : entries.items()) // a text has itself as its only item, without a name
       if (list.is_path(section + "/" + entry) && value.is_string())
       {
         const std::string whole = path_beside(file_name, value.get<std::string>());
@@ -155,6 +155,8 @@ std::string read_json(const std::string &file_name, EntryList &list)
   bool sets_anything = false;
   for (const auto &[section, entries] : json.items())
   {
+    if (section == "$schema" && entries.is_string()) // editors look for it there
+      continue;
     if (!list.has_section(section) || !entries.is_object())
       throw InputError(place + wrong_section(section, entries, list));
     for (const auto &[entry, value] : entries.items())

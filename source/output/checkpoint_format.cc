@@ -164,6 +164,14 @@ ZoneRecord zones_from(const Json &json)
   return zones;
 }
 
+Json peaks_json(Peaks peaks)
+{
+  Json json = Json::array();
+  for (const Peaks::Peak *const peak : peaks.all())
+    json.push_back(*peak);
+  return json;
+}
+
 Json record_json(const RunRecord &record)
 {
   Json seconds{{"total", record.total_seconds}};
@@ -180,7 +188,7 @@ Json record_json(const RunRecord &record)
           {"motion", {record.flattening, record.pressure_of_modulus, record.slide_of_face}},
           {"zones", zones_json(record.zones)},
           {"energies", {record.work, record.dissipation, record.missing, record.into_wear, record.stored}},
-          {"peaks", {record.peaks.slip, record.peaks.pressure, record.peaks.force_z}},
+          {"peaks", peaks_json(record.peaks)},
           {"accuracy", accuracy_json(record.accuracy)},
           {"step_accuracy", steps_json(record.steps)},
           {"seconds", std::move(seconds)}};
@@ -209,7 +217,9 @@ RunRecord record_from(const Json &json)
   record.into_wear = number_from(energies.at(3));
   record.stored = number_from(energies.at(4));
   const Json &peaks = json.at("peaks");
-  record.peaks = {peaks.at(0), peaks.at(1), peaks.at(2)};
+  std::size_t place = 0;
+  for (Peaks::Peak *const peak : record.peaks.all())
+    *peak = peaks.at(place++).get<Peaks::Peak>();
   record.accuracy = accuracy_from(json.at("accuracy"));
   record.steps = step_accuracy_from(json.at("step_accuracy"));
   const Json &seconds = json.at("seconds");

@@ -30,13 +30,6 @@ void consider(std::pair<double, unsigned int> &peak, const double value, const u
 }
 } // namespace
 
-void Peaks::consider(const unsigned int step, const Totals &totals)
-{
-  orthocone::consider(slip, totals.max_slip, step);
-  orthocone::consider(pressure, totals.max_pressure, step);
-  orthocone::consider(force_z, totals.force[2], step);
-}
-
 void RunRecord::add_step(const unsigned int step, const Totals &before, const Totals &totals,
                          const SolverReport &report, const StepChecks &checks)
 {

@@ -3,7 +3,7 @@
 #include <orthocone/base/numbers.h>
 #include <orthocone/base/ranks.h>
 #include <orthocone/base/version.h>
-#include <orthocone/output/summary.h>
+#include <orthocone/output/answers.h>
 #include <orthocone/scene/options.h>
 #include <orthocone/scene/parameters.h>
 
@@ -186,6 +186,18 @@ OrderedJson energy_json(const RunRecord &record)
           {"missing_percent_of_dissipation", 100 * relative(record.missing, record.dissipation)}};
 }
 
+OrderedJson answers_json(const Summary &summary)
+{
+  OrderedJson json = OrderedJson::object();
+  for (const Answer &answer : answers(summary))
+  {
+    json[answer.name] = {{"words", answer.words}, {"value", answer.value}, {"unit", answer.unit}};
+    if (answer.step != 0)
+      json[answer.name]["step"] = answer.step;
+  }
+  return json;
+}
+
 OrderedJson critical_friction_json(const CriticalFrictionRecord &critical)
 {
   if (!std::isfinite(critical.factor))
@@ -209,6 +221,7 @@ std::string summary_json(const Summary &summary)
                             {"verdict", to_word(summary.record.verdict)}};
   if (summary.record.n_v_cycles > 0)
     json["contact_solver"]["v_cycles"] = summary.record.n_v_cycles;
+  json["answers"] = answers_json(summary);
   json["peaks"] = {{"slip_mm", peak_json(summary.record.peaks.slip)},
                    {"pressure_MPa", peak_json(summary.record.peaks.pressure)},
                    {"force_z_N", peak_json(summary.record.peaks.force_z)}};
@@ -222,7 +235,7 @@ std::string summary_json(const Summary &summary)
   if (summary.record.accuracy || summary.record.steps)
     json["estimated_errors_percent"] = errors_json(summary.record);
   json["warnings"] = all_warnings(summary.parameters, summary.record);
-  json["total_dissipation_Nmm"] = summary.total_dissipation;
+  json["total_dissipation_Nmm"] = summary.totals.total_dissipation;
   for (const auto &[name, version] : versions())
     json["versions"][name] = version;
   json["processes"] = n_ranks();

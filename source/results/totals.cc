@@ -82,6 +82,7 @@ Totals compute_totals(const ContactFieldEvaluator &evaluator, const ContactState
     count_status(fields.status, symmetry.n_counted(surface, place), totals);
     totals.worn_volume += n_copies * fields.wear_depth * place.area;
     totals.max_wear_depth = std::max(totals.max_wear_depth, fields.wear_depth);
+    totals.max_dissipated_energy = std::max(totals.max_dissipated_energy, fields.dissipated_energy);
     totals.total_dissipation += n_copies * state.dissipated_energy[node];
   }
   leave_out_what_cancels(symmetry, totals);

@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/scene/legs.h>
 
+#include <orthocone/base/units.h>
 #include <orthocone/entries/names.h>
 
 #include <algorithm>
@@ -15,8 +16,8 @@ namespace
 constexpr const char *leg_form =
     "legs \"ux uy uz : steps\" (numbers in mm, at least one step) or \"NAME value ... : steps\" (ux, uy, uz "
     "in "
-    "mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N mm), separated by ';'; \"steps * parts\" "
-    "solves each step in so many parts";
+    "mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N mm, or with a unit as in \"ux 10 um\"), "
+    "separated by ';'; \"steps * parts\" solves each step in so many parts";
 
 const std::vector<std::string> &component_names()
 {
@@ -50,6 +51,43 @@ std::string named_twice(const std::string &name, const std::size_t component, co
          (name == before ? name + " is named twice" : before + " and " + name + " are the same component");
 }
 
+/// Whether a word names a component or a load.
+bool is_name(const std::string &word, const std::vector<Load> &loads)
+{
+  const auto &names = component_names();
+  return std::find(names.begin(), names.end(), word) != names.end() ||
+         std::any_of(loads.begin(), loads.end(), [&](const Load &load) { return load.name == word; });
+}
+
+/// What is allowed instead of a unit that does not belong to the name, or of a word that is no unit.
+std::string wrong_unit(const std::string &name, const std::string &unit, const std::vector<Load> &loads)
+{
+  const std::string quantity = quantity_of_unit(unit);
+  if (!quantity.empty())
+    return "for " + name + " a unit of " + units_like(unit_of(name, loads)) + "; " + unit + " is a unit of " +
+           quantity;
+  const std::string word = unit.substr(0, unit.find(' '));
+  return parse_number(word) ? leg_form : unknown(word, loads);
+}
+
+/// Reads the value behind a name, perhaps with a unit, up to the next name. Returns what is allowed instead,
+/// or
+/// "".
+std::string parse_value(const std::vector<std::string> &words, const std::string &name,
+                        const std::vector<Load> &loads, std::size_t &next, double &value)
+{
+  const std::string number = next < words.size() ? words[next++] : "";
+  std::string unit;
+  for (; next < words.size() && !is_name(words[next], loads); ++next)
+    unit += (unit.empty() ? "" : " ") + words[next];
+  if (const auto found = parse_quantity(number + " " + unit, unit_of(name, loads)))
+  {
+    value = *found;
+    return {};
+  }
+  return parse_number(number) ? wrong_unit(name, unit, loads) : leg_form;
+}
+
 /// Reads "ux uy uz" or "NAME value ...". Returns what is allowed instead, or "".
 std::string parse_targets(const std::string &text, const std::vector<Load> &loads, Leg &leg)
 {
@@ -60,14 +98,17 @@ std::string parse_targets(const std::string &text, const std::vector<Load> &load
   }
   std::istringstream stream(text);
   const std::vector<std::string> words{std::istream_iterator<std::string>(stream), {}};
-  if (words.empty() || words.size() % 2 != 0)
+  if (words.size() < 2)
     return leg_form;
-  for (std::size_t i = 0; i < words.size(); i += 2)
+  for (std::size_t next = 0; next < words.size();)
   {
-    const auto value = parse_number(words[i + 1]);
-    if (!value || parse_number(words[i]))
-      return leg_form;
-    if (const std::string fault = set_target(words[i], *value, loads, leg); !fault.empty())
+    const std::string &name = words[next++];
+    if (!is_name(name, loads))
+      return parse_number(name) ? leg_form : unknown(name, loads);
+    double value = 0;
+    if (const std::string fault = parse_value(words, name, loads, next, value); !fault.empty())
+      return fault;
+    if (const std::string fault = set_target(name, value, loads, leg); !fault.empty())
       return fault;
   }
   return {};
@@ -120,6 +161,14 @@ std::string leg_text(const Leg &leg)
   return leg.parts > 1 ? text + " * " + std::to_string(leg.parts) : text;
 }
 } // namespace
+
+std::string unit_of(const std::string &name, const std::vector<Load> &loads)
+{
+  for (const Load &load : loads)
+    if (load.name == name)
+      return load.kind->unit();
+  return name[0] == 'u' ? "mm" : name[0] == 'r' ? "degrees" : name[0] == 'F' ? "N" : "N mm";
+}
 
 std::string set_target(const std::string &name, const double value, const std::vector<Load> &loads, Leg &leg)
 {

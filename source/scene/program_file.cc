@@ -5,8 +5,8 @@
 #include "signal_cycles.h"
 
 #include <orthocone/base/errors.h>
-#include <orthocone/base/numbers.h>
 #include <orthocone/base/text.h>
+#include <orthocone/base/units.h>
 #include <orthocone/entries/text_file.h>
 #include <orthocone/scene/legs.h>
 
@@ -21,32 +21,10 @@ namespace
 constexpr TextFileKind program_text{"a CSV file with a header and a row a step", 100,
                                     "a header and at least one row are wanted"};
 
-/// What a name measures: its unit, and factors from others that users may write.
-struct Quantity
+/// The unit of the program for a component, a load, "time" or "cycle".
+std::string unit_of_column(const std::string &name, const std::vector<Load> &loads)
 {
-  const char *unit;
-  std::vector<OtherUnit> others;
-};
-
-/// The same of a component, a load, "time" or "cycle".
-Quantity quantity_of(const std::string &name, const std::vector<Load> &loads)
-{
-  constexpr double degrees = 1 / radians_per_degree;
-  static const Quantity length{
-      "mm", {{"um", 1e-3}, {"\u00b5m", 1e-3}, {"\u03bcm", 1e-3}, {"nm", 1e-6}, {"m", 1e3}}},
-      angle{"degrees",
-            {{"deg", 1}, {"degree", 1}, {"\u00b0", 1}, {"rad", degrees}, {"mrad", degrees / 1000}}},
-      force{"N", {{"kN", 1e3}, {"mN", 1e-3}}},
-      moment{"N mm", {{"Nmm", 1}, {"N m", 1e3}, {"Nm", 1e3}, {"kN m", 1e6}, {"kNm", 1e6}}},
-      time{"s", {{"ms", 1e-3}, {"min", 60}, {"h", 3600}}}, number{"", {}};
-  for (const Load &load : loads)
-    if (load.name == name)
-      return {load.kind->unit(), load.kind->other_units()};
-  if (name == "time")
-    return time;
-  if (name == "cycle")
-    return number;
-  return name[0] == 'u' ? length : name[0] == 'r' ? angle : name[0] == 'F' ? force : moment;
+  return name == "time" ? "s" : name == "cycle" ? "" : unit_of(name, loads);
 }
 
 /// A column of the file. Its name is that of a component, "time" or "cycle".
@@ -165,17 +143,11 @@ SignalColumn ProgramFile::read_column(const std::string &cell) const
 
 double ProgramFile::factor_of(const std::string &column, const std::string &unit) const
 {
-  const Quantity quantity = quantity_of(column, loads_);
-  if (unit == quantity.unit)
-    return 1;
-  std::string all = quantity.unit;
-  for (const auto &[other, factor] : quantity.others)
-    if (unit == other)
-      return factor;
-    else
-      all += std::string(", ") + other;
+  const std::string own = unit_of_column(column, loads_);
+  if (const auto factor = in_unit(own, 1, unit))
+    return *factor;
   refuse("column '" + column + "' has the unit '" + shown(unit) + "': allowed " +
-         (all.empty() ? "is none" : "are " + all));
+         (own.empty() ? "is none" : "are " + units_like(own)));
 }
 
 /// Reads a row as a leg to where its components are.

@@ -7,6 +7,7 @@
 #include <orthocone/body/backends/factorized_body.h>
 #include <orthocone/multigrid/multigrid_body.h>
 #include <orthocone/scene/change_length.h>
+#include <orthocone/scene/expected_contact.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -89,17 +90,6 @@ RigidMotion driven_motion(const FaceTarget &target)
   return motion;
 }
 
-/// Material on a rigid plane with the compliances in plane strain, (1 - nu^2)/E, and in antiplane shear,
-/// (1 + nu)/E, of both bodies together.
-MaterialOptions as_one(const MaterialOptions &a, const MaterialOptions &b)
-{
-  const auto antiplane = [](const MaterialOptions &of) { return (1 + of.poisson_ratio) / of.young_modulus; };
-  const double both = antiplane(a) + antiplane(b);
-  MaterialOptions material;
-  material.poisson_ratio = (a.poisson_ratio * antiplane(a) + b.poisson_ratio * antiplane(b)) / both;
-  material.young_modulus = (1 + material.poisson_ratio) / both;
-  return material;
-}
 } // namespace
 
 Scene::Scene(const Parameters &parameters, const ModelChoice &choice,
@@ -128,7 +118,6 @@ Scene::Scene(const Parameters &parameters, const ModelChoice &choice, const Obst
       axes_(friction_.axes(surface(), choice.symmetry)),
       lower_(make_lower(parameters, choice.symmetry, *body_, axes_, seconds_)),
       gaps_(gaps_of(obstacle, surface())),
-      obstacle_material_(lower_ ? parameters.lower.material.isotropic() : obstacle.material()),
       sum_(timed(seconds_.condensation,
                  [&]
                  {
@@ -158,8 +147,7 @@ NodeVector Scene::given_way(const NodeVector &force) const
 
 MaterialOptions Scene::contact_material() const
 {
-  const MaterialOptions body = parameters_.material.isotropic();
-  return obstacle_material_ ? as_one(body, *obstacle_material_) : body;
+  return orthocone::contact_material(parameters_);
 }
 
 Wrench Scene::held_wrench(const NodeVector &force, const RigidMotion &motion, const VectorXd &loads) const

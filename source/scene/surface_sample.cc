@@ -8,6 +8,7 @@
 #include <orthocone/body/shapes/imported_mesh.h>
 #include <orthocone/body/shapes/mesh_ladder.h>
 #include <orthocone/body/shapes/shape.h>
+#include <orthocone/scene/expected_contact.h>
 
 #include <algorithm>
 #include <cmath>
@@ -26,9 +27,8 @@ MeshOptions flat_mesh(const Parameters &parameters, const ModelSymmetry &symmetr
   constexpr unsigned int most_of_solids = 3;
   const bool is_axisymmetric = symmetry.is_axisymmetric();
   MeshOptions mesh = parameters.mesh.accuracy != 0
-                         ? ladder_mesh(parameters.geometry, parameters.mesh, is_axisymmetric,
-                                       n_ladder_levels(is_axisymmetric) - 1)
-                         : resolved_mesh(parameters.geometry, parameters.mesh, is_axisymmetric);
+                         ? ladder_mesh(parameters, is_axisymmetric, n_ladder_levels(is_axisymmetric) - 1)
+                         : resolved_mesh(parameters, is_axisymmetric);
   mesh.layers = mesh.cells[2] = 1;
   mesh.refined_cells.clear(); // numbers of other cells
   mesh.degree = symmetry.is_section() ? mesh.degree : std::min(mesh.degree, most_of_solids);

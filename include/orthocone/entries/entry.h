@@ -72,7 +72,8 @@ public:
     may_grow_ = true;
     return *this;
   }
-  /// The unit of its numbers, for those who show them; without one they are pure numbers.
+  /// The unit of its numbers, for those who show them, and for files that give another one behind a number
+  /// (units.h); without one they are pure numbers.
   Entry &unit(std::string text)
   {
     unit_ = std::move(text);
@@ -89,6 +90,7 @@ public:
   std::string section() const { return name_.substr(0, name_.find('/')); }
   std::string own_name() const { return name_.substr(name_.find('/') + 1); }
   const std::string &help() const { return help_; } ///< ends with the allowed values
+  const std::string &allowed() const { return binding_.allowed; }
   std::string text() const { return binding_.print(); }
   const std::string &unit() const { return unit_; }
   bool is_path() const { return path_ != nullptr; }

@@ -6,6 +6,7 @@
 #include <orthocone/base/phases.h>
 #include <orthocone/base/threads.h>
 #include <orthocone/contact/solvers/contact_solver.h>
+#include <orthocone/output/peaks.h>
 #include <orthocone/output/zone_record.h>
 #include <orthocone/results/cycles.h>
 #include <orthocone/results/step_checks.h>
@@ -20,17 +21,6 @@
 
 namespace orthocone
 {
-/// Largest values over the run and the steps that had them.
-struct Peaks
-{
-  /// Takes over larger values of a step.
-  void consider(unsigned int step, const Totals &totals);
-
-  std::pair<double, unsigned int> slip{0, 0};     ///< mm
-  std::pair<double, unsigned int> pressure{0, 0}; ///< MPa
-  std::pair<double, unsigned int> force_z{0, 0};  ///< N
-};
-
 /// The strongest friction under which no node can wedge, and the place where one would wedge first.
 struct CriticalFrictionRecord
 {
@@ -89,7 +79,7 @@ struct Summary
   const BodyUnknowns &unknowns;
   unsigned int n_steps;
   unsigned int n_solved;
-  double total_dissipation; ///< N mm
+  const Totals &totals; ///< at the end
   const RunRecord &record;
   const CycleMemory &cycles;
 };

@@ -22,9 +22,10 @@ struct Totals
   double stick_area = 0;   ///< mm^2; its border runs through the cells (StickArea)
   double contact_area = 0; ///< mm^2
   ZoneWidths zones{};
-  double total_dissipation = 0; ///< N mm
-  double elastic_energy = 0;    ///< N mm
-  Eigen::VectorXd loads{};      ///< FaceState::loads: MPa, mm, N, K
+  double total_dissipation = 0;     ///< N mm
+  double max_dissipated_energy = 0; ///< largest one of a node per area, N/mm
+  double elastic_energy = 0;        ///< N mm
+  Eigen::VectorXd loads{};          ///< FaceState::loads: MPa, mm, N, K
   Eigen::VectorXd conjugates{}; ///< Scene::load_conjugates(), but of surfaces that find it their motion, mm
   Eigen::VectorXd load_areas{}; ///< Scene::load_areas(), mm^2
   double worn_volume = 0;       ///< mm^3

@@ -129,7 +129,6 @@ private:
   std::unique_ptr<const LowerBody> lower_;
   NodeVector gaps_;
   Eigen::VectorXd change_lengths_;
-  std::optional<MaterialOptions> obstacle_material_;
   std::unique_ptr<const Compliance> sum_; ///< null on a rigid obstacle
   ContactSystem system_;
 };

@@ -13,7 +13,6 @@ public:
   std::string_view word() const override { return "pressure"; }
   std::string_view help() const override { return "presses into the body, MPa"; }
   const char *unit() const override { return "MPa"; }
-  std::vector<OtherUnit> other_units() const override { return units_of_stress(); }
   Conjugate conjugate() const override
   {
     return {"u", "mm", "mean displacement of its surface into the body"};

@@ -18,7 +18,6 @@ public:
     return "moves the surface as a rigid face along x, y or z, mm; other directions stay free";
   }
   const char *unit() const override { return "mm"; }
-  std::vector<OtherUnit> other_units() const override { return units_of_length(); }
   Conjugate conjugate() const override { return {"F", "N", "force on its surface along its direction"}; }
   bool moves_surface() const override { return true; }
 };
@@ -32,7 +31,6 @@ public:
     return "the same, driven by the force on the surface, N, whose motion is found";
   }
   const char *unit() const override { return "N"; }
-  std::vector<OtherUnit> other_units() const override { return {{"kN", 1e3}, {"mN", 1e-3}}; }
   Conjugate conjugate() const override
   {
     return {"u", "mm", "displacement of its surface along its direction"};

@@ -256,12 +256,13 @@ public:
   std::string rim_unit() const override { return "the radius"; }
   std::string finer_rim() const override { return "rings, or Rim grading"; }
 
-  /// The mesh of a Resolution or an Accuracy has its cells at the rim.
   std::string finer_cells(const BodyOptions &body) const override
   {
-    return body.mesh.section +
-           "/Resolution = custom (and Accuracy = 0) with more Core cells, and a Core ratio that puts "
-           "the core about the zone";
+    const std::string entry = body.mesh.section + "/";
+    return entry + "Resolution = medium or fine, or " + entry +
+           "Resolution = custom (and Accuracy = 0) with more Core cells, and a Core ratio that puts the core "
+           "about "
+           "the zone";
   }
 
   std::string describe(const GeometryOptions &geometry) const override

@@ -18,6 +18,9 @@ struct Level
   unsigned int core_cells;
   unsigned int rings;
   double rim_grading;
+
+  /// Cells along a side of a core about a small contact, which no symmetry divides in the middle of a cell.
+  unsigned int contact_cells() const { return core_cells + 2; }
 };
 
 const std::vector<Level> &levels(const bool is_axisymmetric)
@@ -54,6 +57,36 @@ double width_of_rings(const double radius, const double core_ratio, const bool i
   return radius * (is_axisymmetric ? 1 - core_ratio / std::sqrt(2.) : 1 - core_ratio);
 }
 
+/// Sets the smallest number of layers whose outermost ones have this share of half the height, and differ by
+/// no more than the factor `steepest` from their neighbours.
+void set_layers(const double share, const double steepest, MeshOptions &mesh)
+{
+  unsigned int n_half = 1;
+  while (n_half * share < 1 && fitting_grading(n_half, share) < steepest)
+    ++n_half;
+  mesh.layers = 2 * n_half;
+  mesh.layer_grading = fitting_grading(n_half, share);
+}
+
+/// Core and rings about a contact that reaches so far (mm) from the axis: see ladder_mesh().
+void enclose_contact(const GeometryOptions &geometry, const Level &level, const double reach,
+                     MeshOptions &mesh)
+{
+  constexpr double most_rings = 200;
+  constexpr double digits = 1e3;
+  const double corners = std::ceil(digits * std::sqrt(2.) * reach / geometry.radius) / digits;
+  mesh.core_ratio = std::max(0.01, corners);
+  mesh.core_cells = level.contact_cells();
+  const double half_side = mesh.core_ratio * geometry.radius / std::sqrt(2.);
+  const double cell = 2 * half_side / mesh.core_cells;
+  const double share = cell / (geometry.radius - half_side);
+  mesh.rings = 1;
+  while (mesh.rings < most_rings && fitting_grading(mesh.rings, share) < level.rim_grading)
+    ++mesh.rings;
+  mesh.rim_grading = std::round(100 / fitting_grading(mesh.rings, share)) / 100;
+  set_layers(cell / (geometry.height / 2), level.rim_grading, mesh);
+}
+
 /// Sets the smallest number of layers with which neighbours differ by little more than the rings do. Fields
 /// vary less between base and upper face than in the disc, but layers must shrink from level to level, too.
 void choose_layers(const GeometryOptions &geometry, const bool is_axisymmetric, MeshOptions &mesh)
@@ -61,12 +94,7 @@ void choose_layers(const GeometryOptions &geometry, const bool is_axisymmetric, 
   const double steepest = 0.7 * mesh.rim_grading;
   const double rim = thinnest_share(mesh.rings, mesh.rim_grading) *
                      width_of_rings(geometry.radius, mesh.core_ratio, is_axisymmetric);
-  const double share = rim / (geometry.height / 2);
-  unsigned int n_half = 1;
-  while (n_half * share < 1 && fitting_grading(n_half, share) < steepest)
-    ++n_half;
-  mesh.layers = 2 * n_half;
-  mesh.layer_grading = fitting_grading(n_half, share);
+  set_layers(rim / (geometry.height / 2), steepest, mesh);
 }
 } // namespace
 
@@ -76,32 +104,37 @@ unsigned int n_ladder_levels(const bool is_axisymmetric)
 }
 
 MeshOptions ladder_mesh(const GeometryOptions &geometry, const MeshOptions &given, const bool is_axisymmetric,
-                        const unsigned int level)
+                        const unsigned int level, const double reach)
 {
   MeshOptions mesh = given;
   mesh.resolution = MeshResolution::custom;
   mesh.accuracy = 0;
   const Level &disc = levels(is_axisymmetric).at(level);
+  mesh.degree = is_axisymmetric ? 4 : 3;
+  if (reach > 0)
+  {
+    enclose_contact(geometry, disc, reach, mesh);
+    return mesh;
+  }
   mesh.core_cells = disc.core_cells;
   mesh.rings = disc.rings;
   mesh.rim_grading = disc.rim_grading;
   mesh.core_ratio = is_axisymmetric ? section_core_ratio : solid_core_ratio;
-  mesh.degree = is_axisymmetric ? 4 : 3;
   choose_layers(geometry, is_axisymmetric, mesh);
   return mesh;
 }
 
 MeshOptions resolved_mesh(const GeometryOptions &geometry, const MeshOptions &given,
-                          const bool is_axisymmetric)
+                          const bool is_axisymmetric, const double reach)
 {
   switch (given.resolution)
   {
   case MeshResolution::coarse:
-    return ladder_mesh(geometry, given, is_axisymmetric, 1);
+    return ladder_mesh(geometry, given, is_axisymmetric, 1, reach);
   case MeshResolution::medium:
-    return ladder_mesh(geometry, given, is_axisymmetric, 2);
+    return ladder_mesh(geometry, given, is_axisymmetric, 2, reach);
   case MeshResolution::fine:
-    return ladder_mesh(geometry, given, is_axisymmetric, 3);
+    return ladder_mesh(geometry, given, is_axisymmetric, 3, reach);
   case MeshResolution::custom:
   case MeshResolution::paper:
     break;

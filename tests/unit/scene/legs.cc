@@ -77,6 +77,21 @@ TEST(Legs, SuggestTheComponentThatIsMeant)
   EXPECT_EQ(allowed_instead_of("force -1 : 1"), names + "'force' is none");
 }
 
+TEST(Legs, MayHaveUnitsBehindTheirValues)
+{
+  const auto legs = parsed(legs_codec(), "uz -10 um : 5; Fz -2 kN ux 30um Mz 1 N m : 6; rz 1 mrad uy 2 : 1");
+  ASSERT_TRUE(legs.has_value());
+  EXPECT_EQ((*legs)[0].targets[2], (Drive{false, -0.01}));
+  EXPECT_EQ((*legs)[1].targets[2], (Drive{true, -2000}));
+  EXPECT_EQ((*legs)[1].targets[0], (Drive{false, 0.03}));
+  EXPECT_EQ((*legs)[1].targets[5], (Drive{true, 1000}));
+  EXPECT_NEAR((*legs)[2].targets[5]->value, 0.0573, 1e-4);
+  EXPECT_EQ((*legs)[2].motion(1), 2);
+  EXPECT_EQ(allowed_instead_of("Fz -2 um : 1"), "for Fz a unit of N, kN, MN, mN; um is a unit of length");
+  EXPECT_NE(allowed_instead_of("Fz -2 kn : 1").find("'kn' is none"), std::string::npos);
+  EXPECT_EQ(allowed_instead_of("0 0 -10 um : 1"), legs_codec().allowed) << "of which number?";
+}
+
 TEST(Legs, TellTheirForm)
 {
   for (const char *const wrong : {"uz : 1", "uz -1", "uz -1 : 0", "uz 1 ux : 1", "uz 1 2 : 1", "1 uz : 1",

@@ -17,9 +17,6 @@
 
 namespace orthocone
 {
-/// A unit that users may write in place of a load's own, and the factor to that.
-using OtherUnit = std::pair<const char *, double>;
-
 /// What multiplies a load in its work, as tables have it: the work of a small change is its value times the
 /// change of the conjugate, or, where the load is a motion or a temperature, the reverse.
 struct Conjugate
@@ -39,7 +36,6 @@ public:
   virtual std::string_view word() const = 0;
   virtual std::string_view help() const = 0; ///< a clause behind the word
   virtual const char *unit() const = 0;
-  virtual std::vector<OtherUnit> other_units() const { return {}; }
   virtual Conjugate conjugate() const = 0;
 
   virtual bool has_surface() const { return true; }   ///< whether it acts on surfaces, not on the whole body

@@ -12,8 +12,11 @@ namespace orthocone
 /// widest in the middle get smaller, too: no difference between levels would show an error that all of them
 /// have in common. Layers fit the height: the lowest is as thick as the outermost ring. A section has more
 /// cells and degree 4. Throws std::out_of_range beyond the last level.
+///
+/// With a `reach` (mm, from the axis) other than 0 contact is expected within it alone: the core encloses it
+/// with cells of one size, and rings and layers grow from there, the less the higher the level.
 MeshOptions ladder_mesh(const GeometryOptions &geometry, const MeshOptions &given, bool is_axisymmetric,
-                        unsigned int level);
+                        unsigned int level, double reach = 0);
 
 /// Number of levels. The finest one has some 1400 contact nodes in a quarter, 300 rings in a section
 /// (docs/accuracy.md, "A number").
@@ -21,5 +24,6 @@ unsigned int n_ladder_levels(bool is_axisymmetric);
 
 /// `given` with Resolution = custom and the entries that its resolution stands for (docs/accuracy.md, "One
 /// word").
-MeshOptions resolved_mesh(const GeometryOptions &geometry, const MeshOptions &given, bool is_axisymmetric);
+MeshOptions resolved_mesh(const GeometryOptions &geometry, const MeshOptions &given, bool is_axisymmetric,
+                          double reach = 0);
 } // namespace orthocone
