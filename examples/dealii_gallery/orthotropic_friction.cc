@@ -53,9 +53,9 @@ using namespace dealii;
 
 // @sect3{Parameters}
 //
-// All numbers that a user may want to change, with defaults that are those of the cylinder of the README.
-// Lengths are in mm, forces in N and stresses in MPa. A file that does not exist is written with these
-// defaults by ParameterAcceptor::initialize(), which is the quickest way to see all names.
+// These are all numbers that a user may want to change. The defaults are those of the cylinder of the README.
+// Lengths are in mm, forces in N and stresses in MPa. ParameterAcceptor::initialize() writes a file that does
+// not exist with these defaults, which is the quickest way to see all names.
 struct Parameters : public ParameterAcceptor
 {
   Parameters();
@@ -160,7 +160,8 @@ public:
   Tensor<1, 3> modified(const Tensor<1, 3> &displacement) const;
   Tensor<1, 3> project(const Tensor<1, 3> &force) const;
 
-  // How far a force is to the border of the cone: $\|\mathbf r_t\|_\mu$, which is $r_n$ where a point slips.
+  // The norm $\|\mathbf r_t\|_\mu$, which is less than $r_n$ where a point sticks and equals it where it
+  // slips.
   double load(const Tensor<1, 3> &force) const { return std::hypot(force[1] / mu[0], force[2] / mu[1]); }
 
 private:
@@ -301,8 +302,8 @@ private:
   SparseMatrix<double> stiffness;
   SparseDirectUMFPACK factorized;
 
-  // The contact problem: the matrix $W$, and for each point its step size $\rho$, the displacement without
-  // contact forces, the force, and the tangential displacement at the end of the last load step.
+  // The contact problem consists of the matrix $W$, and for each point its step size $\rho$, the displacement
+  // without contact forces, the force, and the tangential displacement at the end of the last load step.
   std::vector<ContactPoint> points;
   FullMatrix<double> compliance;
   std::vector<double> rho;
@@ -342,13 +343,14 @@ FrictionalContact::FrictionalContact(const Parameters &given)
 
 // @sect3{The elastic body}
 //
-// A rectangle: for the cylinder x is the radius and starts at the axis, the block is centered.
+// The mesh is that of a rectangle. For the cylinder x is the radius and starts at the axis, whereas the block
+// is centered.
 void FrictionalContact::make_mesh()
 {
   const double left = parameters.is_axisymmetric() ? 0. : -0.5 * parameters.width;
+  const std::vector<unsigned int> n_cells = {parameters.n_columns, parameters.n_layers};
   constexpr bool colorize = true;
-  GridGenerator::subdivided_hyper_rectangle(triangulation, {parameters.n_columns, parameters.n_layers},
-                                            Point<2>(left, 0.),
+  GridGenerator::subdivided_hyper_rectangle(triangulation, n_cells, Point<2>(left, 0.),
                                             Point<2>(left + parameters.width, parameters.height), colorize);
 }
 
@@ -375,7 +377,7 @@ void FrictionalContact::setup_system()
   stiffness.reinit(sparsity_pattern);
 }
 
-// The strain of a shape function as a tensor in space, with the directions x, y, z in this order. In plane
+// The strain of a shape function is a tensor in space, with the directions x, y, z in this order. In plane
 // strain derivatives with respect to y vanish. In the cylinder y is the direction around the axis: a radial
 // displacement stretches circles, and the displacement around the axis causes no strain where it grows with
 // the radius.
@@ -404,7 +406,7 @@ SymmetricTensor<2, 3> FrictionalContact::strain(const FEValues<2> &fe_values, co
   return strain;
 }
 
-// The length along y that a point of the section stands for: the circle around the axis, or the thickness.
+// A point of the section stands for a length along y: the circle around the axis, or the thickness.
 double FrictionalContact::measure(const double x) const
 {
   return parameters.is_axisymmetric() ? 2. * numbers::PI * x : parameters.thickness;
@@ -536,7 +538,8 @@ void FrictionalContact::condense()
 
 // @sect3{A load step}
 //
-// The displacement of a point from which the law decides: its gap, and its slip since the last load step.
+// The law decides from the displacement of a point relative to the plane: its gap, and its slip since the
+// last load step.
 Tensor<1, 3> FrictionalContact::displacement(const unsigned int point) const
 {
   Tensor<1, 3> result = free_displacement[point];
@@ -547,14 +550,15 @@ Tensor<1, 3> FrictionalContact::displacement(const unsigned int point) const
   return result;
 }
 
-// Prediction and correction. A force is a solution if and only if this function returns it unchanged.
+// This is the prediction and its correction. Forces are a solution if and only if this function returns all
+// of them unchanged.
 Tensor<1, 3> FrictionalContact::corrected_force(const unsigned int point) const
 {
   return law.project(force[point] - rho[point] * law.modified(displacement(point)));
 }
 
-// By how much the function above changes the forces, relative to the largest force of the run so far. At the
-// end of an unloading all forces are zero, and only the forces before tell what is small.
+// The residual says by how much the function above changes the forces, relative to the largest force of the
+// run so far. At the end of an unloading all forces are zero, and only the forces before tell what is small.
 double FrictionalContact::residual() const
 {
   double change = 0, scale = largest_force;
@@ -568,8 +572,8 @@ double FrictionalContact::residual() const
 
 // Sweeps over the points until the residual is small. A point sees the new forces of the points before it
 // in the same sweep, as in the method of Gauss and Seidel. With the old forces of all points, as the name of
-// Uzawa suggests, the iteration diverges unless $\rho$ is as small as the inverse of the largest eigenvalue
-// of the whole matrix $W$. The iteration starts from the forces of the last load step.
+// Uzawa suggests, the iteration diverges unless $\rho$ is less than twice the inverse of the largest
+// eigenvalue of the whole matrix $W$. The iteration starts from the forces of the last load step.
 unsigned int FrictionalContact::solve_load_step()
 {
   constexpr unsigned int sweeps_between_checks = 10;
@@ -588,7 +592,7 @@ unsigned int FrictionalContact::solve_load_step()
   return 0;
 }
 
-// The only memory of friction: where the points are now, from where their next slip counts.
+// Friction remembers one thing only: where the points are now, because their next slip counts from there.
 void FrictionalContact::advance()
 {
   for (unsigned int i = 0; i < points.size(); ++i)
@@ -631,7 +635,8 @@ void FrictionalContact::write_volume(const unsigned int step) const
   data_out.write_vtu(file);
 }
 
-// One row for each contact point and load step. Forces are those of the plane on the body.
+// The table of contact points has one row for each point and load step. Forces are those of the plane on the
+// body.
 void FrictionalContact::write_contact(const unsigned int step)
 {
   for (unsigned int i = 0; i < points.size(); ++i)
@@ -655,8 +660,8 @@ std::string FrictionalContact::status(const unsigned int point) const
   return law.load(force[point]) < (1 - 1e-10) * force[point][0] ? "stick" : "slip";
 }
 
-// One row for each load step, in the file and, shorter, on the screen. The radial and the hoop forces of the
-// cylinder are those of whole rings, so that their sums are no forces on the body.
+// The history has one row for each load step, in the file and, shorter, on the screen. The radial and the
+// hoop forces of the cylinder are those of whole rings, so that their sums are no forces on the body.
 void FrictionalContact::write_history(const unsigned int step, const unsigned int n_sweeps)
 {
   Tensor<1, 3> total;
