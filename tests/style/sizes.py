@@ -1,6 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""Files have at most 400 lines, functions 40, a folder a quarter of the code; folders mirror each other."""
+"""Files have at most 400 lines, functions 40, a folder a quarter of the code; folders mirror each other.
+
+A program for deal.II's gallery is one file, which the gallery shows as a page of text and code."""
 import ast
 import collections
 import pathlib
@@ -9,6 +11,7 @@ import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 MOST_LINES, MOST_OF_FUNCTION, MOST_OF_FOLDER = 400, 40, 0.25
+MOST_OF_GALLERY, GALLERY = 800, ROOT / "examples/dealii_gallery"
 
 
 def files(*folders):
@@ -47,7 +50,8 @@ class SizeTest(unittest.TestCase):
     def test_files(self):
         for path in files("source", "include", "tests", "tools", "examples"):
             with self.subTest(path.relative_to(ROOT)):
-                self.assertLessEqual(len(path.read_text(encoding="utf-8").splitlines()), MOST_LINES)
+                most = MOST_OF_GALLERY if GALLERY in path.parents else MOST_LINES
+                self.assertLessEqual(len(path.read_text(encoding="utf-8").splitlines()), most)
 
     def test_functions(self):
         found = 0
