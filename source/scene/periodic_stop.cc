@@ -18,9 +18,9 @@ public:
   {
     section
         .add("Stop when periodic", bound_, period_codec(),
-             "The run is complete as soon as a cycle ends as it began: nodal forces within this share of the "
-             "largest one, displacements within this share of the largest motion of the upper face; 0 = "
-             "never.")
+             "Ends the run as soon as a cycle ends as it began: nodal forces differ by less than this share "
+             "of the largest one, and displacements by less than this share of the largest motion of the "
+             "held face; 0 = never.")
         .may_change_on_resume();
   }
 

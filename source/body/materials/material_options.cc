@@ -103,14 +103,14 @@ void declare_material(MaterialOptions &material, Section &section)
       .also_called({"e", "young", "modulus", "elastic modulus"});
   section.add("Poisson ratio", material.poisson_ratio, number_codec(NumberRange{-1, 0.5}), "Poisson's ratio.")
       .also_called({"nu"});
-  material.law.declare("Law", "", section);
+  material.law.declare("Law", "Elastic law of the body.", section);
   section.add("Regions", material.regions, regions_codec(),
-              "Other, isotropic constants of physical volumes of a Mesh file: 'name: E, nu ; ...'.");
+              "Isotropic constants of single physical volumes of a Mesh file, in place of those above: "
+              "'name: E, nu ; ...'.");
   section
-      .add(
-          "Thermal expansion", material.thermal_expansion, number_codec(NumberRange{-0.01, 0.01}),
-          "Strain per kelvin in all directions, of all volumes, for loads of the kind temperature; steel has "
-          "1.2e-5.")
+      .add("Thermal expansion", material.thermal_expansion, number_codec(NumberRange{-0.01, 0.01}),
+           "Coefficient of thermal expansion: strain per kelvin, the same in all directions and in all "
+           "volumes, for loads of the kind temperature; 1.2e-5 for steel.")
       .unit("1/K")
       .also_called({"alpha", "expansion", "cte"});
 }

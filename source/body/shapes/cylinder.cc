@@ -193,20 +193,29 @@ public:
   void declare_cells(MeshOptions &mesh, const Condition &is_chosen, Section &section) const override
   {
     constexpr unsigned int most = 200;
-    section.add("Core cells", mesh.core_cells, count_codec(1, most), "Cells along a side of the core block.")
+    section
+        .add("Core cells", mesh.core_cells, count_codec(1, most),
+             "Number of cells along each side of the core block, the square in the middle of a cylinder's "
+             "mesh.")
         .only_if(is_chosen)
         .also_called({"elements"});
     section
-        .add("Rings", mesh.rings, count_codec(0, most), "Cells from core to rim; 0 = as many as core cells.")
+        .add("Rings", mesh.rings, count_codec(0, most),
+             "Number of rings of cells between the core block of a cylinder and its rim; 0 = as many as Core "
+             "cells.")
         .only_if(is_chosen);
-    section.add("Layers", mesh.layers, count_codec(1, most), "Cells over the height.").only_if(is_chosen);
+    section
+        .add("Layers", mesh.layers, count_codec(1, most),
+             "Number of layers of cells over the height of a cylinder.")
+        .only_if(is_chosen);
     section
         .add("Core ratio", mesh.core_ratio, number_codec(NumberRange{0.01, 1, true, false}),
-             "Distance of the core's corners from the axis / radius.")
+             "Distance of the corners of the core block from the axis, divided by the radius.")
         .only_if(is_chosen);
     section
         .add("Rim grading", mesh.rim_grading, number_codec(NumberRange{0, 10, false, true}),
-             "Each ring is this many times as thick as the next inner one; 1 = uniform.")
+             "Thickness of each ring divided by that of the next inner one: below 1, rings get thinner "
+             "towards the rim; 1 = uniform.")
         .only_if(is_chosen);
   }
 
