@@ -6,7 +6,7 @@
 #include <orthocone/base/text.h>
 
 #include <algorithm>
-#include <cstdlib>
+#include <cctype>
 #include <vector>
 
 namespace orthocone
@@ -107,7 +107,8 @@ std::optional<NumberWithWord> number_with_word(const std::string &text)
 /// Whether a word is not a part of an expression such as 2 x.
 bool looks_like_unit(const std::string &word)
 {
-  return word.size() > 1 && word.find_first_of("xy()*+-,;") == std::string::npos;
+  return word.size() > 1 && std::isalpha(static_cast<unsigned char>(word[0])) != 0 &&
+         word.find_first_of("xy()*+-,;") == std::string::npos;
 }
 } // namespace
 
@@ -132,7 +133,8 @@ std::string units_like(const std::string &unit)
     return unit;
   std::string all;
   for (const Unit &other : quantity->units)
-    all += (all.empty() ? "" : ", ") + other.word;
+    if (other.word != "\u03bcm") // which looks like that before it
+      all += (all.empty() ? "" : ", ") + other.word;
   return all;
 }
 

@@ -121,24 +121,21 @@ BodyOptions BodyOptions::lower()
 void declare_mesh_choice(MeshOptions &mesh, Section &section)
 {
   section.add_word("Model", mesh.model,
-                   "Part of the body that is modelled; auto takes the smallest that is exact for the scene. "
-                   "axisymmetric: "
-                   "its section (r, z), with the cells that lie along the x axis.");
+                   "Part of the body that is meshed. full: all of it; half and quarter: the part on one side "
+                   "of its planes of symmetry; axisymmetric: its section (r, z), with the cells along the x "
+                   "axis; auto: the smallest part that is exact for the scene.");
   section
       .add_word("Resolution", mesh.resolution,
-                "paper: the mesh of the paper's figures; coarse, medium, fine: degree 3 (4 if axisymmetric) "
-                "and cells that shrink "
-                "towards the rim, the base and the upper face (docs/accuracy.md: what each reaches and "
-                "costs); "
-                "custom: the entries below. With another word than custom these stay at their defaults.")
+                "Fineness of the mesh. coarse, medium, fine: elements of degree 3 (4 in the axisymmetric "
+                "model) that shrink towards the rim, the base and the top, with the errors and costs that "
+                "docs/accuracy.md lists; paper: the mesh of the paper's figures; custom: the mesh of the "
+                "entries below, which stay at their defaults with any other word.")
       .also_called({"refinement"});
   section
       .add("Accuracy", mesh.accuracy, percentage_codec(NumberRange{0.01, 50, true, true}),
-           "Largest wanted error of the largest slip, the total force, the dissipated energy and the stick "
-           "area: "
-           "the program refines the mesh until it estimates to have reached it; Resolution and the entries "
-           "below "
-           "then stay at their defaults. 0 = the mesh is given.")
+           "Error, in percent, that the largest slip, the total force, the dissipated energy and the stick "
+           "area may have: the program refines the mesh until its estimate of the error is below this bound. "
+           "Resolution and the entries below then stay at their defaults. 0 = these entries give the mesh.")
       .unit("%");
 }
 
@@ -149,43 +146,44 @@ void declare_cells(MeshOptions &mesh, const GeometryOptions &geometry, Section &
         mesh, where_shape(geometry, [kind](const ShapeKind &chosen) { return &chosen == kind; }), section);
   section
       .add("Layer grading", mesh.layer_grading, number_codec(NumberRange{0, 10, false, true}),
-           "Each layer is this many times as thick as its neighbour towards mid-height; 1 = uniform.")
+           "Thickness of each layer divided by that of its neighbour towards mid-height: below 1, layers get "
+           "thinner towards base and top; 1 = uniform.")
       .only_if(where_shape(geometry, [](const ShapeKind &chosen) { return chosen.has_layers(); }));
   section
       .add("Degree", mesh.degree, count_codec(1, 4),
-           "Polynomial degree of the elements; 4 in the axisymmetric model and in plane strain only.")
+           "Polynomial degree of the elements; degree 4 is for the axisymmetric model and plane strain only.")
       .also_called({"order"});
-  section.add("Quadrature points", mesh.quadrature_points, count_codec(0, 10),
-              "Gauss points per direction, more than the degree; 0 = degree + 1.");
-  section.add_word(
-      "Volumetric quadrature", mesh.volumetric_quadrature,
-      "projected: the elements resist changes of volume only as far as these are polynomials of the degree "
-      "- 1 (B-bar for degree 1), so that nearly incompressible bodies do not lock and contact stresses do "
-      "not "
-      "scatter; full: as far as they go; auto: projected for degree 2 and more, full for degree 1. reduced "
-      "is "
-      "an older word for projected. May stand beside a Resolution or an Accuracy.");
-  section.add("Refinements", mesh.refinements, count_codec(0, 7),
-              "How often all these cells are halved in every direction.");
+  section.add(
+      "Quadrature points", mesh.quadrature_points, count_codec(0, 10),
+      "Gauss points of an element in each direction, which have to be more than Degree; 0 = Degree + 1.");
+  section.add_word("Volumetric quadrature", mesh.volumetric_quadrature,
+                   "How the elements resist changes of volume. projected: only to the part of a change that "
+                   "is a polynomial of Degree - 1 (B-bar for Degree = 1), so that nearly incompressible "
+                   "bodies do not lock and contact stresses do not scatter; full: to all of it; auto: "
+                   "projected from Degree = 2 on, full for Degree = 1; reduced: an older word for projected. "
+                   "The entry may stand beside a Resolution or an Accuracy.");
+  section.add(
+      "Refinements", mesh.refinements, count_codec(0, 7),
+      "How many times all cells, of the entries above or of the Mesh file, are halved in every direction.");
 }
 
 void declare_backend(MeshOptions &mesh, Section &section)
 {
-  section.add(
-      "Adaptive", mesh.adaptive, count_codec(0, 10),
-      "Rounds in which cells are halved where the first cycle, solved on the mesh so far, shows that they "
-      "are too large: at the rim of the base, where stick, slip and gap meet, and where stresses jump "
-      "between cells.");
+  section.add("Adaptive", mesh.adaptive, count_codec(0, 10),
+              "Rounds of local refinement before the run. Each round solves the first cycle on the mesh so "
+              "far and halves the cells that are too large for it: at the rim of the base, where stick, slip "
+              "and gap meet, and where stresses jump between cells.");
   section.add("Refined cells", mesh.refined_cells, refined_cells_codec(),
-              "Cells of the modelled part that are halved beside these, round by round; what Adaptive has "
-              "chosen.");
+              "Numbers of the cells of the modelled part that are halved in each round, after Refinements. A "
+              "run with Adaptive writes its choice to parameters.prm, so that other runs can take the same "
+              "mesh without the search.");
   section.add_word(
       "Backend", mesh.backend,
-      "How the elastic body is solved: factorized and condensed to its contact nodes (condensed), or by "
-      "multigrid over all these meshes, without a factorization of the whole (multigrid: solids of degree 1 "
-      "to 3 with Contact solver/Method = newton). auto: what takes less time by an estimate, or alone fits "
-      "into the memory; condensed where no cell is halved and that takes seconds. May stand beside a "
-      "Resolution or an Accuracy.");
+      "How the elastic body is solved. condensed: its stiffness is factorized and condensed to the contact "
+      "nodes; multigrid: by V-cycles over the mesh and its refinements, without a factorization of the "
+      "whole, for solids of degree 1 to 3 with Contact solver/Method = newton; auto: whichever takes less "
+      "time by an estimate, or alone fits into the memory, and condensed where no cell is halved and a "
+      "factorization takes seconds. The entry may stand beside a Resolution or an Accuracy.");
 }
 
 void check_mesh_choice(const BodyOptions &body)

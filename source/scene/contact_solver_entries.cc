@@ -21,17 +21,18 @@ std::string listed(const IsChosen &is_chosen, const Clause &clause)
 std::string help_of_methods()
 {
   const auto clause = [](const ContactMethod &method) { return method.help; };
-  return listed([](const ContactMethod &method) { return !method.is_for_study; }, clause) +
-         ". For the study of what fails (docs/stability.md): " +
+  return "Algorithm that solves the contact problem of a load step. " +
+         listed([](const ContactMethod &method) { return !method.is_for_study; }, clause) +
+         ". Only to study how methods fail (docs/stability.md): " +
          listed([](const ContactMethod &method) { return method.is_for_study; }, clause) + ".";
 }
 
 std::string help_of_rho()
 {
   const auto all = [](const ContactMethod &) { return true; };
-  return "Factor of the method's own rho. " +
+  return "Factor by which the method's own step size rho is multiplied. " +
          listed(all, [](const ContactMethod &method) { return method.rho; }) +
-         ". The residual that is reported does not depend on it.";
+         ". The reported residual does not depend on this factor.";
 }
 
 /// The words of those methods that `is_chosen` accepts.
@@ -72,18 +73,20 @@ void declare_contact_solver(ContactSolverOptions &solver, Section &section)
       .also_called({"solver"});
   section
       .add("Tolerance", solver.tolerance, number_codec(NumberRange{1e-14, 1, true, false}),
-           "Bound of the natural-map residual relative to the contact forces.")
+           "Bound of the residual of a load step, the norm of the natural map relative to the norm of the "
+           "contact forces.")
       .also_called({"tol"});
   section
       .add("Maximum iterations", solver.maximum_iterations, count_codec(1, 10000000),
-           "Sweeps or iterations for one load step, for each part of one that has to be halved, and, on "
-           "multigrid, "
-           "for each slip rule on the way to one that is far from associated.")
+           "Largest number of sweeps or iterations for a load step. It holds anew for each part of a step "
+           "that has to be halved, and with Mesh/Backend = multigrid for each slip rule on the way to one "
+           "that is far from associated.")
       .may_change_on_resume()
       .also_called({"iterations"});
   section
       .add("Relaxation", solver.relaxation, number_codec(NumberRange{0, 2}),
-           "Relaxation factor of the sweeps of gauss-seidel: 1 takes the one-node solutions as they are.")
+           "Relaxation factor of the sweeps of gauss-seidel; 1 = the one-node solutions are taken as they "
+           "are.")
       .may_change_on_resume()
       .only_if(method_where(solver, has_relaxation, "; it is for " + method_words(", ", has_relaxation)));
   section.add("Rho factor", solver.rho_factor, number_codec(positive), help_of_rho())

@@ -52,7 +52,8 @@ std::vector<Kind<FrictionLawOptions>> &kinds_of<FrictionLawOptions>()
 {
   static std::vector<Kind<FrictionLawOptions>> kinds{
       {std::string(FrictionLawKind::ellipses.word),
-       "an elliptic cone (Coefficients), and slip along the normal of another ellipse (Slip potential)",
+       "friction forces stay within an elliptic cone (Coefficients), and slip is along the normal of another "
+       "ellipse (Slip potential)",
        [] { return std::make_unique<Ellipses>(); }}};
   return kinds;
 }

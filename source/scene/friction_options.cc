@@ -161,25 +161,26 @@ FrictionOptions FrictionOptions::at(const double x, const double y) const
 
 void declare_friction(FrictionOptions &friction, Section &section)
 {
-  friction.law.declare("Law", "The law of friction and slip.", section);
+  friction.law.declare("Law", "Law of friction and slip.", section);
   const Condition has_ellipses{[&friction] { return friction.has_ellipses(); },
                                [&friction] { return "Friction/Law = " + friction.law.word(); }};
   section
       .add("Coefficients", coefficients_binding(friction),
-           "mu_x, mu_y: semi-axes of the friction ellipse, the section of the cone at unit normal force.")
+           "mu_x, mu_y: coefficients of friction along the two axes of friction, which are the semi-axes of "
+           "the friction ellipse.")
       .only_if(has_ellipses)
       .also_called({"mu", "mu_x", "mu_y", "cof", "coefficient", "friction", "friction coefficient"});
   section
       .add("Slip potential", slip_potential_binding(friction),
-           "p_x, p_y: semi-axes of the slip ellipse; only their ratio matters. associated: those of the "
-           "friction "
-           "ellipse, so that slip is normal to it. Equal ones, or collinear: slip is along the force.")
+           "p_x, p_y: semi-axes of the slip ellipse, whose normal is the direction of slip, so that only "
+           "their ratio matters. associated: those of the friction ellipse; collinear, like two equal "
+           "numbers: slip is along the friction force.")
       .only_if(has_ellipses)
       .also_called({"p", "slip rule", "slip ellipse"});
   section
       .add("Orthotropy angle", angle_binding(friction),
-           "Degrees from the x axis to the first axis of both ellipses; atan2(y,x)*180/pi: axes along radius "
-           "and hoop.")
+           "Angle in degrees from the x axis to the first axis of both ellipses; atan2(y,x)*180/pi makes the "
+           "axes radial and circumferential.")
       .unit("degrees")
       .also_called({"angle"});
 }

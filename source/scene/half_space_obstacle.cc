@@ -41,7 +41,7 @@ private:
 
 void HalfSpaceKind::declare(Section &section, const Condition &is_chosen)
 {
-  const std::string of_half_space = " of a half-space; without one it has no meaning.";
+  const std::string of_half_space = " of the half-space of Kind = half-space.";
   section
       .add("Young modulus", half_space.young_modulus, number_codec(positive),
            "Young's modulus in MPa" + of_half_space)

@@ -101,13 +101,14 @@ static void declare_jumps(LoadOptions &load, Section &section)
 {
   section
       .add("Jump when periodic", load.jump_when_periodic, period_codec(),
-           "When a cycle ends as it began, in the same measure, the next ones are not computed: accumulated "
-           "slip and dissipated energy grow as in this one; 0 = never. The last cycle is always computed.")
+           "Jumps cycles as soon as one ends as it began, in the measure of Stop when periodic: accumulated "
+           "slip and dissipated energy grow in each jumped cycle as in that one. The last cycle is always "
+           "computed. 0 = never.")
       .may_change_on_resume();
   section
       .add("Jump cycles", load.jump_cycles, count_codec(1, 1000000),
-           "Most cycles that are jumped before another one is computed, which shows whether the response is "
-           "still periodic.")
+           "Largest number of cycles that are jumped before another one is computed, which shows whether the "
+           "response is still periodic.")
       .may_change_on_resume();
 }
 
@@ -115,12 +116,12 @@ static void declare_loads(LoadOptions &load, Section &section)
 {
   section
       .add("Loads", load.loads, loads_codec(),
-           "Loads beside those of the upper face: 'NAME: KIND on SURFACE along x ; ...', which legs drive by "
-           "their names, as in 'Fz -500 bulk 100 : 10'. Kinds: " +
+           "Loads beside the motion and force of the held face: 'NAME: KIND on SURFACE along x ; ...'. Legs "
+           "drive them by their names, as in 'Fz -500 bulk 100 : 10', and history.csv lists each load and "
+           "its work-conjugate. Kinds: " +
                help_of_load_kinds() +
-               ". Surfaces are those of Supports, several in a row, and 'lower' in front makes them those of "
-               "the "
-               "lower body. history.csv has each load and its work-conjugate.")
+               ". Surfaces are those of Supports, and may be several with spaces between; with 'lower' in "
+               "front they are those of the lower body.")
       .read_first()
       .also_called({"pressure", "traction", "bulk stress", "neumann", "temperature"});
 }
@@ -131,27 +132,26 @@ void declare_load(LoadOptions &load, Section &section)
   const Condition has_legs{[&load] { return load.program_file.empty(); }, [&load]
                            { return "Load program/Program file = " + shown_path(load.program_file); }};
   declare_loads(load, section);
-  section.add("Preload", load.preload, legs_codec(load.loads), "Legs passed through once, before the cycles.")
+  section
+      .add("Preload", load.preload, legs_codec(load.loads),
+           "Legs, in the form of the entry Legs, that are passed through once before the cycles.")
       .unit(unit_of_legs);
   section
-      .add(
-          "Legs", load.legs, legs_codec(load.loads),
-          "Legs of a cycle: the upper face moves to (ux, uy, uz) in equal steps, from where it was. Named "
-          "components, as in 'Fz -2e5 rz 0.5 : 10', are driven by a motion or by a force; the others keep "
-          "what they have. ': 10 * 4' solves each of 10 steps in 4 parts, of which only the last is written.")
+      .add("Legs", load.legs, legs_codec(load.loads),
+           "Legs of a cycle, each of which moves the held face from where it is to (ux, uy, uz) in equal "
+           "load steps. With names, as in 'Fz -2e5 rz 0.5 : 10', a leg drives these components by a motion "
+           "or by a force, and the others keep the motion or force that they have. ': 10 * 4' solves each of "
+           "10 steps in 4 parts, of which only the last is written.")
       .unit(unit_of_legs)
       .only_if(has_legs)
       .also_called({"force", "normal force", "load", "displacement", "amplitude", "steps"});
   declare_program_file(load, section);
   section
-      .add(
-          "Accuracy", load.accuracy, percentage_codec(NumberRange{0.01, 50, true, true}),
-          "Largest wanted error by the size of the load steps, of the quantities of Mesh/Accuracy and of the "
-          "work "
-          "of the upper face in the first cycle: the program divides the steps of each leg into as many "
-          "parts as "
-          "it estimates to need. States are written at the steps of the legs. 0 = the legs are taken as they "
-          "are.")
+      .add("Accuracy", load.accuracy, percentage_codec(NumberRange{0.01, 50, true, true}),
+           "Error, in percent, that the size of the load steps may cause in the quantities of Mesh/Accuracy "
+           "and in the work of the held face in the first cycle: the program divides the steps of each leg "
+           "into as many parts as this needs by its estimate. States are written at the steps of the legs "
+           "only. 0 = the legs are taken as they are.")
       .unit("%");
   section.add("Cycles", load.cycles, count_codec(0, 1000000), "How many times the legs are passed through.")
       .may_change_on_resume();

@@ -25,8 +25,7 @@ public:
 Kind<ObstacleKindOptions> lower_body_obstacle()
 {
   return {std::string(ObstacleKind::body.word),
-          "a second elastic body, that of the sections Lower geometry, Lower mesh and Lower material "
-          "(neither elastic one in the axisymmetric model, nor with Mesh/Backend = multigrid)",
+          "a second elastic body, which the sections Lower geometry, Lower mesh and Lower material describe",
           [] { return std::make_unique<LowerBodyKind>(); }};
 }
 } // namespace orthocone

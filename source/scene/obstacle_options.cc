@@ -40,16 +40,19 @@ void declare_obstacle(ObstacleOptions &obstacle, Section &section)
               return given.has_value();
             },
             [&obstacle] { return obstacle.gap; }},
-           "Gap between the base of the body and the obstacle in mm, before the body moves, such as "
-           "(x^2+y^2)/(2*1000), a sphere of radius 1000 mm.")
+           "Gap in mm between the contact surface and the counterface, before the body moves; "
+           "(x^2+y^2)/(2*1000) describes a sphere of radius 1000 mm.")
       .unit("mm");
   section
       .add("Gap file", obstacle.gap_file, path_codec(),
-           "A gap on a regular grid, which is added to Gap: a text file with the line 'x0 dx nx y0 dy ny', "
-           "then "
-           "ny lines of nx numbers, mm; relative to the folder of the parameter file.")
+           "Text file with a gap on a regular grid, such as a measured surface, which is added to Gap: the "
+           "line 'x0 dx nx y0 dy ny', then ny lines of nx numbers, all lengths as mm. The path is relative "
+           "to the folder of the parameter file.")
       .path(obstacle.gap_file);
   obstacle.kind.declare(
-      "Kind", "What the body rests on. Gap is that between both, whichever of them is curved.", section);
+      "Kind",
+      "The counterface, on which the body is pressed; Gap is the distance between both, whichever of them is "
+      "curved. Elastic counterfaces exclude the axisymmetric model and Mesh/Backend = multigrid.",
+      section);
 }
 } // namespace orthocone

@@ -131,48 +131,57 @@ void declare_checks(CheckOptions &checks, Section &section)
 {
   const auto add = [&section](const char *const name, double &value, const std::string &help)
   { return &section.add(name, value, number_codec(positive), help).may_change_on_resume(); };
-  const std::string times = " Bound in multiples of Contact solver/Tolerance.";
+  const std::string times = " The bound is in multiples of Contact solver/Tolerance.";
   const std::string of_tolerance = "\u00d7 tolerance";
   add("Equilibrium", checks.equilibrium,
-      "Every step is checked from its final state; one that exceeds a bound stops the run (exit code 3). "
-      "Bound of the forces in the body that contact forces do not balance, relative to these, and of the "
-      "difference between the displacements of body and contact surface.");
-  add("Penetration", checks.penetration, "Largest negative gap relative to the largest displacement." + times)
+      "Bound of the forces in the body that contact forces do not balance, relative to the contact forces, "
+      "and of the difference between the displacements of body and contact surface. This and the other "
+      "checks judge the final state of each load step, and a state that exceeds a bound stops the run (exit "
+      "code 3).");
+  add("Penetration", checks.penetration,
+      "Bound of the penetration, which is the largest negative gap relative to the largest displacement." +
+          times)
       ->unit(of_tolerance);
   add("Complementarity", checks.complementarity,
-      "Gap and normal force, each relative to its largest: the smaller of both must vanish." + times)
+      "Bound of the smaller one of gap and normal force of a node, each relative to its largest, because an "
+      "open node carries no force." +
+          times)
       ->unit(of_tolerance);
-  add("Friction cone", checks.friction_cone, "Largest ||r_t||_m - r_n relative to the largest force." + times)
+  add("Friction cone", checks.friction_cone,
+      "Bound of how far a force lies outside of the friction cone: the largest ||r_t||_m - r_n relative to "
+      "the largest force." +
+          times)
       ->unit(of_tolerance);
   add("Slip rule", checks.slip_rule,
-      "Change of slip that is not along the normal of the slip ellipse, or not on the cone, weighted with "
-      "the normal force." +
+      "Bound of the change of slip, weighted with the normal force, that is not along the normal of the slip "
+      "ellipse, or belongs to a force that is not on the friction cone." +
           times)
       ->unit(of_tolerance);
   add("Energy identity", checks.energy_identity,
-      "Work of the upper face minus change of elastic energy minus work of the mean contact forces, and "
-      "dissipation that these cannot do, relative to the largest energy or work of a step so far. It holds "
-      "for steps of any size.");
+      "Bound of the error of an energy balance that holds for load steps of any size: work of the held face "
+      "minus change of elastic energy minus work of the mean contact forces, and dissipation that these "
+      "cannot do, relative to the largest energy or work of a step so far.");
   add("Energy defect", checks.energy_defect,
-      "Work of the upper face minus change of elastic energy minus dissipation in a step, relative to the "
-      "largest energy or work of a step so far. It falls with the square of the steps: a step in which all "
-      "slips back reaches 1, and its loop is not to be trusted; above 0.05 there is a warning.");
+      "Bound of the energy defect: work of the held face minus change of elastic energy minus dissipation in "
+      "a step, relative to the largest energy or work of a step so far. The defect falls with the square of "
+      "the step size. It is about 1 in a step within which all slip turns back, whose loop is not to be "
+      "trusted, and above 0.05 the program warns.");
 }
 
 static void declare_lines(OutputOptions &output, const Codec<unsigned int> &interval, Section &section)
 {
   section
       .add("Lines", output.lines, lines_codec(),
-           "Straight lines in the bodies or on the contact surface, along which displacement, stress and "
-           "what acts on the surface are written. The ends are places of the whole body, whatever part of it "
-           "is meshed, and those below z = 0 lie in the lower body. Stress is computed in the element at the "
-           "point; where several elements meet, it is their mean.")
+           "Straight lines in the bodies or on the contact surface, along which displacement and stress are "
+           "written, and on the contact surface also its tractions and slip. The ends are places of the "
+           "whole body, whichever part of it is meshed, and places below z = 0 lie in the lower body. Stress "
+           "is computed in the element at the point, and is the mean of the elements that meet there.")
       .unit("(mm)")
       .may_grow_on_resume()
       .also_called({"path", "sample", "polyline"});
   section
       .add("Line fields", output.line_interval, interval,
-           "Every how many steps the fields along Lines are written; 0 = never.")
+           "Interval, in load steps, at which the fields along Lines are written; 0 = never.")
       .only_if({[&output] { return !output.lines.empty(); }, [] { return "no Output/Lines"; }})
       .may_change_on_resume();
 }
@@ -182,27 +191,29 @@ void declare_output(OutputOptions &output, Section &section)
   const Codec<unsigned int> interval = count_codec(0, 1000000);
   section
       .add("Contact fields", output.contact_interval, interval,
-           "Every how many steps the fields on the contact surface are written; 0 = never.")
+           "Interval, in load steps, at which the fields on the contact surface are written; 0 = never.")
       .may_change_on_resume()
       .also_called({"vtu", "vtk"});
   section
       .add("Volume fields", output.volume_interval, interval,
-           "Every how many steps displacement and stress of the body are written; 0 = never.")
+           "Interval, in load steps, at which displacement and stress in the bodies are written; 0 = never.")
       .may_change_on_resume();
   section
       .add("Problems", output.problem_interval, interval,
-           "Every how many steps the contact problem is written with its solution, in FCLIB's format; 0 = "
-           "never. A step that is not solved leaves its problem, too. For condensed solids, and a program "
-           "that was built with FCLIB.")
+           "Interval, in load steps, at which the contact problem is written with its solution, in FCLIB's "
+           "format; 0 = never. If a step is not solved, its problem is written, too. The entry is for "
+           "condensed solids, and for a program that was built with FCLIB.")
       .may_change_on_resume();
   section
       .add("Checkpoint", output.checkpoint_seconds, number_codec(NumberRange{0, 1e9, true, true}),
-           "Least seconds between two checkpoints, from which --resume goes on; 0 = one after every step.")
+           "Least time in seconds between two checkpoints, from which --resume goes on; 0 = one after every "
+           "step.")
       .unit("s")
       .may_change_on_resume();
   section
       .add("Probes", output.probes, probes_codec(),
-           "Points of the contact surface whose history is written; the nearest contact node is taken.")
+           "Points of the contact surface whose history is written, each to probe-NAME.csv and at the "
+           "contact node nearest to it.")
       .unit("(mm)")
       .may_grow_on_resume();
   declare_lines(output, interval, section);

@@ -18,18 +18,19 @@ public:
   {
     section
         .add("Stop when periodic", bound_, period_codec(),
-             "The run is complete as soon as a cycle ends as it began: nodal forces within this share of the "
-             "largest one, displacements within this share of the largest motion of the upper face; 0 = "
-             "never.")
+             "Ends the run as soon as a cycle ends as it began: nodal forces differ by less than this share "
+             "of the largest one, and displacements by less than this share of the largest motion of the "
+             "held face; 0 = never.")
         .may_change_on_resume();
   }
 
   void check(const LoadOptions &load, const WearOptions &wear) const override
   {
     if (bound_ > 0 && load.jump_when_periodic > 0)
-      throw InputError("Load program/Stop when periodic = " + to_text(bound_) +
-                       " and Load program/Jump when periodic = " + to_text(load.jump_when_periodic) +
-                       ": allowed is one of them, the other 0 (a run that stops has nothing to jump)");
+      throw InputError(
+          "Load program/Stop when periodic = " + to_text(bound_) +
+          " and Load program/Jump when periodic = " + to_text(load.jump_when_periodic) +
+          ": allowed is one of them, the other 0 (a run that stops then has no cycles left to jump)");
     check_no_wear("Stop when periodic", bound_, wear);
   }
 

@@ -117,7 +117,7 @@ void ProgramFile::read_header(const std::string &line)
         refuse("column '" + shown(cell) + "': allowed is " + instead);
   }
   if (n_components == 0)
-    refuse("no column drives the upper face: allowed are components such as ux, Fx or Fz, and loads");
+    refuse("no column drives the held face: allowed are components such as ux, Fx or Fz, and loads");
 }
 
 /// Reads "NAME", "NAME [UNIT]" or "NAME (UNIT)".
@@ -173,7 +173,7 @@ double ProgramFile::read_number(const std::string &cell, const std::size_t colum
   const auto number = parse_number(cell);
   if (!number)
     refuse("column '" + columns_[column].name + "' is '" + shown(cell) + "': allowed is a finite number" +
-           (cell.empty()                          ? ", a signal has no gaps"
+           (cell.empty()                          ? ", because a signal has no gaps"
             : cell.find(',') != std::string::npos ? " with a decimal point"
                                                   : ""));
   return *number;
@@ -221,18 +221,17 @@ void declare_program_file(LoadOptions &load, Section &section)
   const Condition has_rows{[&load] { return !load.program_file.empty(); },
                            [] { return std::string("Load program/Program file = "); }};
   section
-      .add(
-          "Program file", load.program_file, path_codec(),
-          "Takes the place of Legs: a CSV file (',', ';' or tab) whose first line names components of the "
-          "upper face, with units in brackets, such as 'time [s], Fz [kN], ux [um]', and whose rows are "
-          "where "
-          "they go, one after the other. A column 'time' is kept in history.csv. Cycles begin where a column "
-          "'cycle' counts on; without one they are found in the signal, or with Cycles > 1 the file is one.")
+      .add("Program file", load.program_file, path_codec(),
+           "CSV file (',', ';' or tab) with a signal that drives the held face in place of Legs. Its first "
+           "line names components, with units in brackets, such as 'time [s], Fz [kN], ux [um]', and each "
+           "row gives the values to which they go next. A column 'time' is kept in history.csv. A cycle "
+           "begins where a column 'cycle' counts on; without such a column the program finds the cycles in "
+           "the signal, or with Cycles > 1 takes the whole file as one cycle.")
       .path(load.program_file)
       .also_called({"signal", "load file", "legs file", "amplitude file", "csv"});
   section
       .add("Steps per row", load.steps_per_row, count_codec(1, 1000),
-           "Load steps from each row of the program file to the next one.")
+           "Number of load steps from each row of the Program file to the next one.")
       .only_if(has_rows);
 }
 

@@ -23,7 +23,7 @@ public:
 
 Kind<ObstacleKindOptions> rigid_obstacle()
 {
-  return {std::string(ObstacleKind::rigid.word), "what does not give way",
+  return {std::string(ObstacleKind::rigid.word), "a rigid surface",
           [] { return std::make_unique<RigidKind>(); }};
 }
 } // namespace orthocone

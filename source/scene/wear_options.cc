@@ -28,7 +28,7 @@ template<>
 std::vector<Kind<WearKindOptions>> &kinds_of<WearKindOptions>()
 {
   static std::vector<Kind<WearKindOptions>> kinds{
-      {"none", "", [] { return std::make_unique<NoWear>(); }}, archard_wear(), energy_wear()};
+      {"none", "no wear", [] { return std::make_unique<NoWear>(); }}, archard_wear(), energy_wear()};
   return kinds;
 }
 
@@ -36,26 +36,27 @@ void declare_wear(WearOptions &wear, Section &section)
 {
   const Codec<double> size = number_codec(NumberRange{0, 1e6, true, true});
   const Condition wears{[&wear] { return wear.wears(); }, [&wear] { return wear.law_entry(); }};
-  wear.law.declare("Law", "What wears the base of the body where it slips, a depth that is added to the gap.",
+  wear.law.declare("Law",
+                   "Law of wear, which gives the depth that slip removes from the body and adds to the gap.",
                    section);
   section
       .add("Coefficient", wear.coefficient, size,
-           "Volume that is worn per work, mm^3/(N mm) = 1/MPa; above 0 where a Law wears.")
+           "Coefficient of wear, mm^3/(N mm) = 1/MPa: the worn volume per normal force and length of slip "
+           "(archard), or per dissipated energy (energy). It has to be above 0 unless Law = none.")
       .unit("MPa\u207b\u00b9")
       .only_if(wears);
   section
-      .add_word(
-          "Deep steps", wear.deep_steps,
-          "How a step is solved that wears a node more than 0.9 times as deep as pressure flattens it: "
-          "implicit, with the depth as an unknown, so that a stroke may be far longer than the contact "
-          "(explicit with Mesh/Backend = multigrid); explicit, the next step finds the depth, and contact "
-          "flickers from node to node.")
+      .add_word("Deep steps", wear.deep_steps,
+                "How a deep step is solved, which is one that wears a node more than 0.9 times as deep as "
+                "pressure flattens it. implicit: with the depth as an unknown, so that a stroke may be far "
+                "longer than the contact, though with Mesh/Backend = multigrid as explicit; explicit: the "
+                "depth acts from the next step on, which makes contact flicker from node to node.")
       .only_if(wears);
   section
       .add("Largest depth of a jump", wear.largest_jump, size,
-           "Cycles are jumped, each as the last one, as long as no node loses more than this depth in mm; "
-           "fewer where the depth of a cycle changes by more than a tenth from jump to jump. 0 = all cycles "
-           "are computed.")
+           "Largest depth in mm that a node may lose in cycles that are jumped, each of which wears like the "
+           "last computed one. The program jumps fewer cycles where the depth of a cycle changes by more "
+           "than a tenth from jump to jump. 0 = all cycles are computed.")
       .unit("mm")
       .only_if(wears);
 }

@@ -15,7 +15,7 @@ public:
   std::string_view word() const override { return "motion"; }
   std::string_view help() const override
   {
-    return "moves the surface as a rigid face along x, y or z, mm; other directions stay free";
+    return "moves the surface as a rigid face along x, y or z, mm, and leaves the other directions free";
   }
   const char *unit() const override { return "mm"; }
   Conjugate conjugate() const override { return {"F", "N", "force on its surface along its direction"}; }
@@ -28,7 +28,7 @@ public:
   std::string_view word() const override { return "force"; }
   std::string_view help() const override
   {
-    return "the same, driven by the force on the surface, N, whose motion is found";
+    return "does the same by a force on the surface, N, and finds the motion";
   }
   const char *unit() const override { return "N"; }
   Conjugate conjugate() const override

@@ -16,7 +16,7 @@ public:
   std::string_view word() const override { return "temperature"; }
   std::string_view help() const override
   {
-    return "heats the body, K; it has no surface, and needs Material/Thermal expansion";
+    return "heats the whole body, K, so that it has no surface, and needs Material/Thermal expansion";
   }
   const char *unit() const override { return "K"; }
   Conjugate conjugate() const override

@@ -18,6 +18,6 @@ public:
 
 Kind<MaterialLaw> isotropic_law()
 {
-  return {"isotropic", "the two constants above", [] { return std::make_unique<IsotropicLaw>(); }};
+  return {"isotropic", "with the two constants above", [] { return std::make_unique<IsotropicLaw>(); }};
 }
 } // namespace orthocone

@@ -48,7 +48,7 @@ void check_regions(const BodyOptions &body)
     return;
   if (!body.geometry.is_from_file())
     throw InputError(entry + " is set without a mesh file: allowed is nothing, or " + body.geometry.section +
-                     "/Shape = file, whose physical volumes they name");
+                     "/Shape = file, because regions are physical volumes of the file");
   const GmshFile file = read_mesh_file(body.geometry);
   std::set<const PhysicalGroup *> seen;
   FaultList faults;
@@ -59,7 +59,7 @@ void check_regions(const BodyOptions &body)
     if (group == nullptr || group->n_elements == 0)
       faults.add(given + (group == nullptr ? "is no physical volume" : "has no cells"));
     else if (!seen.insert(group).second)
-      faults.add(given + "is a volume that stands there before, by its name or its number");
+      faults.add(given + "names a volume a second time, by its name or its number");
   }
   faults.throw_if_any(entry + ": ", ": allowed in " + file.path + " are " + file.list(3) + ", each once");
 }
@@ -103,14 +103,14 @@ void declare_material(MaterialOptions &material, Section &section)
       .also_called({"e", "young", "modulus", "elastic modulus"});
   section.add("Poisson ratio", material.poisson_ratio, number_codec(NumberRange{-1, 0.5}), "Poisson's ratio.")
       .also_called({"nu"});
-  material.law.declare("Law", "", section);
+  material.law.declare("Law", "Elastic law of the body.", section);
   section.add("Regions", material.regions, regions_codec(),
-              "Other, isotropic constants of physical volumes of a Mesh file: 'name: E, nu ; ...'.");
+              "Isotropic constants of single physical volumes of a Mesh file, in place of those above: "
+              "'name: E, nu ; ...'.");
   section
-      .add(
-          "Thermal expansion", material.thermal_expansion, number_codec(NumberRange{-0.01, 0.01}),
-          "Strain per kelvin in all directions, of all volumes, for loads of the kind temperature; steel has "
-          "1.2e-5.")
+      .add("Thermal expansion", material.thermal_expansion, number_codec(NumberRange{-0.01, 0.01}),
+           "Coefficient of thermal expansion: strain per kelvin, the same in all directions and in all "
+           "volumes, for loads of the kind temperature; 1.2e-5 for steel.")
       .unit("1/K")
       .also_called({"alpha", "expansion", "cte"});
 }
@@ -128,10 +128,10 @@ void warn_of_locking(const BodyOptions &body, std::vector<std::string> &warnings
     return;
   const auto [entry, ratio] = most_incompressible(body.material);
   if (ratio > nearly_incompressible)
-    warnings.push_back(
-        entry + " with " + body.mesh.section + "/Degree = " + std::to_string(body.mesh.degree) +
-        " and full volumetric quadrature: the elements lock, pressures and forces come out too "
-        "large; take " +
-        body.mesh.section + "/Volumetric quadrature = projected");
+    warnings.push_back(entry + " with " + body.mesh.section +
+                       "/Degree = " + std::to_string(body.mesh.degree) +
+                       " and full volumetric quadrature: the elements lock, so that pressures and forces "
+                       "come out too large; take " +
+                       body.mesh.section + "/Volumetric quadrature = projected");
 }
 } // namespace orthocone

@@ -13,7 +13,7 @@ namespace orthocone
 {
 Kind<MaterialLaw> orthotropic_law()
 {
-  return {"orthotropic", "the nine below, along x, y and z",
+  return {"orthotropic", "with the nine constants below, along x, y and z",
           [] { return std::make_unique<OrthotropicLaw>(); }};
 }
 
@@ -21,10 +21,17 @@ Kind<MaterialLaw> orthotropic_law()
 void OrthotropicLaw::declare(Section &section, const Condition &)
 {
   const Codec<std::array<double, 3>> moduli = three_numbers_codec(positive);
-  section.add("Young moduli", young_moduli, moduli, "E_x, E_y, E_z in MPa.").unit("MPa");
+  section
+      .add("Young moduli", young_moduli, moduli,
+           "Young's moduli E_x, E_y, E_z of an orthotropic body in MPa.")
+      .unit("MPa");
   section.add("Poisson ratios", poisson_ratios, three_numbers_codec(any_number),
-              "nu_xy, nu_xz, nu_yz: under stress along x alone nu_xy = -strain along y / strain along x.");
-  section.add("Shear moduli", shear_moduli, moduli, "G_xy, G_xz, G_yz in MPa.").unit("MPa");
+              "Poisson's ratios nu_xy, nu_xz, nu_yz of an orthotropic body: nu_xy = -strain along y / strain "
+              "along x under a stress along x alone.");
+  section
+      .add("Shear moduli", shear_moduli, moduli,
+           "Shear moduli G_xy, G_xz, G_yz of an orthotropic body in MPa.")
+      .unit("MPa");
 }
 
 std::optional<ElasticTangent> OrthotropicLaw::tangent() const

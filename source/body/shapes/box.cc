@@ -172,7 +172,7 @@ public:
   {
     section
         .add("Sizes", geometry.sizes, three_numbers_codec(positive),
-             "l_x, l_y, l_z: lengths of a box along the axes in mm.")
+             "l_x, l_y, l_z: lengths of a box along x, y and z in mm.")
         .unit("mm")
         .only_if(is_chosen);
   }
@@ -181,12 +181,13 @@ public:
   {
     constexpr unsigned int most = 200;
     section
-        .add("Cells", mesh.cells, three_counts_codec(most), "n_x, n_y, n_z: cells of a box along the axes.")
+        .add("Cells", mesh.cells, three_counts_codec(most),
+             "n_x, n_y, n_z: numbers of cells of a box along x, y and z.")
         .only_if(is_chosen);
     section
         .add("Edge grading", mesh.edge_grading, number_codec(NumberRange{0, 10, false, true}),
-             "Of a box: each cell is this many times as thick as its neighbour towards the middle; 1 = "
-             "uniform.")
+             "Thickness of each cell of a box along x and y divided by that of its neighbour towards the "
+             "middle: below 1, cells get thinner towards the side faces; 1 = uniform.")
         .only_if(is_chosen);
   }
 
@@ -203,7 +204,7 @@ public:
     for (const unsigned int d : {0, 1})
       check_grading(mesh.section + "/Edge grading", mesh.edge_grading, (mesh.cells[d] + 1) / 2,
                     std::to_string(mesh.cells[d]) + " cells along " + (d == 0 ? "x" : "y") +
-                        ": allowed is what leaves every cell 1e-6 of the side");
+                        ": allowed is a value that leaves every cell at least 1e-6 of the side");
     check_layers(mesh, mesh.cells[2]);
   }
 

@@ -109,7 +109,7 @@ private:
 std::string Cylinder::asymmetry(const ModelSymmetry &symmetry) const
 {
   if (symmetry.is_plane_strain())
-    return geometry_.shape_entry() + " is the same along y nowhere";
+    return geometry_.shape_entry() + " has no constant section along y";
   if (const std::string why = asymmetry_of_surfaces(geometry_, symmetry); !why.empty())
     return why;
   return symmetry.is_axisymmetric() || mesh_.core_cells % 2 == 0
@@ -193,20 +193,29 @@ public:
   void declare_cells(MeshOptions &mesh, const Condition &is_chosen, Section &section) const override
   {
     constexpr unsigned int most = 200;
-    section.add("Core cells", mesh.core_cells, count_codec(1, most), "Cells along a side of the core block.")
+    section
+        .add("Core cells", mesh.core_cells, count_codec(1, most),
+             "Number of cells along each side of the core block, the square in the middle of a cylinder's "
+             "mesh.")
         .only_if(is_chosen)
         .also_called({"elements"});
     section
-        .add("Rings", mesh.rings, count_codec(0, most), "Cells from core to rim; 0 = as many as core cells.")
+        .add("Rings", mesh.rings, count_codec(0, most),
+             "Number of rings of cells between the core block of a cylinder and its rim; 0 = as many as Core "
+             "cells.")
         .only_if(is_chosen);
-    section.add("Layers", mesh.layers, count_codec(1, most), "Cells over the height.").only_if(is_chosen);
+    section
+        .add("Layers", mesh.layers, count_codec(1, most),
+             "Number of layers of cells over the height of a cylinder.")
+        .only_if(is_chosen);
     section
         .add("Core ratio", mesh.core_ratio, number_codec(NumberRange{0.01, 1, true, false}),
-             "Distance of the core's corners from the axis / radius.")
+             "Distance of the corners of the core block from the axis, divided by the radius.")
         .only_if(is_chosen);
     section
         .add("Rim grading", mesh.rim_grading, number_codec(NumberRange{0, 10, false, true}),
-             "Each ring is this many times as thick as the next inner one; 1 = uniform.")
+             "Thickness of each ring divided by that of the next inner one: below 1, rings get thinner "
+             "towards the rim; 1 = uniform.")
         .only_if(is_chosen);
   }
 
@@ -220,9 +229,10 @@ public:
   void check(const BodyOptions &body) const override
   {
     const unsigned int n = body.mesh.n_rings();
-    check_grading(body.mesh.section + "/Rim grading", body.mesh.rim_grading, n,
-                  std::to_string(n) +
-                      " rings: allowed is what leaves every ring 1e-6 of their common thickness");
+    check_grading(
+        body.mesh.section + "/Rim grading", body.mesh.rim_grading, n,
+        std::to_string(n) +
+            " rings: allowed is a value that leaves every ring at least 1e-6 of the thickness of all rings");
     check_layers(body.mesh, body.mesh.layers);
   }
 
@@ -260,9 +270,9 @@ public:
   {
     const std::string entry = body.mesh.section + "/";
     return entry + "Resolution = medium or fine, or " + entry +
-           "Resolution = custom (and Accuracy = 0) with more Core cells, and a Core ratio that puts the core "
-           "about "
-           "the zone";
+           "Resolution = custom (and Accuracy = 0) with more Core cells, and a Core ratio with which the "
+           "core "
+           "surrounds the zone";
   }
 
   std::string describe(const GeometryOptions &geometry) const override

@@ -129,7 +129,7 @@ public:
     const unsigned int direction = symmetry.planes().normal_to_x ? 0 : 1;
     return (direction == 0 ? imported_.planes().normal_to_x : imported_.planes().normal_to_y)
                ? ""
-               : geometry_.section + "/Symmetry surfaces has none in " + "xy"[direction] + " = 0";
+               : geometry_.section + "/Symmetry surfaces lists none in " + "xy"[direction] + " = 0";
   }
 
   SymmetryPlanes own_planes() const override { return imported_.planes(); }
@@ -200,25 +200,27 @@ public:
   {
     section
         .add("Mesh file", geometry.mesh_file, path_codec(),
-             "Of a file: a mesh of hexahedra by Gmsh (format 2.1, 2.2 or 4.1, ASCII, mm), relative to the "
-             "folder of the parameter file. It has the modelled part of the body, and all of its base is at "
-             "z >= 0: the height of a node of the base is its gap. In plane strain a mesh of quadrangles in "
-             "the "
-             "plane (x, z), y = 0, whose surfaces are physical lines.")
+             "Mesh by Gmsh for Shape = file (format 2.1, 2.2 or 4.1, ASCII, lengths as mm); its path is "
+             "relative to the folder of the parameter file. The mesh consists of hexahedra, or in plane "
+             "strain of quadrangles in the plane y = 0, whose surfaces are physical lines. It covers the "
+             "modelled part of the body, and its contact surface lies at z >= 0, because the height of a "
+             "contact node is added to Gap.")
         .path(geometry.mesh_file)
         .only_if(is_chosen);
     section
         .add("Contact surface", geometry.contact_surface, group_codec(),
-             "Of a file: surface that is pressed on the plane: a physical one, or a place such as z min.")
+             "Contact surface of a Mesh file, which may touch the counterface: the name or number of a "
+             "physical group, or a place such as z min.")
         .only_if(is_chosen);
     section
         .add("Held surface", geometry.held_surface, group_codec(),
-             "Of a file: surface that moves as a rigid one, of any shape, by its name or place (z max). A "
-             "lower body with Supports may have none.")
+             "Held face of a Mesh file, which moves as a rigid one whatever its shape: the name or number of "
+             "a physical group, or a place such as z max. A lower body with Supports may have none.")
         .only_if(is_chosen);
     section
         .add("Symmetry surfaces", geometry.symmetry_surfaces, groups_codec(),
-             "Of a file: surfaces in x = 0 or y = 0, by names or places, about which the body is symmetric.")
+             "Surfaces of a Mesh file in the planes x = 0 and y = 0 about which the body is symmetric, by "
+             "their names, numbers or places.")
         .only_if(is_chosen);
   }
 
@@ -233,7 +235,7 @@ public:
 
   std::string chooser_of_mesh() const override
   {
-    return "the file has the mesh, which Mesh/Refinements and Adaptive refine";
+    return "the file contains the mesh, which Mesh/Refinements and Adaptive refine";
   }
 
   bool has_known_sizes() const override { return false; }

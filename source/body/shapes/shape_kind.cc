@@ -62,7 +62,8 @@ Condition where_shape(const GeometryOptions &geometry, const std::function<bool(
 void declare_shape(GeometryOptions &geometry, Section &section)
 {
   section.add("Shape", geometry.shape, shape_codec(),
-              "Shape of the body; its base z = 0 rests on the rigid plane, its axis is z.");
+              "Shape of the body, whose base at z = 0 faces the counterface and whose axis is z. cylinder: "
+              "of Radius and Height; box: of Sizes; file: the body of a Mesh file by Gmsh.");
   for (const ShapeKind *const kind : shape_kinds())
     kind->declare(geometry,
                   where_shape(geometry, [kind](const ShapeKind &chosen) { return &chosen == kind; }),
@@ -72,24 +73,25 @@ void declare_shape(GeometryOptions &geometry, Section &section)
 
 void declare_top_face(GeometryOptions &geometry, Section &section)
 {
-  section.add_word("Top face", geometry.top_face,
-                   "The upper face (of the lower body: the far one) moves as a rigid plate (clamped), or has "
-                   "u_z prescribed "
-                   "and is free sideways (guided; where symmetry or Supports hold the body sideways), or is "
-                   "not held (free): Supports, Loads and the contact alone hold the body.");
+  section.add_word(
+      "Top face", geometry.top_face,
+      "How the top is held (of a file: its Held surface; of a lower body: the face opposite to the contact). "
+      "clamped: it is the held face, which moves as a rigid plate; guided: its u_z is prescribed and it is "
+      "free sideways, so that symmetry or Supports have to hold the body there; free: it is not held, so "
+      "that Supports, Loads and the contact alone hold the body.");
 }
 
 void declare_kind(GeometryOptions &geometry, Section &section)
 {
-  section.add_word(
-      "Kind", geometry.kind,
-      "plane strain: everything depends on x and z only. The mesh is that of the section y = 0, of "
-      "a box (l_y of Sizes is the thickness, and the cells along y do not count) or a file. Forces are those "
-      "of the thickness. The displacement u_y(x, z) out of the plane is modelled where friction or "
-      "loads need it. solid: everything depends on x, y and z.");
+  section.add_word("Kind", geometry.kind,
+                   "Whether the body is a solid or in plane strain. solid: displacements depend on x, y and "
+                   "z; plane strain: they depend on x and z only. In plane strain the mesh is that of the "
+                   "section y = 0, either of a box, whose thickness is l_y of Sizes and whose cells along y "
+                   "do not count, or of a file; forces are those of the whole thickness, and the "
+                   "displacement u_y(x, z) out of the plane is computed where friction or loads need it.");
   section
       .add("Thickness", geometry.thickness, number_codec(positive),
-           "Of a file in plane strain: length of the body along y in mm.")
+           "Thickness in mm, along y, of a body in plane strain whose section is a Mesh file.")
       .unit("mm")
       .only_if({[&geometry] { return geometry.is_plane_strain() && geometry.is_from_file(); },
                 [&geometry]
@@ -112,8 +114,8 @@ std::string coarse_rim_warning(const BodyOptions &body)
     return {}; // with an accuracy the mesh is yet to be chosen
   return mesh.section + ": elements of degree " + std::to_string(mesh.degree) + " and " +
          to_text(std::round(percent * size)) + " % of " + kind.rim_unit() +
-         " do not resolve the rim; the slip there may be wrong by 20 % and more: take "
-         "a higher degree, more layers and " +
+         " do not resolve the rim, so that the slip there may be wrong by 20 % and more: take a higher "
+         "degree, more layers and " +
          kind.finer_rim() + " and Layer grading < 1";
 }
 
@@ -128,6 +130,7 @@ void check_grading(const std::string &entry, const double grading, const unsigne
 void check_layers(const MeshOptions &mesh, const unsigned int n)
 {
   check_grading(mesh.section + "/Layer grading", mesh.layer_grading, (n + 1) / 2,
-                std::to_string(n) + " layers: allowed is what leaves every layer 1e-6 of the height");
+                std::to_string(n) +
+                    " layers: allowed is a value that leaves every layer at least 1e-6 of the height");
 }
 } // namespace orthocone

@@ -69,14 +69,13 @@ std::string enumerated(const std::vector<std::string> &names)
 void declare_supports(GeometryOptions &geometry, Section &section)
 {
   section
-      .add(
-          "Supports", geometry.supports,
-          list_codec<Support>("nothing, or surfaces with their directions, such as 'x+: x ; side: x y z'",
-                              ';', " ; ", parse_support, support_text),
-          "Surfaces that are held at zero in some of x, y, z, beside the held face: 'x-: x' is a roller. "
-          "Surfaces are base, top, side of a cylinder, base, top, x-, x+, y-, y+ of a box (x- and x+ beside "
-          "base and top in plane strain), and those of a file by names or places. Supports do not follow the "
-          "held face; where both have a node, the held face moves it.")
+      .add("Supports", geometry.supports,
+           list_codec<Support>("nothing, or surfaces with their directions, such as 'x+: x ; side: x y z'",
+                               ';', " ; ", parse_support, support_text),
+           "Surfaces whose displacement along x, y or z is zero, beside the held face; 'x-: x' is a roller. "
+           "A cylinder offers top and side, a box top, x-, x+, y- and y+ (in plane strain top, x- and x+), "
+           "and a file its surfaces by names or places. Supports do not follow the held face, and a node "
+           "that belongs to both moves with the held face.")
       .also_called({"boundary conditions", "rollers", "fixed"});
 }
 

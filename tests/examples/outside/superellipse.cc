@@ -97,7 +97,7 @@ private:
 int main(const int argc, const char *const *const argv)
 {
   orthocone::kinds_of<orthocone::FrictionLawOptions>().push_back(
-      {"superellipse", "a superelliptic cone, and slip along the force",
+      {"superellipse", "friction forces stay within a superelliptic cone, and slip is along the force",
        [] { return std::make_unique<SuperellipseOptions>(); }});
   orthocone::run_program(argc, argv);
 }

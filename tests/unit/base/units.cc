@@ -21,7 +21,7 @@ TEST(Units, AreConvertedToThoseOfTheProgram)
   EXPECT_NEAR(*parse_quantity("1 rad", "degrees"), 180 / pi, 1e-12);
   EXPECT_EQ(parse_quantity("30 deg", "degrees"), 30);
   // 1 mm^3 a N m is 1 mm^3 a 1000 N mm.
-  EXPECT_EQ(parse_quantity("5e-5 mm^3/(N m)", "MPa\u207b\u00b9"), 5e-8);
+  EXPECT_DOUBLE_EQ(*parse_quantity("5e-5 mm^3/(N m)", "MPa\u207b\u00b9"), 5e-8);
   EXPECT_EQ(parse_quantity("12 ppm/K", "1/K"), 1.2e-5);
   EXPECT_EQ(parse_quantity("4.5", "mm"), 4.5) << "a bare number is in the unit of the program";
 }

@@ -165,7 +165,7 @@ TEST(Parameters, AreWrittenWithTheirHelpInLinesOf78Characters)
 TEST(Parameters, EntriesThatSayAUnitHaveIt)
 {
   const DeclaredParameters declared;
-  const std::regex says_a_unit("[^x] (in mm|in MPa|1/MPa)[ .;]|^Degrees|Least seconds|%\\. ");
+  const std::regex says_a_unit("[^x] (in mm|in MPa|1/MPa|in degrees|in seconds|in percent)[ .;,:]");
   unsigned int n = 0;
   for (const Entry &entry : declared.list.entries())
     if (std::regex_search(entry.help(), says_a_unit))

@@ -222,7 +222,7 @@ TEST(ProgramFile, RefusesWithTheLineAndTheRemedy)
   expect("ux,Fq\n1,2\n", ":1: column 'Fq': allowed is time, cycle, or a name of ux, uy");
   expect("ux,Fx\n1,2\n", ":1: column 'Fx': allowed is a component once in a leg; ux and Fx are the same");
   expect("ux,\n1,2\n", ":1: column 2 has no name");
-  expect("time,cycle\n1,1\n", ":1: no column drives the upper face");
+  expect("time,cycle\n1,1\n", ":1: no column drives the held face");
   expect("time,time,ux\n1,1,1\n", ":1: column 'time' is there twice");
   expect("ux [N]\n1\n", ":1: column 'ux' has the unit 'N': allowed are mm, um");
   expect("ux [mm\n1\n", ":1: column 'ux [mm': allowed is a name");

@@ -43,7 +43,8 @@ SolverReport PlainNewton::solve(const ContactStep &step, Eigen::VectorXd &unknow
 
 ContactMethod plain_newton_method()
 {
-  ContactMethod method{"plain-newton", "semismooth Newton without line search and sweeps", make<PlainNewton>};
+  ContactMethod method{"plain-newton", "semismooth Newton's method without line search and sweeps",
+                       make<PlainNewton>};
   method.rho = "1 / the largest diagonal entry of a node's compliance";
   method.is_for_study = true;
   return method;

@@ -357,7 +357,8 @@ std::unique_ptr<ContactSolver> make_whole_body_newton(const ContactSystem &syste
 
 ContactMethod newton_method()
 {
-  ContactMethod method{"newton", "semismooth Newton between exact sweeps", make_newton};
+  ContactMethod method{"newton", "semismooth Newton's method between sweeps of exact one-node solutions",
+                       make_newton};
   method.needs_dense = false;
   method.rho = "1 / the largest diagonal entry of a node's compliance";
   return method;

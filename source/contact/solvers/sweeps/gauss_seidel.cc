@@ -103,7 +103,7 @@ SolverReport GaussSeidel::solve(const ContactStep &step, Eigen::VectorXd &unknow
 
 ContactMethod gauss_seidel_method()
 {
-  ContactMethod method{"gauss-seidel", "sweeps of exact one-node solves", make<GaussSeidel>};
+  ContactMethod method{"gauss-seidel", "sweeps of exact one-node solutions alone", make<GaussSeidel>};
   method.has_relaxation = true;
   return method;
 }

@@ -127,7 +127,7 @@ private:
 
 ContactMethod uzawa_method()
 {
-  ContactMethod method{"uzawa", "simultaneous projections with adaptive step", make<Uzawa>};
+  ContactMethod method{"uzawa", "projections of all nodes at once, with an adaptive step size", make<Uzawa>};
   method.needs_ellipses = true;
   return method;
 }
