@@ -16,17 +16,18 @@ void warn_of_large_motions(const RunRecord &record, std::vector<std::string> &wa
     warnings.push_back(begin(record.flattening.second) + "the contact is displaced by " +
                        to_text(std::round(percent * record.flattening.first)) +
                        " % of the body's height against its held face; the program computes with small "
-                       "strains, good to about 5 %");
+                       "strains, which is good up to about 5 %. Smaller loads or motions keep within it");
   else if (constexpr double hertzian = 0.1; record.pressure_of_modulus.first > hertzian)
     // Pressure of Hertz that is a tenth of the modulus belongs to a contact a quarter as wide as the sphere.
     warnings.push_back(begin(record.pressure_of_modulus.second) + "the mean pressure of the contact is " +
                        to_text(std::round(percent * record.pressure_of_modulus.first)) +
-                       " % of Young's modulus; the program computes with small strains, good to about 10 % "
-                       "(5 % of strain)");
+                       " % of Young's modulus; the program computes with small strains, which is good up to "
+                       "about 10 % (strains of 5 %). Smaller loads or motions keep within it");
   if (record.slide_of_face.first > 1)
-    warnings.push_back(begin(record.slide_of_face.second) + "the body slides by " +
-                       to_text(std::round(10 * record.slide_of_face.first) / 10) +
-                       " faces of the lower body's mesh, but the two bodies see each other where they lay at "
-                       "the start; slides are good to about one face (Lower mesh)");
+    warnings.push_back(
+        begin(record.slide_of_face.second) + "the body slides by " +
+        to_text(std::round(10 * record.slide_of_face.first) / 10) +
+        " faces of the lower body's mesh, but the program pairs both surfaces as they lay at the start, "
+        "which is good for slides up to about one face; take larger faces (Lower mesh) or a shorter slide");
 }
 } // namespace orthocone

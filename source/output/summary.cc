@@ -76,10 +76,10 @@ std::string describe(const CriticalFrictionRecord &critical)
   std::ostringstream text;
   text << std::setprecision(3) << "critical friction ";
   if (std::isnan(critical.factor))
-    text << "not known: it takes the compliance of single nodes, which multigrid does not have, and a law of "
-            "friction ellipses";
+    text << "not known, because it is computed from the compliance of single nodes, which multigrid does not "
+            "have, and for friction ellipses only";
   else if (!std::isfinite(critical.factor))
-    text << "none: there is no friction, or normal and tangential directions are not coupled";
+    text << "none, because there is no friction, or because normal and tangential directions are not coupled";
   else
     text << critical.factor << " times the given one, at (" << critical.position[0] << ", "
          << critical.position[1] << ") mm";
@@ -92,13 +92,13 @@ std::vector<std::string> model_warnings(const RunRecord &record)
   if (record.critical_friction.factor <= 1)
     warnings.push_back(
         describe(record.critical_friction) +
-        ": a node can wedge there, and a load step may have several solutions, or none that a solver finds; "
-        "compare runs with other steps and methods before a result is trusted");
+        ": a node can wedge there, so that a load step may have several solutions, or none that a solver "
+        "finds; compare runs with other steps and methods before you trust a result");
   constexpr double most_stretch = 10; // docs/performance.md, "Multigrid"
   if (record.stretch > most_stretch)
     warnings.push_back("Mesh: the longest edge of a cell is " + to_text(std::round(record.stretch)) +
-                       " times its shortest one, and multigrid takes V-cycles in proportion; "
-                       "Mesh/Backend = condensed does not mind");
+                       " times as long as its shortest one, and multigrid takes V-cycles in proportion; "
+                       "cells nearer to cubes take fewer, and Mesh/Backend = condensed takes none");
   return warnings;
 }
 
@@ -108,12 +108,11 @@ std::vector<std::string> model_warnings(const RunRecord &record)
 static void warn_of_fast_wear(const RunRecord &record, std::vector<std::string> &warnings)
 {
   if (record.wear_of_flattening.first > most_explicit_wear)
-    warnings.push_back(
-        "load step " + std::to_string(record.wear_of_flattening.second) + ": wears a node " +
-        to_text(std::round(10 * record.wear_of_flattening.first) / 10) +
-        " times as deep as pressure flattens it there; above 0.9 contact flickers from node to "
-        "node, and the worn volume is wrong (Wear/Deep steps = implicit finds it, with Mesh/Backend = "
-        "condensed; or more steps, or a smaller Wear/Coefficient)");
+    warnings.push_back("load step " + std::to_string(record.wear_of_flattening.second) + ": wears a node " +
+                       to_text(std::round(10 * record.wear_of_flattening.first) / 10) +
+                       " times as deep as pressure flattens it there; above 0.9 contact flickers from node "
+                       "to node, so that the worn volume is wrong. Take Wear/Deep steps = implicit with "
+                       "Mesh/Backend = condensed, or more load steps");
 }
 
 /// What load steps leave of the energy balance is what slip that turns round within them leaves. One sentence
@@ -128,13 +127,13 @@ static void warn_of_energy(const RunRecord &record, std::vector<std::string> &wa
     warnings.push_back("load step " + std::to_string(record.energy_defect.second) +
                        ": the energy balance misses " +
                        to_text(std::round(100 * record.energy_defect.first)) +
-                       " % of the largest energy, because slip turns round within the step; work and "
-                       "dissipation need more steps in this leg");
+                       " % of the largest energy, because slip reverses within the step, so that work and "
+                       "dissipation of this leg may be wrong; take more steps in it (Load program/Legs)");
   else if (record.missing > noticeable * record.dissipation &&
            record.dissipation > least_loop * record.energy_scale())
     warnings.push_back("dissipated energy: " + to_text(std::round(10 * percent) / 10) +
-                       " % of it are missing in the energy balance, because slip turns round within load "
-                       "steps; more steps in the legs that turn back lower it");
+                       " % of it are missing in the energy balance, because slip reverses within load steps; "
+                       "take more steps in the legs that turn back (Load program/Legs)");
 }
 
 std::vector<std::string> all_warnings(const Parameters &parameters, const RunRecord &record)
@@ -150,15 +149,18 @@ std::vector<std::string> all_warnings(const Parameters &parameters, const RunRec
     warnings.push_back(std::move(warning));
   constexpr double most_of_change = 0.1; // docs/theory.md, section 3, "Gaps and friction that varies"
   if (record.slip_of_change.first > most_of_change)
-    warnings.push_back("load step " + std::to_string(record.slip_of_change.second) + ": a node slips by " +
-                       to_text(std::round(percent * record.slip_of_change.first)) +
-                       " % of the length over which gap or friction change there; both are taken at the "
-                       "reference position of the nodes, good for slips up to a tenth of it");
+    warnings.push_back(
+        "load step " + std::to_string(record.slip_of_change.second) + ": a node slips by " +
+        to_text(std::round(percent * record.slip_of_change.first)) +
+        " % of the length over which gap or friction change there; both are taken at the reference position "
+        "of the nodes, which is good for slips up to a tenth of this length");
   if (record.accuracy && !record.accuracy->is_reached())
     warnings.push_back("Mesh/Accuracy = " + to_text(record.accuracy->wanted) +
-                       " % is not reached on the finest mesh: " + describe(*record.accuracy));
+                       " % is not reached on the finest mesh, so that errors stay larger than wanted: " +
+                       describe(*record.accuracy));
   if (record.steps && !record.steps->estimate.is_reached())
-    warnings.push_back("Load program/Accuracy: 64 parts a step, or 1000000 in all, do not reach it: " +
+    warnings.push_back("Load program/Accuracy is not reached with 64 parts a step, or 1000000 in all, so "
+                       "that errors stay larger than wanted: " +
                        describe(record.steps->estimate));
   return warnings;
 }

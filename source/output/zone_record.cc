@@ -58,7 +58,7 @@ std::vector<std::string> zone_warnings(const Parameters &parameters, const ZoneR
   const auto warn = [&](const std::string &what, const double width, const std::string &wrong)
   {
     warnings.push_back(
-        what + " is " + in_spacings(width) + " wide where it is widest, and four are the least; " + wrong +
+        what + " is " + in_spacings(width) + " wide where it is widest, but needs at least four; " + wrong +
         " may be wrong by tens of percent: take " + kind_of(parameters.geometry).finer_cells(parameters));
   };
   if (is_narrow(record.contact))

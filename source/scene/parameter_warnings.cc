@@ -20,8 +20,8 @@ void warn_of_slip_ellipse(const FrictionOptions &friction, std::vector<std::stri
   if (std::max(ratio, 1 / ratio) > most)
     warnings.push_back(
         "Friction/Slip potential = " + to_text(friction.p()[0]) + ", " + to_text(friction.p()[1]) +
-        ": axes differ more than 20-fold; nodes slip along one axis only, whatever the force, and "
-        "the contact solver may need many iterations");
+        ": the axes differ more than 20-fold, so that nodes slip along one axis only, whatever the force, "
+        "and the contact solver may need many iterations; axes nearer to each other avoid this");
 }
 
 /// Whether a force or a tilt of the held face, or a load, may press it down where u_z does not.
@@ -44,7 +44,8 @@ void warn_of_large_strain(const std::string &motion, const double largest, const
     warnings.push_back("Load program: " + motion + " up to " + to_text(largest) + " mm on " +
                        kind_of(geometry).height_entry(geometry) + " = " + to_text(height) + " mm " + strain +
                        " of " + to_text(std::round(percent * largest / height)) +
-                       " %; the program computes with small strains, good to about 5 %");
+                       " %; the program computes with small strains, which is good up to about 5 %. A "
+                       "smaller motion keeps within it");
 }
 
 /// The largest coefficient of friction; infinite where a law that is no ellipse depends on the place.
@@ -87,8 +88,8 @@ void warn_of_no_contact(const std::vector<PathLeg> &path, std::vector<std::strin
   const auto presses = [](const PathLeg &leg) { return leg.motion(2) < 0 || presses_otherwise(*leg.leg); };
   if (std::none_of(path.begin(), path.end(), presses))
     warnings.emplace_back(
-        "Load program: no leg has u_z < 0; the body is never pressed onto the plane and there "
-        "are no contact forces");
+        "Load program: no leg has u_z < 0, so that nothing presses the body on the counterface and there are "
+        "no contact forces; Legs or Preload need a motion uz < 0 or a force Fz < 0");
 }
 
 void warn_of_idle_loads(const std::vector<PathLeg> &path, const std::vector<Load> &loads,
@@ -96,7 +97,9 @@ void warn_of_idle_loads(const std::vector<PathLeg> &path, const std::vector<Load
 {
   for (std::size_t k = 0; k < loads.size(); ++k)
     if (std::none_of(path.begin(), path.end(), [&](const PathLeg &leg) { return leg.loads_after[k] != 0; }))
-      warnings.push_back("Load program/Loads: no leg drives " + loads[k].name + " away from 0");
+      warnings.push_back(
+          "Load program/Loads: no leg drives " + loads[k].name +
+          " away from 0, so that it does nothing; name it in Legs or Preload, or leave it out");
 }
 
 void warn_of_large_rotations(const std::vector<PathLeg> &path, std::vector<std::string> &warnings)
@@ -106,8 +109,9 @@ void warn_of_large_rotations(const std::vector<PathLeg> &path, std::vector<std::
   for (const PathLeg &leg : path)
     largest = std::max({largest, std::abs(leg.motion(3)), std::abs(leg.motion(4)), std::abs(leg.motion(5))});
   if (largest > most)
-    warnings.push_back("Load program: rotations up to " + to_text(largest) +
-                       " degrees; the program computes with linearized rotations, good to about 1 degree");
+    warnings.push_back(
+        "Load program: rotations up to " + to_text(largest) +
+        " degrees; the program computes with linearized rotations, which is good up to about 1 degree");
 }
 
 void warn_of_coarse_rim(const BodyOptions &body, std::vector<std::string> &warnings)

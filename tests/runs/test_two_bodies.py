@@ -133,7 +133,7 @@ class TwoBodiesTest(program.RunTest):
 
     IMPORTED = [*SMALL[:3], "Geometry/Radius=8", "Load program/Legs=0 0 -0.1 : 1", "Lower geometry/Shape=file",
                 *(f"Lower geometry/{entry}" for entry in SURFACES), "Lower mesh/Refinements=1"]
-    FACETS = "Lower mesh/Refinements: the file has cells with plane faces"
+    FACETS = "Lower mesh/Refinements: the cells of the file have plane faces"
 
     def test_check_draws_up_an_imported_lower_body(self):
         result = self.run_program("run", "--check", settings=[*self.IMPORTED, f"Lower geometry/Mesh file={CYLINDER}"])

@@ -245,8 +245,8 @@ PERIOD = r"Load program/{} when periodic = 1e-10 is less than a hundred times Co
 WARNINGS = [
     ([], []),
     (["Friction/Slip potential=20, 1"], []),
-    (["Friction/Slip potential=20.5, 1"], [SLIP + r"20\.5, 1: axes differ more than 20-fold"]),
-    (["Friction/Slip potential=0.01, 0.3"], [SLIP + r"0\.01, 0\.3: axes differ more than 20-fold"]),
+    (["Friction/Slip potential=20.5, 1"], [SLIP + r"20\.5, 1: the axes differ more than 20-fold"]),
+    (["Friction/Slip potential=0.01, 0.3"], [SLIP + r"0\.01, 0\.3: the axes differ more than 20-fold"]),
     (["Material/Poisson ratio=0.48"], []),
     (["Material/Poisson ratio=0.499"], [LOCKING + r"0\.499 with Mesh/Degree = 2 and full volumetric quadrature: "]),
     (["Material/Poisson ratio=0.499", "Mesh/Volumetric quadrature=auto"], []),

@@ -128,10 +128,10 @@ void warn_of_locking(const BodyOptions &body, std::vector<std::string> &warnings
     return;
   const auto [entry, ratio] = most_incompressible(body.material);
   if (ratio > nearly_incompressible)
-    warnings.push_back(
-        entry + " with " + body.mesh.section + "/Degree = " + std::to_string(body.mesh.degree) +
-        " and full volumetric quadrature: the elements lock, pressures and forces come out too "
-        "large; take " +
-        body.mesh.section + "/Volumetric quadrature = projected");
+    warnings.push_back(entry + " with " + body.mesh.section +
+                       "/Degree = " + std::to_string(body.mesh.degree) +
+                       " and full volumetric quadrature: the elements lock, so that pressures and forces "
+                       "come out too large; take " +
+                       body.mesh.section + "/Volumetric quadrature = projected");
 }
 } // namespace orthocone

@@ -335,19 +335,18 @@ std::vector<std::string> ImportedMesh::warnings(const MeshOptions &mesh) const
 {
   std::vector<std::string> warnings;
   if (extent_ < 1)
-    warnings.push_back(
-        geometry_.section + "/Mesh file: the body is " + to_text(extent_) +
-        " mm long; lengths are read as mm, and a mesh in metres is to be scaled by 1000 (gmsh: "
-        "Mesh.ScalingFactor = 1000)");
+    warnings.push_back(geometry_.section + "/Mesh file: the body is " + to_text(extent_) +
+                       " mm long, because lengths are read as mm; scale a mesh in metres by 1000 (gmsh: "
+                       "Mesh.ScalingFactor = 1000)");
   if ((mesh.refinements > 0 || mesh.adaptive > 0 || !mesh.refined_cells.empty()) && is_curved())
     warnings.emplace_back(mesh.section +
-                          "/Refinements: the file has cells with plane faces, and smaller cells keep them "
-                          "as facets of curved surfaces; a finer mesh by gmsh follows the curves");
+                          "/Refinements: the cells of the file have plane faces, so that smaller cells keep "
+                          "the facets of curved surfaces; only a finer mesh by gmsh follows the curves");
   constexpr double poor = 0.1;
   if (worst_quality_ < poor)
     warnings.push_back(geometry_.section + "/Mesh file: the worst cell has a scaled Jacobian of " +
                        to_text(std::round(1e4 * worst_quality_) / 1e4) +
-                       "; stresses near it are not to be trusted");
+                       ", so that stresses near it are not to be trusted; improve the mesh there");
   return warnings;
 }
 } // namespace orthocone

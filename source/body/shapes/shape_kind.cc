@@ -114,8 +114,8 @@ std::string coarse_rim_warning(const BodyOptions &body)
     return {}; // with an accuracy the mesh is yet to be chosen
   return mesh.section + ": elements of degree " + std::to_string(mesh.degree) + " and " +
          to_text(std::round(percent * size)) + " % of " + kind.rim_unit() +
-         " do not resolve the rim; the slip there may be wrong by 20 % and more: take "
-         "a higher degree, more layers and " +
+         " do not resolve the rim, so that the slip there may be wrong by 20 % and more: take a higher "
+         "degree, more layers and " +
          kind.finer_rim() + " and Layer grading < 1";
 }
 
