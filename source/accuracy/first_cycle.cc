@@ -87,7 +87,7 @@ FirstCycle march_first_cycle(const Scene &scene, const LoadOptions &load, StepSo
   if (march(steps, solver, state, watch) == MarchEnd::unsolved)
     throw std::runtime_error(std::string(entry) + ": load step " + std::to_string(state.step + 1) +
                              " is not solved on a mesh of " + std::to_string(scene.surface().nodes.size()) +
-                             " contact nodes; " + entry + " = 0 goes without this search");
+                             " contact nodes; " + entry + " = 0 runs without this search");
   return watch.measured();
 }
 

@@ -88,7 +88,7 @@ void require_shareable(const Parameters &parameters, const ModelChoice &model)
     throw InputError(entry + " = " + value + " with " + std::to_string(n_ranks()) +
                      " processes: allowed is " + allowed + ", or one process");
   };
-  const std::string found = " (one process writes what it found to parameters.prm)";
+  const std::string found = " (one process writes the result of its search to parameters.prm)";
   if (parameters.mesh.accuracy != 0)
     refuse("Mesh/Accuracy", to_text(parameters.mesh.accuracy), "0" + found);
   if (parameters.load.accuracy != 0)
@@ -96,13 +96,14 @@ void require_shareable(const Parameters &parameters, const ModelChoice &model)
   if (parameters.mesh.backend == BodyBackend::condensed)
     refuse("Mesh/Backend", "condensed", "multigrid");
   if (model.symmetry.is_plane_strain())
-    refuse("Geometry/Kind", "plane strain", "solid: only multigrid is shared, and has no sections");
+    refuse("Geometry/Kind", "plane strain",
+           "solid (processes share multigrid only, which solves no sections)");
   if (model.symmetry.is_axisymmetric())
     refuse("Mesh/Model", model.symmetry.name(),
-           "full, half or quarter: only multigrid is shared, and has no sections");
+           "full, half or quarter (processes share multigrid only, which solves no sections)");
   if (parameters.mesh.backend == BodyBackend::automatic && !multigrid_can(parameters, model.symmetry))
     refuse("Mesh/Backend", "auto",
-           "what multigrid can compute: Contact solver/Method = newton, one "
-           "isotropic material, Obstacle/Kind = rigid and Output/Problems = 0");
+           "a scene that multigrid can compute, with Contact solver/Method = newton, one isotropic material, "
+           "Obstacle/Kind = rigid and Output/Problems = 0");
 }
 } // namespace orthocone

@@ -90,7 +90,7 @@ void keep_parameters(RunFolder &folder, Assignment &task, const Parameters &para
   const std::string path = path_of(task.line);
   if (const auto earlier = folder.start_anew(complete_text(parameters), path, named_files(parameters.output)))
     task.report("warning: " + folder.path() + " held the results of another file, " + *earlier +
-                "; those of this run take their place (--output DIR keeps both)");
+                "; the results of this run take their place (--output DIR keeps both)");
   folder.write(input_name(task.line), task.file.text);
 }
 
@@ -227,11 +227,12 @@ int report_end(const Ending &outcome, const RunFolder &folder, const bool is_thr
   if (outcome.code == ExitCode::done || (!is_thrown && !is_first_rank()))
     return static_cast<int>(outcome.code);
   const bool has_steps = outcome.code == ExitCode::unsolved_step && !is_thrown;
-  return fail({outcome.code,
-               outcome.message + (has_steps ? "\nIn " + folder.path() +
-                                                  ": log.txt has every step, history.csv and contact.pvd "
-                                                  "those that are solved, summary.json this message."
-                                            : "")});
+  return fail(
+      {outcome.code,
+       outcome.message + (has_steps ? "\nIn " + folder.path() +
+                                          ": log.txt describes every step, history.csv and contact.pvd "
+                                          "contain the solved ones, and summary.json repeats this message."
+                                    : "")});
 }
 } // namespace
 

@@ -31,10 +31,11 @@ std::string unsolved_step_text(const LoadStep &step, const LoadSteps &steps,
   const bool is_dense = scene.system().compliance().dense() != nullptr;
   std::ostringstream text;
   text << name_of(step, steps) << " is not solved by " << options.method
-       << ", not even in eighths, or from no force: residual " << report.residual << " > tolerance "
-       << options.tolerance << ", penetration " << report.penetration << " mm, worst node at ("
-       << worst.position[0] << ", " << worst.position[1] << ") mm after " << report.iterations
-       << " iterations.\nThe files of the steps before stay. " << diagnosis(options, report, is_dense);
+       << ", not even in eight parts, or from a state without forces: residual " << report.residual
+       << " > tolerance " << options.tolerance << ", penetration " << report.penetration
+       << " mm, worst node at (" << worst.position[0] << ", " << worst.position[1] << ") mm after "
+       << report.iterations << " iterations.\nThe files of earlier steps are kept. "
+       << diagnosis(options, report, is_dense);
   return text.str();
 }
 
@@ -56,18 +57,18 @@ std::string no_equilibrium_text(const LoadStep &step, const LoadSteps &steps, co
   constexpr double percent = 100;
   const std::vector<unsigned int> &loose = unknowns.loose_components();
   std::ostringstream text;
-  text << name_of(step, steps) << " has no equilibrium: what drives the "
+  text << name_of(step, steps) << " has no equilibrium: the load on the "
        << (loose.empty() ? "held face" : "body") << " is more than contact and friction can carry"
        << (loose.empty() ? "" : ", which alone hold it " + motions_in_words(loose)) << ".\nThe first "
        << std::setprecision(3) << percent * carried
-       << " % of the leg are carried (to 1 %), and the files of the steps before stay. Drive it less far, or "
-          "by a motion.";
+       << " % of the leg are carried (to 1 %), and the files of earlier steps are kept. Take smaller forces "
+          "in this leg, or a motion.";
   return text.str();
 }
 
 std::string broken_step_text(const LoadStep &step, const LoadSteps &steps, const std::string &why)
 {
-  return name_of(step, steps) + " is not solved: " + why + ". The files of the steps before stay";
+  return name_of(step, steps) + " is not solved: " + why + ". The files of earlier steps are kept";
 }
 
 std::string too_few_jumps_text(const std::size_t n_computed, const std::size_t n_left)
@@ -80,9 +81,9 @@ std::string too_few_jumps_text(const std::size_t n_computed, const std::size_t n
 
 std::string wrong_step_text(const LoadStep &step, const LoadSteps &steps, const std::string &which)
 {
-  return name_of(step, steps) + " is solved, but not right: " + which +
-         ".\nThe files of the steps before stay" +
-         (which.rfind("Checks/", 0) == 0 ? "; section Checks has the bounds." : ".");
+  return name_of(step, steps) + " is solved, but fails a check: " + which +
+         ".\nThe files of earlier steps are kept" +
+         (which.rfind("Checks/", 0) == 0 ? "; section Checks sets the bounds." : ".");
 }
 
 void report_versions_and_warnings(const Parameters &parameters, Log &log)

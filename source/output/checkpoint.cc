@@ -48,7 +48,7 @@ std::string other_files(const Parameters &parameters)
 {
   std::string text;
   for (const auto &[entry, path] : input_files(parameters))
-    text += (text.empty() ? "" : ", or ") + entry + " = " + shown_path(path) + ": has another content";
+    text += (text.empty() ? "" : ", or ") + entry + " = " + shown_path(path) + ": has other content";
   return text;
 }
 
@@ -85,7 +85,7 @@ void require_same_past(const Checkpoint &checkpoint, const Parameters &parameter
     {
       if (!has_all_pieces(value, earlier[entry.name()]))
         refuse(entry.name(), value,
-               "what has these " + in_small_letters(entry.own_name()) + " and perhaps more");
+               "a value that contains these " + in_small_letters(entry.own_name()) + " and perhaps more");
     }
     else if (!entry.may_change() && earlier[entry.name()] != value)
       refuse(entry.name(), value, "the same value");
@@ -97,14 +97,16 @@ void require_same_past(const Checkpoint &checkpoint, const Parameters &parameter
       parameters.mesh.accuracy != 0 || parameters.mesh.adaptive != 0 || parameters.load.accuracy != 0;
   if (has_searched && parameters.load.cycles > 0 && earlier["Load program/Cycles"] == "0")
     refuse("Load program/Cycles", std::to_string(parameters.load.cycles),
-           "0, because what chose mesh or steps has seen no cycle");
+           "0, because the search for mesh or load steps was made without a cycle");
   if (!parameters.load.program_file.empty() &&
       (parameters.load.cycles == 1) != (earlier["Load program/Cycles"] == "1"))
     refuse("Load program/Cycles", std::to_string(parameters.load.cycles),
-           "1 as before, or more than 1 as before: the cycles of a program file are found, or are the file");
+           "1 if it was 1, and more than 1 if it was more, because with 1 the cycles are found in the "
+           "program file, and with more the whole file is a cycle");
   if (LoadProgram(parameters.load).n_steps() < checkpoint.state.step)
     refuse("Load program/Cycles", std::to_string(parameters.load.cycles),
-           "what has the " + std::to_string(checkpoint.state.step) + " load steps that are done");
+           "a number of cycles that includes the " + std::to_string(checkpoint.state.step) +
+               " load steps that are solved");
 }
 } // namespace
 

@@ -84,7 +84,8 @@ fs::path RunFolder::place_of(const std::string &name) const
 {
   const fs::path place = path_ / name;
   if (run_folder::run_file(name) == nullptr)
-    fail(path_, "cannot be used", "it names '" + shown(name) + "' as a file of a run, which it is not");
+    fail(path_, "cannot be used",
+         "it names '" + shown(name) + "' as a file of a run, but no run writes such a file");
   std::error_code code;
   if (const fs::path folder = place.parent_path(); folder != path_ && fs::is_symlink(folder, code))
     fail(folder, "cannot be used", "it is a symbolic link in place of a folder");

@@ -74,7 +74,7 @@ void require_not_of_system(const fs::path &folder)
   if (is_of_system(inner.begin()->string()) && !is_shared_memory)
     refuse("it belongs to the system");
   if (depth == 1 && !names_in(place).empty() && !fs::exists(fs::symlink_status(place / marker, code)))
-    refuse("it belongs to all, holds other files, and no run has marked it");
+    refuse("it is a folder for everybody, contains other files, and no run has marked it");
 }
 } // namespace run_folder
 

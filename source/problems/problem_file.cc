@@ -85,7 +85,7 @@ void take_form(const Hdf5File &file, const LocalForm &form, ContactProblem &prob
   const Eigen::FullPivLU<MatrixXd> factor(form.r);
   if (!factor.isInvertible())
     file.fail(
-        "R is singular (of a global problem: G^T M^-1 G), but not zero: such constraints are not known here");
+        "R is singular (of a global problem: G^T M^-1 G), but not zero: such constraints are not supported");
   problem.w -= form.v * factor.solve(form.v.transpose());
   problem.q -= form.v * factor.solve(form.s);
   problem.face.resize(problem.q.size(), 0);
@@ -127,7 +127,7 @@ ContactProblem read_problem(const std::string &name)
   const FclibScale scale(problem.laws);
   check_agreement(file, scale);
   if (problem.face.cols() > 0 && !scale.is_symmetric())
-    file.fail("constraints beside a slip rule that is not associated are not known here");
+    file.fail("constraints beside a slip rule that is not associated are not supported");
   problem.w =
       scale.displacement.cwiseInverse().asDiagonal() * problem.w * scale.force.cwiseInverse().asDiagonal();
   problem.q = problem.q.cwiseQuotient(scale.displacement).eval();

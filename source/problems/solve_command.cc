@@ -141,7 +141,7 @@ GivenCompliance compliance_of(const SolveOptions &options, const ContactProblem 
   try
   {
     if (problem.face.cols() > 0 && !immobile_directions(w).empty())
-      throw std::invalid_argument("W has zeros on its diagonal beside constraints: not known here");
+      throw std::invalid_argument("W has zeros on its diagonal beside constraints, which is not supported");
     if (!options.is_stored)
       return given_compliance(w, problem.q, problem.mirrored);
     const double indefiniteness = check_compliance(w, problem.mirrored);

@@ -128,11 +128,11 @@ std::optional<std::string> violation(const MotionChecks &checks)
   constexpr double flat = 1, least_cover = 0.9, percent = 100; // SurfaceCover::is_enough()
   if (checks.crushing >= flat)
     return "the contact is pressed by " + to_text(std::round(percent * checks.crushing)) +
-           " % of the body's height towards its held face, which no body survives: gaps and motions "
-           "are in mm, forces in N";
+           " % of the body's height towards its held face, which is more than a body can bear; are gaps and "
+           "motions in mm, forces in N, moduli in MPa?";
   if (checks.cover < least_cover)
     return "the body has slid so far that only " + to_text(std::round(percent * checks.cover)) +
-           " % of the contact lie on the lower body, and 90 % must: let it slide less far, or take a larger "
+           " % of the contact lie on the lower body, but 90 % have to: shorten the slide, or take a larger "
            "lower body";
   return std::nullopt;
 }

@@ -202,15 +202,18 @@ std::optional<std::string> StepChecker::violation(const StepChecks &checks) cons
   };
   const std::array<Check, 7> all{{
       {"Equilibrium", checks.equilibrium, options_.equilibrium,
-       "; where the Poisson ratio is next to 0.5, or moduli differ a millionfold, no more digits are left"},
+       "; where the Poisson ratio is next to 0.5, or moduli differ a millionfold, rounding leaves no more "
+       "digits, so that a larger bound is needed"},
       {"Penetration", checks.law.penetration, law_bound(options_.penetration),
-       "; where a slide is far longer than the body is pressed, no more digits are left"},
+       "; where a slide is far longer than the body is pressed, rounding leaves no more digits, so that a "
+       "larger bound is needed"},
       {"Complementarity", checks.law.complementarity, law_bound(options_.complementarity)},
       {"Friction cone", checks.law.friction_cone, law_bound(options_.friction_cone)},
       {"Slip rule", checks.law.slip_rule, slip_rule_bound()},
       // Nodes that stick may creep as far as the tolerance lets them.
       {"Energy identity", checks.energy_identity, std::max(tolerance_, options_.energy_identity)},
-      {"Energy defect", checks.energy_defect, options_.energy_defect, "; the leg needs more steps"},
+      {"Energy defect", checks.energy_defect, options_.energy_defect,
+       "; take more steps in this leg (Load program/Legs)"},
   }};
   for (const Check &check : all)
     if (!(check.value <= check.bound))

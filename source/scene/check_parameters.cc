@@ -18,19 +18,18 @@ void check_backend(const Parameters &parameters)
     return;
   const std::string method = parameters.contact_solver.method;
   if (find_contact_method(method)->needs_dense)
-    throw InputError(
-        "Contact solver/Method = " + method +
-        " needs a dense compliance, and Mesh/Backend = multigrid has none: allowed is newton, or "
-        "Backend = condensed");
+    throw InputError("Contact solver/Method = " + method +
+                     " needs the compliance as a matrix, which Mesh/Backend = multigrid does not compute: "
+                     "allowed is newton, or Backend = condensed");
   if (parameters.obstacle.kind.chosen().gives_way())
     throw InputError("Obstacle/Kind = " + to_word(parameters.obstacle.kind) +
-                     " with Mesh/Backend = multigrid: what is below is no part of "
-                     "the body that its cycles solve; allowed is auto or condensed, or Kind = rigid");
+                     " with Mesh/Backend = multigrid, whose V-cycles solve the upper body only: allowed is "
+                     "auto or condensed, or Kind = rigid");
   if (!parameters.material.is_uniform_and_isotropic())
     throw InputError((parameters.material.is_isotropic()
                           ? "Material/Regions = " + parameters.material.regions_text()
                           : parameters.material.law_entry()) +
-                     " with Mesh/Backend = multigrid, whose products have one pair of Lame's constants: "
+                     " with Mesh/Backend = multigrid, which solves bodies of one isotropic material only: "
                      "allowed is Backend = condensed");
 }
 
@@ -41,7 +40,7 @@ void check_law(const Parameters &parameters)
   if (!parameters.friction.has_ellipses() && find_contact_method(method)->needs_ellipses)
     throw InputError("Contact solver/Method = " + method +
                      " needs friction ellipses, and Friction/Law = " + parameters.friction.law.word() +
-                     " has none: allowed are newton and gauss_seidel, or Law = ellipses");
+                     " has none: allowed are newton and gauss-seidel, or Law = ellipses");
 }
 
 void check_compression(const LoadOptions &load, const GeometryOptions &geometry)
@@ -72,13 +71,13 @@ void check_one_mesh(const MeshOptions &mesh)
   const std::string with = " with Obstacle/Kind = body: allowed is ";
   if (mesh.accuracy != 0)
     throw InputError("Mesh/Accuracy = " + to_text(mesh.accuracy) + " %" + with +
-                     "0; the search refines one body alone");
+                     "0, because the search refines one body only");
   if (mesh.adaptive != 0)
     throw InputError("Mesh/Adaptive = " + std::to_string(mesh.adaptive) + with +
-                     "0; cells are halved in one body alone (Mesh/Refinements halves all)");
+                     "0, because cells are halved in one body only (Mesh/Refinements halves all)");
   if (!mesh.refined_cells.empty())
     throw InputError("Mesh/Refined cells is set" + with +
-                     "nothing; faces of both bodies are joined without hanging nodes");
+                     "nothing, because the faces of both bodies are joined without hanging nodes");
 }
 void check_lower_body(const Parameters &parameters)
 {
@@ -119,7 +118,7 @@ void check_free_top(const Parameters &parameters)
       if (leg.after[i].by_force || leg.after[i].value != 0)
         throw InputError(leg.entry + ": " + (leg.after[i].by_force ? wrench_names : motion_names)[i] +
                          " in " + leg.place +
-                         " with Geometry/Top face = free, which is not driven: allowed "
+                         " with Geometry/Top face = free, so that there is no held face to drive: allowed "
                          "are names of Load program/Loads, or Top face = clamped");
 }
 
@@ -145,24 +144,21 @@ void check_problem_files(const Parameters &parameters)
     return;
   for (const Load &load : parameters.load.loads)
     if (load.kind->is_force_of_surface())
-      throw InputError(
-          "Output/Problems with Load program/Loads = '" + load.text() +
-          "': a problem has no stiffness of the body against the motion of that surface; allowed "
-          "are motions, or Problems = 0");
+      throw InputError("Output/Problems with Load program/Loads = '" + load.text() +
+                       "': FCLIB's format has no place for the stiffness of the body against the motion of "
+                       "that surface; allowed are motions, or Problems = 0");
   if (parameters.geometry.supports.empty())
     return;
   if (parameters.geometry.top_face == TopFace::free)
-    throw InputError(
-        "Output/Problems with Geometry/Supports and Top face = free: a problem has no stiffness of "
-        "the supports; allowed is Problems = 0");
+    throw InputError("Output/Problems with Geometry/Supports and Top face = free: FCLIB's format has no "
+                     "place for the stiffness of the supports; allowed is Problems = 0");
   for (const PathLeg &leg : load_path(parameters.load))
     for (unsigned int i = 0; i < n_rigid_components; ++i)
       if (leg.after[i].by_force)
-        throw InputError(
-            "Output/Problems with Geometry/Supports and " + std::string(wrench_names[i]) + " in " +
-            leg.place + " of " + leg.entry +
-            ": a problem has no stiffness of the supports against the face; allowed are motions, "
-            "or Problems = 0");
+        throw InputError("Output/Problems with Geometry/Supports and " + std::string(wrench_names[i]) +
+                         " in " + leg.place + " of " + leg.entry +
+                         ": FCLIB's format has no place for the stiffness of the supports against the held "
+                         "face; allowed are motions, or Problems = 0");
 }
 
 /// Refuses what has no plane strain.

@@ -68,7 +68,7 @@ void append(const Row &row, GapGrid &grid)
       grid.gap.push_back(*number);
     else
       throw InputError(row.place + ": number " + std::to_string(i + 1) + " is '" + shown(row.words[i]) +
-                       "': allowed is a finite number (mm), a grid has no holes");
+                       "': allowed is a finite number (mm), because a grid has no holes");
 }
 
 /// The interval of a place, and the place's share of it, between 0 and 1.

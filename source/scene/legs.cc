@@ -158,7 +158,7 @@ Codec<std::vector<Load>> loads_codec()
       taken.insert(taken.end(), {"time", "cycle", "step", "phase", "dissipation", "method", "iterations",
                                  "residual", "driven"});
       if (fault.empty() && std::find(taken.begin(), taken.end(), load.name) != taken.end())
-        fault = "a name that legs and tables do not have for something else; '" + load.name + "' they have";
+        fault = "a name that legs and tables do not use otherwise, as they use '" + load.name + "'";
       if (fault.empty() && std::any_of(loads.begin(), loads.end(), has_name))
         fault = "each name once; '" + load.name + "' is there twice";
       if (!fault.empty())

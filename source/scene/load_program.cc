@@ -244,7 +244,7 @@ std::string LoadProgram::asymmetry(const ModelSymmetry &symmetry) const
   for (unsigned int component = 0; component < n_rigid_components; ++component)
     if (drives(component) && !symmetry.leaves(component))
       return std::string("the load program ") +
-             (component < first_rotation ? "moves the top along " : "turns the top about ") +
+             (component < first_rotation ? "moves the held face along " : "turns the held face about ") +
              "xyz"[component % first_rotation];
   return {};
 }

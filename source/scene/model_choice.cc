@@ -43,8 +43,8 @@ void check_guided_top(const Parameters &parameters, const Asymmetry &asymmetry, 
       symmetry.n_copies() == (is_plane ? 2 : 4))
   {
     if (parameters.geometry.top_face == TopFace::guided && symmetry.has_third())
-      throw InputError("Geometry/Top face = guided is not possible: it does not hold the third component of "
-                       "displacement, which is there because " +
+      throw InputError("Geometry/Top face = guided is not possible, because it does not hold the third "
+                       "component of displacement, which is needed because " +
                        asymmetry.about_section + "; allowed is clamped");
     return;
   }
@@ -78,9 +78,8 @@ void check_backend(const Parameters &parameters, const ModelSymmetry &symmetry)
   if (parameters.mesh.backend != BodyBackend::multigrid || !symmetry.is_section())
     return;
   if (symmetry.is_plane_strain())
-    throw InputError("Mesh/Backend = multigrid with Geometry/Kind = plane strain: only solids have its "
-                     "levels; allowed is auto or "
-                     "condensed");
+    throw InputError("Mesh/Backend = multigrid with Geometry/Kind = plane strain, but multigrid solves "
+                     "solids only: allowed is auto or condensed");
   throw InputError("Mesh/Backend = multigrid with the axisymmetric model: allowed is auto or condensed, or "
                    "Mesh/Model = quarter");
 }
@@ -98,12 +97,12 @@ ModelChoice smallest_choice(const Parameters &parameters, const Asymmetry &asymm
   const bool varies = varies_over_surface(parameters);
   const std::string compared = varies ? "; gap and friction were compared at all contact nodes" : "";
   if (asymmetry.can_be_revolved() && asymmetry.needs_third() && !asks_for_solid(parameters))
-    return {ModelSymmetry::of_revolution(true), "everything is the same all around" + compared +
+    return {ModelSymmetry::of_revolution(true), "scene and loads are the same all around" + compared +
                                                     "; with the twist, because " + asymmetry.about_section};
   if (asymmetry.can_be_revolved() && !asymmetry.needs_third())
     return {ModelSymmetry::of_revolution(),
             (varies ? "friction and gap are the same all around" : "friction is isotropic") +
-                (" and the top moves along the axis" + compared)};
+                (" and the held face moves along the axis" + compared)};
   const SymmetryPlanes planes = asymmetry.planes();
   return {planes, planes.n_copies() == 4 ? std::string("friction, ") + (varies ? "gap, " : "") +
                                                "load and mesh are symmetric about x = 0 and y = 0" + compared
@@ -137,14 +136,14 @@ ModelChoice choice_of_plane_strain(const Parameters &parameters, const Asymmetry
                      "symmetric: " +
                      asymmetry.about_planes[0] + "; allowed is a mesh of both sides");
   if (must_be_half && model == ModelKind::full)
-    throw InputError(
-        "Mesh/Model = full is not possible: the mesh file has the half body; possible models are "
-        "half, auto");
+    throw InputError("Mesh/Model = full is not possible: the mesh file contains the half body; possible "
+                     "models are half, auto");
   if (model == ModelKind::quarter || model == ModelKind::axisymmetric ||
       (model == ModelKind::half && !can_be_half))
     throw InputError("Mesh/Model = " + to_word(model) + " is not possible: " +
-                     (model == ModelKind::half ? asymmetry.about_planes[0]
-                                               : "Geometry/Kind = plane strain has a section (x, z)") +
+                     (model == ModelKind::half
+                          ? asymmetry.about_planes[0]
+                          : "Geometry/Kind = plane strain is computed in a section (x, z)") +
                      "; possible models are full" + (can_be_half ? ", half" : "") + ", auto");
   const bool is_half = model == ModelKind::half || (model == ModelKind::automatic && can_be_half);
   std::string reason = asymmetry.needs_third()
@@ -169,9 +168,9 @@ ModelChoice choice_of_file(const Parameters &parameters, const Asymmetry &asymme
                        "; allowed is a mesh of both sides");
   if (parameters.mesh.model != ModelKind::automatic && to_word(parameters.mesh.model) != planes.name())
     throw InputError("Mesh/Model = " + to_word(parameters.mesh.model) +
-                     " is not possible: the mesh file has " + "the " + planes.name() +
+                     " is not possible: the mesh file contains " + "the " + planes.name() +
                      " body; possible models are " + planes.name() + ", auto");
-  return {planes, "what the mesh file has"};
+  return {planes, "the part that the mesh file contains"};
 }
 
 /// Refuses a lower body's file that ends where the model does not.

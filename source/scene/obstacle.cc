@@ -61,7 +61,7 @@ void GivenGap::check(const std::vector<Vector2d> &places) const
                        place_text(place) + " of the contact surface: allowed is a finite number (mm)");
     if (grid_ && !grid_->contains(place[0], place[1]))
       throw InputError("Obstacle/Gap file = " + shown_path(file_name_) +
-                       ": allowed is a grid that holds the " + "whole contact surface, also " +
+                       ": allowed is a grid that covers the " + "whole contact surface, also " +
                        place_text(place) + "; this one reaches from " +
                        place_text({grid_->first_x, grid_->first_y}) + " to " +
                        place_text({grid_->first_x + grid_->spacing_x * static_cast<double>(grid_->n_x - 1),

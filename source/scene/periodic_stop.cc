@@ -27,9 +27,10 @@ public:
   void check(const LoadOptions &load, const WearOptions &wear) const override
   {
     if (bound_ > 0 && load.jump_when_periodic > 0)
-      throw InputError("Load program/Stop when periodic = " + to_text(bound_) +
-                       " and Load program/Jump when periodic = " + to_text(load.jump_when_periodic) +
-                       ": allowed is one of them, the other 0 (a run that stops has nothing to jump)");
+      throw InputError(
+          "Load program/Stop when periodic = " + to_text(bound_) +
+          " and Load program/Jump when periodic = " + to_text(load.jump_when_periodic) +
+          ": allowed is one of them, the other 0 (a run that stops then has no cycles left to jump)");
     check_no_wear("Stop when periodic", bound_, wear);
   }
 

@@ -139,7 +139,7 @@ void ProgramFile::read_header(const std::string &line)
         refuse("column '" + shown(cell) + "': allowed is " + instead);
   }
   if (n_components == 0)
-    refuse("no column drives the upper face: allowed are components such as ux, Fx or Fz, and loads");
+    refuse("no column drives the held face: allowed are components such as ux, Fx or Fz, and loads");
 }
 
 /// Reads "NAME", "NAME [UNIT]" or "NAME (UNIT)".
@@ -201,7 +201,7 @@ double ProgramFile::read_number(const std::string &cell, const std::size_t colum
   const auto number = parse_number(cell);
   if (!number)
     refuse("column '" + columns_[column].name + "' is '" + shown(cell) + "': allowed is a finite number" +
-           (cell.empty()                          ? ", a signal has no gaps"
+           (cell.empty()                          ? ", because a signal has no gaps"
             : cell.find(',') != std::string::npos ? " with a decimal point"
                                                   : ""));
   return *number;

@@ -134,7 +134,7 @@ void check_immobile(const std::vector<Index> &directions, const NodeVector &q)
     if (i % 3 == 0 ? q[i] < 0 : q[i] != 0)
       refuse("W is zero along ", name_of(i), " of node ", i / 3, ", which cannot move there, but ",
              i % 3 == 0 ? "penetrates" : "slips", " by ", std::abs(q[i]),
-             i % 3 == 0 ? ": no forces help" : ": such motions are not known here");
+             i % 3 == 0 ? ": no forces help" : ": such motions are not supported");
 }
 } // namespace
 

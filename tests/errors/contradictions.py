@@ -14,8 +14,8 @@ ROWS = [
     ("axisymmetric_moved_along_x",
      "subsection Mesh\n  set Model = axisymmetric\nend\nsubsection Friction\n  set Coefficients   = 0.2, 0.2\n  "
      "set Slip potential = 1, 1\nend\nsubsection Load program\n  set Legs = 0.01 0 -0.1 : 5\nend\n",
-     "{file}: Mesh/Model = axisymmetric is not possible: the load program moves the top along x; possible models "
-     "are full, half"),
+     "{file}: Mesh/Model = axisymmetric is not possible: the load program moves the held face along x; possible "
+     "models are full, half"),
     ("axisymmetric_orthotropic_friction", "subsection Mesh\n  set Model = axisymmetric\nend\n",
      "{file}: Mesh/Model = axisymmetric is not possible: Friction/Coefficients = 0.3, 0.15 differ, which makes "
      "friction orthotropic; possible models are full, half, quarter"),
@@ -38,24 +38,25 @@ ROWS = [
      "models are full, half, quarter"),
     ("half_space_on_multigrid",
      "subsection Mesh\n  set Backend = multigrid\nend\nsubsection Obstacle\n  set Kind = half-space\nend\n",
-     "{file}: Obstacle/Kind = half-space with Mesh/Backend = multigrid: what is below is no part of the body that its "
-     "cycles solve; allowed is auto or condensed, or Kind = rigid"),
+     "{file}: Obstacle/Kind = half-space with Mesh/Backend = multigrid, whose V-cycles solve the upper body only: "
+     "allowed is auto or condensed, or Kind = rigid"),
     ("body_on_multigrid", "subsection Mesh\n  set Backend = multigrid\nend\n" + ON_BODY,
-     "{file}: Obstacle/Kind = body with Mesh/Backend = multigrid: what is below is no part of the body that its "
-     "cycles solve; allowed is auto or condensed, or Kind = rigid"),
+     "{file}: Obstacle/Kind = body with Mesh/Backend = multigrid, whose V-cycles solve the upper body only: "
+     "allowed is auto or condensed, or Kind = rigid"),
     ("body_axisymmetric",
      "subsection Mesh\n  set Model = axisymmetric\nend\nsubsection Friction\n  set Coefficients = 0.2, 0.2\nend\n"
      + ON_BODY,
      "{file}: Mesh/Model = axisymmetric is not possible: Obstacle/Kind = body has no section (r, z); possible models "
      "are full, half, quarter"),
     ("body_adaptive", "subsection Mesh\n  set Adaptive = 2\nend\n" + ON_BODY,
-     "{file}: Mesh/Adaptive = 2 with Obstacle/Kind = body: allowed is 0; cells are halved in one body alone "
-     "(Mesh/Refinements halves all)"),
+     "{file}: Mesh/Adaptive = 2 with Obstacle/Kind = body: allowed is 0, because cells are halved in one body "
+     "only (Mesh/Refinements halves all)"),
     ("body_accuracy", "subsection Mesh\n  set Accuracy = 5 %\nend\n" + ON_BODY,
-     "{file}: Mesh/Accuracy = 5 % with Obstacle/Kind = body: allowed is 0; the search refines one body alone"),
+     "{file}: Mesh/Accuracy = 5 % with Obstacle/Kind = body: allowed is 0, because the search refines one body "
+     "only"),
     ("body_refined_cells", "subsection Mesh\n  set Refined cells = 1\nend\n" + ON_BODY,
-     "{file}: Mesh/Refined cells is set with Obstacle/Kind = body: allowed is nothing; faces of both bodies are joined "
-     "without hanging nodes"),
+     "{file}: Mesh/Refined cells is set with Obstacle/Kind = body: allowed is nothing, because the faces of both bodies "
+     "are joined without hanging nodes"),
     ("body_degree_4", "subsection Lower mesh\n  set Degree = 4\nend\n" + ON_BODY,
      "{file}: Lower mesh/Degree = 4: allowed is a whole number from 1 to 3"),
     ("body_points", "subsection Lower mesh\n  set Degree = 2\n  set Quadrature points = 2\nend\n" + ON_BODY,
@@ -66,7 +67,7 @@ ROWS = [
      "{file}: Mesh/Model = quarter is not possible: Lower mesh/Core cells = 5 is odd; possible models are full"),
     ("body_regions", "subsection Lower material\n  set Regions = core: 70000, 0.3\nend\n" + ON_BODY,
      "{file}: Lower material/Regions is set without a mesh file: allowed is nothing, or Lower geometry/Shape = file, "
-     "whose physical volumes they name"),
+     "because regions are physical volumes of the file"),
     ("body_without_file", "subsection Lower geometry\n  set Shape = file\nend\n" + ON_BODY,
      "{file}: Lower geometry/Mesh file is empty with Lower geometry/Shape = file: allowed is the path of a mesh by "
      "Gmsh"),
@@ -77,13 +78,14 @@ ROWS = [
      "{file}: Load program/Legs: uz is a motion, or not named, in leg 1: allowed with Obstacle/Kind = half-space in plane "
      "strain is a force Fz, such as 0, because the displacement of a half-plane has no datum"),
     ("plane_strain_turned", PLANE + "subsection Load program\n  set Legs = uz -0.1 rx 0.1 : 1\nend\n",
-     "{file}: Geometry/Kind = plane strain is not possible: the load program turns the top about x; allowed is Kind = solid"),
+     "{file}: Geometry/Kind = plane strain is not possible: the load program turns the held face about x; allowed is "
+     "Kind = solid"),
     ("plane_strain_quarter", PLANE + "subsection Mesh\n  set Model = quarter\nend\n",
-     "{file}: Mesh/Model = quarter is not possible: Geometry/Kind = plane strain has a section (x, z); possible models are "
-     "full, half, auto"),
+     "{file}: Mesh/Model = quarter is not possible: Geometry/Kind = plane strain is computed in a section (x, z); "
+     "possible models are full, half, auto"),
     ("plane_strain_multigrid", PLANE + "subsection Mesh\n  set Backend = multigrid\nend\n",
-     "{file}: Mesh/Backend = multigrid with Geometry/Kind = plane strain: only solids have its levels; allowed is auto or "
-     "condensed"),
+     "{file}: Mesh/Backend = multigrid with Geometry/Kind = plane strain, but multigrid solves solids only: allowed is "
+     "auto or condensed"),
     ("plane_strain_guided",
      "subsection Geometry\n  set Kind = plane strain\n  set Shape = box\n  set Top face = guided\nend\n"
      "subsection Mesh\n  set Model = full\nend\n",
@@ -126,8 +128,8 @@ ROWS = [
     ("problems_with_supports",
      "subsection Geometry\n  set Shape = box\n  set Supports = x-: x\nend\nsubsection Load program\n  set Legs = Fz -10 : "
      "1\nend\nsubsection Output\n  set Problems = 1\nend\n",
-     "{file}: Output/Problems with Geometry/Supports and Fz in leg 1 of Load program/Legs: a problem has no stiffness of "
-     "the supports against the face; allowed are motions, or Problems = 0"),
+     "{file}: Output/Problems with Geometry/Supports and Fz in leg 1 of Load program/Legs: FCLIB's format has no "
+     "place for the stiffness of the supports against the held face; allowed are motions, or Problems = 0"),
     ("guided_full", "subsection Geometry\n  set Top face = guided\nend\nsubsection Mesh\n  set Model = full\nend\n",
      "{file}: Geometry/Top face = guided with Mesh/Model = full is not possible: the model could drift sideways; "
      "possible models are quarter and auto"),
@@ -143,7 +145,7 @@ ROWS = [
      "subsection Geometry\n  set Top face = guided\nend\nsubsection Load program\n  set Legs = 0 0 -0.1 : 5 ; 0.01 "
      "0 -0.1 : 5\nend\n",
      "{file}: Geometry/Top face = guided needs the quarter model, which is not possible: the load program moves "
-     "the top along x"),
+     "the held face along x"),
     ("guided_turned_friction",
      "subsection Geometry\n  set Top face = guided\nend\nsubsection Friction\n  set Orthotropy angle = 30\nend\n",
      "{file}: Geometry/Top face = guided needs the quarter model, which is not possible: Friction/Orthotropy angle "
@@ -159,9 +161,11 @@ ROWS = [
      "{file}: Mesh/Model = half is not possible: Friction/Orthotropy angle = 60 turns the axes of friction; "
      "possible models are full"),
     ("layer_grading_too_coarse", "subsection Mesh\n  set Layers = 200\n  set Layer grading = 1.2\nend\n",
-     "{file}: Mesh/Layer grading = 1.2 with 200 layers: allowed is what leaves every layer 1e-6 of the height"),
+     "{file}: Mesh/Layer grading = 1.2 with 200 layers: allowed is a value that leaves every layer at least 1e-6 of the "
+     "height"),
     ("layer_grading_too_fine", "subsection Mesh\n  set Layers = 20\n  set Layer grading = 0.2\nend\n",
-     "{file}: Mesh/Layer grading = 0.2 with 20 layers: allowed is what leaves every layer 1e-6 of the height"),
+     "{file}: Mesh/Layer grading = 0.2 with 20 layers: allowed is a value that leaves every layer at least 1e-6 of the "
+     "height"),
     ("line_above_the_body", "subsection Output\n  set Lines = axis: 0 0 0 to 0 0 12, 13\nend\n",
      "{file}: Output/Lines: point 12 of 13 of 'axis' at (0, 0, 11) lies in no body: allowed are points of the body "
      "(cylinder, radius 10 mm, height 10 mm), whose contact surface is at z = 0 and whose other points are above it"),
@@ -213,14 +217,14 @@ ROWS = [
     ("quarter_moved_along_x",
      "subsection Mesh\n  set Model = quarter\nend\nsubsection Load program\n  set Legs = 0 0 -0.1 : 5 ; 0.01 0 "
      "-0.1 : 5\nend\n",
-     "{file}: Mesh/Model = quarter is not possible: the load program moves the top along x; possible models are "
-     "full, half"),
+     "{file}: Mesh/Model = quarter is not possible: the load program moves the held face along x; possible models "
+     "are full, half"),
     ("quarter_odd_core", "subsection Mesh\n  set Model = quarter\n  set Core cells = 7\nend\n",
      "{file}: Mesh/Model = quarter is not possible: Mesh/Core cells = 7 is odd; possible models are full"),
     ("quarter_preloaded_along_y",
      "subsection Mesh\n  set Model = quarter\nend\nsubsection Load program\n  set Preload = 0 0.01 -0.05 : 5\nend\n",
-     "{file}: Mesh/Model = quarter is not possible: the load program moves the top along y; possible models are "
-     "full, half"),
+     "{file}: Mesh/Model = quarter is not possible: the load program moves the held face along y; possible models "
+     "are full, half"),
     ("quarter_turned_friction",
      "subsection Mesh\n  set Model = quarter\nend\nsubsection Friction\n  set Orthotropy angle = 30\nend\n",
      "{file}: Mesh/Model = quarter is not possible: Friction/Orthotropy angle = 30 turns the axes of friction; "
@@ -242,16 +246,18 @@ ROWS = [
      "{file}: Mesh/Resolution = paper chooses the mesh, but Mesh/Layers = 6 is set beside it: allowed is the "
      "default 4, or Resolution = custom"),
     ("rim_grading_too_coarse", "subsection Mesh\n  set Rings = 8\n  set Rim grading = 10\nend\n",
-     "{file}: Mesh/Rim grading = 10 with 8 rings: allowed is what leaves every ring 1e-6 of their common thickness"),
+     "{file}: Mesh/Rim grading = 10 with 8 rings: allowed is a value that leaves every ring at least 1e-6 of the thickness "
+     "of all rings"),
     ("rim_grading_too_fine", "subsection Mesh\n  set Rings = 8\n  set Rim grading = 0.1\nend\n",
-     "{file}: Mesh/Rim grading = 0.1 with 8 rings: allowed is what leaves every ring 1e-6 of their common thickness"),
+     "{file}: Mesh/Rim grading = 0.1 with 8 rings: allowed is a value that leaves every ring at least 1e-6 of the thickness "
+     "of all rings"),
     ("second_probe_outside", "subsection Output\n  set Probes = Centre: 0 0 ; Far: 0 -11\nend\n",
      "{file}: Output/Probes: 'Far' at (0, -11) is off the contact surface: allowed are points within "
      "Geometry/Radius = 10 of the axis"),
     ("stop_and_jump",
      "subsection Load program\n  set Stop when periodic = 1e-8\n  set Jump when periodic = 1e-6\nend\n",
      "{file}: Load program/Stop when periodic = 1e-08 and Load program/Jump when periodic = 1e-06: allowed is one "
-     "of them, the other 0 (a run that stops has nothing to jump)"),
+     "of them, the other 0 (a run that stops then has no cycles left to jump)"),
     ("wear_of_nothing", "subsection Wear\n  set Law = archard\nend\n",
      "{file}: Wear/Coefficient = 0 with Wear/Law = archard: allowed is a number > 0, in mm^3/(N mm) = 1/MPa, or "
      "Law = none"),

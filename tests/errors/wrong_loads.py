@@ -6,7 +6,7 @@ BOX = "subsection Geometry\n  set Shape = box\nend\n"
 NAME = "a name of letters, digits and '-' before ':', which begins with a letter"
 KIND = "a kind of load behind the name, of pressure, traction, motion, force, temperature"
 ALONG = "'along' with x, y, z, -x, -y, -z, or with three numbers 'a, b, c' that are not all 0"
-TAKEN = "a name that legs and tables do not have for something else; '{}' they have"
+TAKEN = "a name that legs and tables do not use otherwise, as they use '{}'"
 SIDES = "x-, x+, y-, y+"
 
 
@@ -70,15 +70,15 @@ ROWS = [
      "{file}: Mesh/Model = axisymmetric is not possible: Load program/Loads: a acts along x; possible models are full, half"),
     ("load_force_in_problems", "subsection Load program\n  set Loads = a: force on side along z\n  set Legs = a -1 : 1\nend\n"
      "subsection Output\n  set Problems = 1\nend\n",
-     "{file}: Output/Problems with Load program/Loads = 'a: force on side along z': a problem has no stiffness of the body "
-     "against the motion of that surface; allowed are motions, or Problems = 0"),
+     "{file}: Output/Problems with Load program/Loads = 'a: force on side along z': FCLIB's format has no place for the "
+     "stiffness of the body against the motion of that surface; allowed are motions, or Problems = 0"),
     ("load_moves_an_edge_twice", f"{BOX}subsection Load program\n  set Loads = a: motion on x+ along z ; b: force on y+ along "
      "z\n  set Legs = uz -0.01 a -0.01 b 1 : 1\nend\n",
      "{file}: Load program/Loads: a and b along z move the same nodes: allowed are surfaces that do not meet, or one load on "
      "both"),
     ("free_top_driven", "subsection Geometry\n  set Top face = free\nend\n",
-     "{file}: Load program/Legs: uz in leg 1 with Geometry/Top face = free, which is not driven: allowed are names of Load "
-     "program/Loads, or Top face = clamped"),
+     "{file}: Load program/Legs: uz in leg 1 with Geometry/Top face = free, so that there is no held face to drive: "
+     "allowed are names of Load program/Loads, or Top face = clamped"),
     ("free_top_of_lower", "subsection Obstacle\n  set Kind = body\nend\nsubsection Lower geometry\n  set Top face = free\nend\n",
      "{file}: Lower geometry/Supports leave the quarter model free to move along z: allowed are supports that hold it, or Top "
      "face = clamped"),

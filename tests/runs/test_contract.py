@@ -220,7 +220,7 @@ class ContractTest(unittest.TestCase):
         result = self.run_program("--output", "run", settings=settings)
         self.assertEqual(result.returncode, 3)
         self.assertRegex(result.stderr, r"^orthocone: load step 2 of 9 .*feng2006.*residual .* > tolerance .*worst node "
-                                        r"at \(.*\n.*newton.*\nIn run: log\.txt has every step, history\.csv ")
+                                        r"at \(.*\n.*newton.*\nIn run: log\.txt describes every step, history\.csv ")
         self.assertEqual(len(result.stderr.splitlines()), 3)
         self.assertEqual([row["step"] for row in self.history()], ["1"])
         self.assertTrue((self.folder / "run/contact-0001.vtu").exists())

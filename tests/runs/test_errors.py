@@ -124,7 +124,7 @@ class ParameterTest(ErrorTest):
     def test_grid_that_is_too_small(self):
         self.put("gap.txt", "-1 2 2 -1 2 2\n0 0\n0 0\n")
         self.assert_rejected(["good.prm", *settings([f"Obstacle/Gap file={self.folder / 'gap.txt'}"])], WRONG_INPUT,
-                             r"good\.prm: Obstacle/Gap file = \S*gap\.txt: allowed is a grid that holds the whole contact "
+                             r"good\.prm: Obstacle/Gap file = \S*gap\.txt: allowed is a grid that covers the whole contact "
                              r"surface, also \(\S+, \S+\) mm; this one reaches from \(-1, -1\) mm to \(1, 1\) mm$")
 
     def test_unreadable_file(self):

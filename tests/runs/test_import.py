@@ -72,12 +72,12 @@ class ImportTest(program.RunTest):
         self.assertEqual((result.returncode, result.stderr), (0, ""))
         for line in (r"volume +body \(5\): 88 cells, 780\.361 mm\^3", r"surface +base \(1\): 22 faces, 78\.0361 mm\^2",
                      r"worst cell +at \(.*\) mm, scaled Jacobian 0\.71", r"contact height 0 to 0 mm above z = 0",
-                     r"model +quarter \(what the mesh file has\)"):
+                     r"model +quarter \(the part that the mesh file contains\)"):
             self.assertRegex(result.stdout, rf"(?m)^{line}")
 
     def test_what_does_not_go_together(self):
         for settings, expression in (
-                (["Mesh/Model=full"], "Mesh/Model = full is not possible: the mesh file has the quarter body"),
+                (["Mesh/Model=full"], "Mesh/Model = full is not possible: the mesh file contains the quarter body"),
                 (["Friction/Orthotropy angle=10"], "Geometry/Symmetry surfaces: the mesh file ends at x = 0, about which"),
                 (["Mesh/Accuracy=1 %"], "Mesh/Accuracy = 1 % with Geometry/Shape = file: allowed is 0"),
                 (["Mesh/Resolution=fine"], "Mesh/Resolution = fine with Geometry/Shape = file: allowed is custom"),
@@ -131,7 +131,7 @@ class ImportTest(program.RunTest):
         mesh.write_text(text.replace("\n10 0 10\n", "\n10 0 10.5\n"), encoding="ascii")
         result = self.run_program("run", "--resume", settings=settings)
         self.assertEqual(result.returncode, WRONG_INPUT)
-        self.assertRegex(result.stderr, r"Geometry/Mesh file = \S+own\.msh: has another content than when the run in ")
+        self.assertRegex(result.stderr, r"Geometry/Mesh file = \S+own\.msh: has other content than when the run in ")
 
 
 if __name__ == "__main__":

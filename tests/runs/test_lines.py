@@ -206,7 +206,8 @@ class GoOnTest(LinesTest):
         self.assertEqual(self.run_program("run", settings=settings).returncode, DONE)
         result = self.run_program("run", "--resume", settings=[*self.SETTINGS, "Output/Lines=axis: 0 0 0 to 0 0 10, 11"])
         self.assertEqual(result.returncode, WRONG_INPUT)
-        self.assertRegex(result.stderr, r"Output/Lines = axis: .* allowed for --resume is what has these lines and perhaps more")
+        self.assertRegex(result.stderr, r"Output/Lines = axis: .* allowed for --resume is a value that contains these lines and "
+                                        r"perhaps more")
         more = f"{LINES}; new: 0 0 5 to 1 0 5, 3"
         self.assertEqual(self.run_program("run", "--resume", settings=[*self.SETTINGS, more]).returncode, DONE)
         steps = [file.stem[-4:] for file in sorted((self.folder / "run").glob("line-new-*.csv"))]

@@ -130,8 +130,8 @@ class UnsolvedTest(RunTest):
                                                    "Material/Poisson ratio=0.499999"])
         self.assertEqual(result.returncode, 3)
         self.assertRegex(result.stderr, r"^orthocone: load step 1 of 6 \(u_z = -0.05 mm\) is not solved: multigrid: .*"
-                                        r"not in equilibrium.*Poisson ratio.*The files of the steps before stay\n"
-                                        r"In .*: log\.txt has every step")
+                                        r"not in equilibrium.*Poisson ratio.*The files of earlier steps are kept\n"
+                                        r"In .*: log\.txt describes every step")
         summary = json.loads((self.folder / "run/summary.json").read_text())
         self.assertEqual(summary["steps"], {"planned": 6, "solved": 0})
         self.assertIn("is not solved: multigrid", summary["status"])

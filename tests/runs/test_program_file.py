@@ -70,11 +70,11 @@ class ProgramFileTest(program.RunTest):
         self.write("uz\n-0.01\n-0.03\n")
         result = self.run_program("run", "--resume", settings=settings)
         self.assertEqual(result.returncode, WRONG_INPUT)
-        self.assertRegex(result.stderr, r"Load program/Program file = .*signal\.csv: has another content than when the run")
+        self.assertRegex(result.stderr, r"Load program/Program file = .*signal\.csv: has other content than when the run")
         self.write("uz\n-0.01\n-0.02\n")
         result = self.run_program("run", "--resume", settings=[*settings, "Load program/Cycles=2"])
         self.assertEqual(result.returncode, WRONG_INPUT)
-        self.assertRegex(result.stderr, r"Load program/Cycles = 2, but .* with 1; allowed for --resume is 1 as before")
+        self.assertRegex(result.stderr, r"Load program/Cycles = 2, but .* with 1; allowed for --resume is 1 if it was 1")
 
     def test_refused(self):
         for content, settings, code, expression in (

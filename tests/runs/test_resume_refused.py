@@ -48,7 +48,7 @@ class RefusalTest(ResumeTest):
         gaps.write_text("-20 40 2 -20 40 2\n0 0\n0 0.001\n")
         result = self.run_program("gap", "--resume", settings=settings)
         self.assertEqual(result.returncode, WRONG_INPUT)
-        self.assertRegex(result.stderr, r"^orthocone: .*: Obstacle/Gap file = .*gap\.txt: has another content than when the run in "
+        self.assertRegex(result.stderr, r"^orthocone: .*: Obstacle/Gap file = .*gap\.txt: has other content than when the run in "
                                         r".*gap was started; allowed for --resume are the same \(or start anew.*\)\n$")
 
     def test_damaged_checkpoint(self):
@@ -129,7 +129,7 @@ class ExtensionTest(ResumeTest):
                                                 "contact-0035.vtu", "parameters.prm"])
         result = self.run_program("run", "--resume", settings=[*self.SETTINGS, "Load program/Cycles=4"])
         self.assertEqual(result.returncode, WRONG_INPUT)
-        self.assertRegex(result.stderr, "Load program/Cycles = 4, but .* with 5; allowed .* the 35 load steps that are done")
+        self.assertRegex(result.stderr, "Load program/Cycles = 4, but .* with 5; allowed .* the 35 load steps that are solved")
 
     def test_other_fields_and_more_probes(self):
         self.run_to("run", "Load program/Cycles=2", "Output/Contact fields=4", resume=False)

@@ -158,7 +158,7 @@ class TwoBodiesTest(program.RunTest):
         mesh.write_text(text.replace("\n10 0 10\n", "\n10 0 10.5\n"), encoding="ascii")
         result = self.run_program("run", "--resume", settings=settings)
         self.assertEqual(result.returncode, 2)
-        self.assertRegex(result.stderr, r"Lower geometry/Mesh file = \S+own\.msh: has another content than when the run in ")
+        self.assertRegex(result.stderr, r"Lower geometry/Mesh file = \S+own\.msh: has other content than when the run in ")
 
     def test_entries_without_a_lower_body_are_warned_of(self):
         result = self.run_program("run", "--check", settings=["Obstacle/Kind=rigid"])

@@ -189,7 +189,7 @@ COMMAND_LINES = [
 ]
 
 # Grids of gaps that are none, and what is said of them behind the name of the file.
-HOLE = "allowed is a finite number \\(mm\\), a grid has no holes$"
+HOLE = "allowed is a finite number \\(mm\\), because a grid has no holes$"
 GAP_FILES = [
     ("-10 10 3 -10 20 2\n0 nan 0\n0 0 0\n", ":2: number 2 is 'nan': " + HOLE),
     ("-10 10 3 -10 20 2\n0 0 0\n# hole\n0 0 -inf\n", ":4: number 3 is '-inf': " + HOLE),

@@ -60,8 +60,8 @@ void MaterialLaw::check(const MaterialOptions &material) const
       Eigen::SelfAdjointEigenSolver<Matrix6>(in_basis_of_strains(*tangent())).eigenvalues().minCoeff();
   if (!(least > 0))
     throw InputError(material.law_entry() +
-                     ": its constants do not store energy under every strain: allowed "
-                     "are such whose least stiffness, now " +
+                     ": its constants do not store energy under every strain: allowed are constants whose "
+                     "least stiffness, now " +
                      to_text(least) + " MPa, is > 0");
 }
 

@@ -48,7 +48,7 @@ void check_regions(const BodyOptions &body)
     return;
   if (!body.geometry.is_from_file())
     throw InputError(entry + " is set without a mesh file: allowed is nothing, or " + body.geometry.section +
-                     "/Shape = file, whose physical volumes they name");
+                     "/Shape = file, because regions are physical volumes of the file");
   const GmshFile file = read_mesh_file(body.geometry);
   std::set<const PhysicalGroup *> seen;
   FaultList faults;
@@ -59,7 +59,7 @@ void check_regions(const BodyOptions &body)
     if (group == nullptr || group->n_elements == 0)
       faults.add(given + (group == nullptr ? "is no physical volume" : "has no cells"));
     else if (!seen.insert(group).second)
-      faults.add(given + "is a volume that stands there before, by its name or its number");
+      faults.add(given + "names a volume a second time, by its name or its number");
   }
   faults.throw_if_any(entry + ": ", ": allowed in " + file.path + " are " + file.list(3) + ", each once");
 }

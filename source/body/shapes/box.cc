@@ -204,7 +204,7 @@ public:
     for (const unsigned int d : {0, 1})
       check_grading(mesh.section + "/Edge grading", mesh.edge_grading, (mesh.cells[d] + 1) / 2,
                     std::to_string(mesh.cells[d]) + " cells along " + (d == 0 ? "x" : "y") +
-                        ": allowed is what leaves every cell 1e-6 of the side");
+                        ": allowed is a value that leaves every cell at least 1e-6 of the side");
     check_layers(mesh, mesh.cells[2]);
   }
 

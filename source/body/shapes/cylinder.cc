@@ -109,7 +109,7 @@ private:
 std::string Cylinder::asymmetry(const ModelSymmetry &symmetry) const
 {
   if (symmetry.is_plane_strain())
-    return geometry_.shape_entry() + " is the same along y nowhere";
+    return geometry_.shape_entry() + " has no constant section along y";
   if (const std::string why = asymmetry_of_surfaces(geometry_, symmetry); !why.empty())
     return why;
   return symmetry.is_axisymmetric() || mesh_.core_cells % 2 == 0
@@ -229,9 +229,10 @@ public:
   void check(const BodyOptions &body) const override
   {
     const unsigned int n = body.mesh.n_rings();
-    check_grading(body.mesh.section + "/Rim grading", body.mesh.rim_grading, n,
-                  std::to_string(n) +
-                      " rings: allowed is what leaves every ring 1e-6 of their common thickness");
+    check_grading(
+        body.mesh.section + "/Rim grading", body.mesh.rim_grading, n,
+        std::to_string(n) +
+            " rings: allowed is a value that leaves every ring at least 1e-6 of the thickness of all rings");
     check_layers(body.mesh, body.mesh.layers);
   }
 
@@ -268,9 +269,8 @@ public:
   /// The mesh of a Resolution or an Accuracy has its cells at the rim.
   std::string finer_cells(const BodyOptions &body) const override
   {
-    return body.mesh.section +
-           "/Resolution = custom (and Accuracy = 0) with more Core cells, and a Core ratio that puts "
-           "the core about the zone";
+    return body.mesh.section + "/Resolution = custom (and Accuracy = 0) with more Core cells, and a Core "
+                               "ratio with which the core surrounds the zone";
   }
 
   std::string describe(const GeometryOptions &geometry) const override

@@ -31,7 +31,7 @@ public:
     else if (group != nullptr ? group->n_elements == 0 : has_cells() && n_faces_in(file_, box_, *plane) == 0)
       faults_.add(given + " has no faces");
     else if (const std::string other = entry_of(group, plane); !other.empty())
-      faults_.add(given + " is that of " + other + ", too");
+      faults_.add(given + " is the surface of " + other + ", too");
     else
       seen_.push_back({entry, group, plane});
   }

@@ -129,7 +129,7 @@ public:
     const unsigned int direction = symmetry.planes().normal_to_x ? 0 : 1;
     return (direction == 0 ? imported_.planes().normal_to_x : imported_.planes().normal_to_y)
                ? ""
-               : geometry_.section + "/Symmetry surfaces has none in " + "xy"[direction] + " = 0";
+               : geometry_.section + "/Symmetry surfaces lists none in " + "xy"[direction] + " = 0";
   }
 
   SymmetryPlanes own_planes() const override { return imported_.planes(); }
@@ -235,7 +235,7 @@ public:
 
   std::string chooser_of_mesh() const override
   {
-    return "the file has the mesh, which Mesh/Refinements and Adaptive refine";
+    return "the file contains the mesh, which Mesh/Refinements and Adaptive refine";
   }
 
   bool has_known_sizes() const override { return false; }

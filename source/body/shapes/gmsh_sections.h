@@ -80,7 +80,7 @@ public:
     const char *const from = next();
     const long value = whole();
     if (value < 0 || static_cast<std::size_t>(value) > text_.size())
-      fail_at(from, "a number of things that the section has");
+      fail_at(from, "a count that is not larger than the section");
     return static_cast<std::size_t>(value);
   }
 
@@ -107,7 +107,7 @@ public:
   {
     place_ = std::min(text_.find_first_not_of(" \t\n", place_), text_.size());
     if (place_ < text_.size())
-      fail_at(text_.c_str() + place_, "the end of the section, which has more than it says");
+      fail_at(text_.c_str() + place_, "the end of the section, which contains more than it announces");
   }
 
   [[noreturn]] void fail_at(const char *const from, const std::string &wanted) const
@@ -122,8 +122,9 @@ private:
   {
     place_ = text_.find_first_not_of(" \t\n", place_);
     if (place_ == std::string::npos)
-      throw InputError(path_ + ": section " + section_ +
-                       " has less than it says: the file is cut off or damaged; write it anew with gmsh");
+      throw InputError(
+          path_ + ": section " + section_ +
+          " contains less than it announces: the file is cut off or damaged; write it anew with gmsh");
     return text_.c_str() + place_;
   }
 

@@ -178,10 +178,10 @@ void ImportedMesh::check_contact(FaultList &faults) const
           upwards.push_back(place(face->center()));
   if (!below.empty())
     faults.add(given + " is below the plane at " + enumeration(below) +
-               ": allowed is z >= 0, where the heights of its nodes are their gaps");
+               ": allowed is z >= 0, because the height of a contact node is its gap");
   if (!upwards.empty())
     faults.add(given + " does not look down at " + enumeration(upwards) +
-               ": allowed is a surface whose normal has a part along -z, onto the plane");
+               ": allowed is a surface that faces downwards, towards the counterface");
 }
 
 void ImportedMesh::check_surfaces() const

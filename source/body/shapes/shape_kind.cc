@@ -130,6 +130,7 @@ void check_grading(const std::string &entry, const double grading, const unsigne
 void check_layers(const MeshOptions &mesh, const unsigned int n)
 {
   check_grading(mesh.section + "/Layer grading", mesh.layer_grading, (n + 1) / 2,
-                std::to_string(n) + " layers: allowed is what leaves every layer 1e-6 of the height");
+                std::to_string(n) +
+                    " layers: allowed is a value that leaves every layer at least 1e-6 of the height");
 }
 } // namespace orthocone

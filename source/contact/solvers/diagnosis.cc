@@ -60,7 +60,7 @@ std::string why(const ContactSolverOptions &options, const SolverReport &report)
          << (std::isfinite(report.residual) ? "grow without bound" : "are no longer numbers");
     break;
   case Verdict::unbalanced:
-    text << "No equilibrium: what drives the held face is more than contact and friction can carry";
+    text << "No equilibrium: the load on the held face is more than contact and friction can carry";
     break;
   case Verdict::converged:
     break;
@@ -98,7 +98,7 @@ std::string remedy(const ContactSolverOptions &options, const SolverReport &repo
   if (report.verdict == Verdict::slow && may_iterate_more)
     return more_iterations(options, report);
   if (report.verdict == Verdict::unbalanced)
-    return "Drive it less far, or by a motion.";
+    return "Take smaller forces in this leg, or a motion.";
   if (report.verdict == Verdict::rounding)
     return "Take a larger Contact solver/Tolerance.";
   if (!is_default)
@@ -106,12 +106,12 @@ std::string remedy(const ContactSolverOptions &options, const SolverReport &repo
   if (!std::isfinite(report.residual))
     return "Are lengths in mm, forces in N, moduli in MPa?";
   if (!is_dense)
-    return "Try smaller load steps, or Mesh/Backend = condensed, which has more to fall back on.";
+    return "Try smaller load steps, or Mesh/Backend = condensed, where the program can try more strategies.";
   if (const double least = least_residual(report);
       report.verdict == Verdict::cycling && least < most_to_accept)
     return tolerance_above(least);
-  return "Try smaller load steps or Contact solver/Method = gauss-seidel; near incompressibility, "
-         "Mesh/Volumetric quadrature = projected; and see what log.txt says of the critical friction.";
+  return "Try smaller load steps or Contact solver/Method = gauss-seidel; near incompressibility, try "
+         "Mesh/Volumetric quadrature = projected; and see the line on the critical friction in log.txt.";
 }
 } // namespace
 

@@ -48,7 +48,7 @@ TEST(Asymmetry, IsThatOfTheGap)
   const ModelChoice sphere = choose_model(with_gap("(x^2+y^2)/200"));
   EXPECT_EQ(sphere.symmetry.name(), "axisymmetric");
   EXPECT_EQ(sphere.reason,
-            "friction and gap are the same all around and the top moves along the axis; gap and "
+            "friction and gap are the same all around and the held face moves along the axis; gap and "
             "friction were compared at all contact nodes");
   EXPECT_EQ(model(with_gap("x^2/200")), "quarter");
   EXPECT_EQ(model(with_gap("(x^2+y^2)/200*(1+0.1*cos(17*atan2(y,x)))")), "half")

@@ -57,9 +57,8 @@ TEST(MaterialChecks, NameWhatCannotGoTogether)
             std::string::npos);
   parameters = Parameters();
   parameters.material.regions = {{"core", 1, 0}};
-  EXPECT_EQ(
-      rejection_of([&] { check_parameters(parameters); }),
-      "Material/Regions is set without a mesh file: allowed is nothing, or Geometry/Shape = file, whose "
-      "physical volumes they name");
+  EXPECT_EQ(rejection_of([&] { check_parameters(parameters); }),
+            "Material/Regions is set without a mesh file: allowed is nothing, or Geometry/Shape = file, "
+            "because regions are physical volumes of the file");
 }
 } // namespace orthocone::test

@@ -44,9 +44,8 @@ TEST(BoxChecks, LeaveTheMeshToItsCells)
             "Mesh/Cells chooses the mesh of a box");
   parameters = box();
   parameters.mesh.edge_grading = 0.01;
-  EXPECT_EQ(check_rejection(parameters),
-            "Mesh/Edge grading = 0.01 with 8 cells along x: allowed is what leaves "
-            "every cell 1e-6 of the side");
+  EXPECT_EQ(check_rejection(parameters), "Mesh/Edge grading = 0.01 with 8 cells along x: allowed is a value "
+                                         "that leaves every cell at least 1e-6 of the side");
 }
 
 TEST(BoxChecks, WantProbesOnTheRectangle)

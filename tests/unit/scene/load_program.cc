@@ -218,10 +218,9 @@ TEST(ModelChoice, RevolvesOnlyWhatIsTheSameAllAround)
           }),
       "Mesh/Model = axisymmetric is not possible: Friction/Slip potential = 0.2, 0.21 differ, which makes "
       "slip orthotropic; possible models are full, half, quarter");
-  EXPECT_EQ(
-      complaint([](Parameters &p) { p.load.legs[0].targets[1]->value = 0.1; }),
-      "Mesh/Model = axisymmetric is not possible: the load program moves the top along y; possible models "
-      "are full, half");
+  EXPECT_EQ(complaint([](Parameters &p) { p.load.legs[0].targets[1]->value = 0.1; }),
+            "Mesh/Model = axisymmetric is not possible: the load program moves the held face along y; "
+            "possible models are full, half");
   EXPECT_EQ(complaint([](Parameters &p) { p.mesh.model = ModelKind::quarter; }),
             "Mesh/Degree = 4 with the quarter model: allowed is a whole number from 1 to 3, or Mesh/Model = "
             "axisymmetric");
@@ -234,7 +233,7 @@ TEST(ModelChoice, TakesTheTwistForARoundBodyThatTurns)
   parameters.load.legs[0].targets[5] = Drive{false, 0.1};
   const ModelChoice choice = choose_model(parameters);
   EXPECT_EQ(choice.symmetry.full_name(), "axisymmetric with twist");
-  EXPECT_NE(choice.reason.find("with the twist, because the load program turns the top about z"),
+  EXPECT_NE(choice.reason.find("with the twist, because the load program turns the held face about z"),
             std::string::npos)
       << choice.reason;
   parameters.mesh.backend = BodyBackend::multigrid; // which has no sections

@@ -75,7 +75,7 @@ TEST(Obstacle, AddsFileAndExpression)
   EXPECT_EQ(
       gap_rejection(*obstacle, {{10.5, 0}}),
       "Obstacle/Gap file = " + path.string() +
-          ": allowed is a grid that holds the whole contact surface, also (10.5, 0) mm; this one reaches "
+          ": allowed is a grid that covers the whole contact surface, also (10.5, 0) mm; this one reaches "
           "from (0, 0) mm to (10, 10) mm");
   std::filesystem::remove(path);
 }

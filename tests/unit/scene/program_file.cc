@@ -212,7 +212,8 @@ TEST(ProgramFile, RefusesWithTheLineAndTheRemedy)
   const auto expect = [&](const std::string &content, const std::string &fault)
   { EXPECT_EQ(fault_of(folder, content).substr(0, fault.size() + file.size()), file + fault); };
   expect("ux\n", ": has no row");
-  expect("ux;Fz\n1;2\n1;\n", ":3: column 'Fz' is '': allowed is a finite number, a signal has no gaps");
+  expect("ux;Fz\n1;2\n1;\n",
+         ":3: column 'Fz' is '': allowed is a finite number, because a signal has no gaps");
   expect("ux;Fz\n1;2\nx;1\n", ":3: column 'ux' is 'x': allowed is a finite number");
   expect("ux;Fz\n1;2\n1,5;1\n", ":3: column 'ux' is '1,5': allowed is a finite number with a decimal point");
   expect("ux;Fz\n1;2\n1;nan\n", ":3: column 'Fz' is 'nan': allowed is a finite number");
@@ -222,7 +223,7 @@ TEST(ProgramFile, RefusesWithTheLineAndTheRemedy)
   expect("ux,Fq\n1,2\n", ":1: column 'Fq': allowed is time, cycle, or a name of ux, uy");
   expect("ux,Fx\n1,2\n", ":1: column 'Fx': allowed is a component once in a leg; ux and Fx are the same");
   expect("ux,\n1,2\n", ":1: column 2 has no name");
-  expect("time,cycle\n1,1\n", ":1: no column drives the upper face");
+  expect("time,cycle\n1,1\n", ":1: no column drives the held face");
   expect("time,time,ux\n1,1,1\n", ":1: column 'time' is there twice");
   expect("ux [N]\n1\n", ":1: column 'ux' has the unit 'N': allowed are mm, um");
   expect("ux [mm\n1\n", ":1: column 'ux [mm': allowed is a name");
