@@ -94,7 +94,8 @@ std::string describe(const AccuracyEstimate &accuracy)
 {
   const bool is_shared = std::any_of(accuracy.steps_share.begin(), accuracy.steps_share.end(),
                                      [](const double steps_share) { return steps_share > 0; });
-  return to_text(accuracy.wanted) + (is_shared ? " % wanted with the steps, " : " % wanted, ") +
+  return to_text(accuracy.wanted) +
+         (is_shared ? " % wanted, the error of the load steps included, " : " % wanted, ") +
          (accuracy.is_reached() ? "reached" : "NOT reached") +
          "; value (estimated error): " + describe_quantities(accuracy);
 }

@@ -123,7 +123,7 @@ int check(const CommandLine &line, const Parameters &given)
   std::cout << describe_mesh_files(parameters);
   if (parameters.mesh.adaptive != 0)
     std::cout << "adaptive       " << parameters.mesh.adaptive
-              << " rounds of refinement by the run; what follows is for the mesh before them\n";
+              << " rounds of refinement by the run; the lines below describe the mesh before them\n";
   const CostModel costs(parameters, model.symmetry);
   if (costs.size().dofs <= largest_meshed)
     require_bodies_that_meet(line, parameters, model.symmetry);

@@ -35,16 +35,15 @@ po::options_description options_of(CommandLine &line)
   { add(words, po::bool_switch(&is_set), help); };
   add("set", po::value(&line.overrides), "\"Section/Entry=value\": overrides one entry; may be repeated");
   add("output,o", po::value(&line.output_folder), "run folder (default: output/<parameter file's stem>)");
-  add_switch("check", line.check, "read everything, print the resolved model, compute nothing");
+  add_switch("check", line.check, "read all input, print the model as it would be computed, and stop");
   add_switch("resume", line.resume, "continue from the checkpoint in the run folder");
   add("threads",
       po::value<std::string>()->notifier([&](const std::string &text) { line.threads = threads_from(text); }),
-      "threads of BLAS (default: one for each core that nobody else is busy on)");
-  add_switch("insist", line.insist, "run even if the memory is likely not to suffice");
-  add_switch(
-      "batch", line.batch,
-      "run command lines from standard input, each a line such as [\"FILE.prm\", \"--quiet\"], without "
-      "the time of a start (tools/sweep does)");
+      "threads of BLAS (default: one for each core that no other program uses)");
+  add_switch("insist", line.insist, "run even if the memory will probably not suffice");
+  add_switch("batch", line.batch,
+             "run the command lines on standard input, each a line such as [\"FILE.prm\", \"--quiet\"], in "
+             "one process, which saves their starts (tools/sweep uses it)");
   add_switch("quiet,q", line.quiet, "print errors only");
   add_switch("list", line.list, "print the scenes that come with the program, a line each, and stop");
   add("new", po::value(&line.rig),
@@ -112,8 +111,8 @@ std::string usage()
   CommandLine unused;
   std::ostringstream text;
   text << "Usage: orthocone [options] FILE.prm\n\n"
-       << "Elastic bodies in contact under cyclic loads, with orthotropic friction and a slip rule of its "
-          "own.\n\n"
+       << "Computes contact of elastic bodies under cyclic loads, with orthotropic friction and a slip rule "
+          "of its own.\n\n"
        << options_of(unused)
        << "\nexample: orthocone prm/paper/case_b.prm --set \"Mesh/Resolution=fine\" -o output/fine\n"
        << "\nexit codes: 0 done, 2 wrong command line or parameter file, 3 a load step could not "

@@ -144,8 +144,8 @@ void QuasiStaticProblem::begin(const std::optional<Checkpoint> &checkpoint)
   log_.line("resumed after load step " + std::to_string(checkpoint->state.step) + " of " +
             std::to_string(steps_.size()));
   if (checkpoint->program != program_version())
-    log_.line("warning: the steps before were computed by version " + checkpoint->program +
-              ", these are by " + program_version() + "; last digits may differ");
+    log_.line("warning: the earlier steps were computed by version " + checkpoint->program +
+              ", these are by " + program_version() + "; results may differ in their last digits");
   state_ = checkpoint->state;
   solver_.restore(checkpoint->starts);
   if (checkpoint->n_ranks != n_ranks())
@@ -341,8 +341,8 @@ bool QuasiStaticProblem::accepts(const MarchedStep &marched)
   v_cycles_written_ += solved.n_v_cycles;
   write(solved);
   if (marched.report.is_released)
-    log_.line("nothing presses any more: the top opens the contact at u_z = " + to_text(next.motion[2] + 0.) +
-              " mm"); // -0 is 0
+    log_.line("the contact opens, because nothing presses the body any more, at u_z = " +
+              to_text(next.motion[2] + 0.) + " mm"); // -0 is 0
   ended_cycle_ = cycles_.add_step(marched.step, marched.before, solved);
   record_.add_step(marched.step.number, totals_, totals, marched.report, checks);
   totals_ = totals;

@@ -178,7 +178,7 @@ std::string describe_seconds(const RunRecord &record)
 std::string describe_energy(const RunRecord &record, const bool has_loads)
 {
   std::ostringstream text;
-  text << std::setprecision(4) << "energy: work of the upper face " << (has_loads ? "and of loads " : "")
+  text << std::setprecision(4) << "energy: work of the held face " << (has_loads ? "and of loads " : "")
        << record.work << " N mm = dissipated " << record.dissipation << " + stored " << record.stored;
   if (record.into_wear != 0)
     text << " + gone with worn material " << record.into_wear;

@@ -46,7 +46,7 @@ Columns<SolvedStep> first_history_columns()
            [](const Step &s) { return s.totals.force[2]; }},
           {"max_slip", "mm", "largest slip of a node in contact",
            [](const Step &s) { return s.totals.max_slip; }},
-          {"max_accumulated_slip", "mm", "largest length of a node's path of slip",
+          {"max_accumulated_slip", "mm", "largest accumulated slip of a node: length of its path of slip",
            [](const Step &s) { return s.totals.max_accumulated_slip; }},
           {"min_pressure", "MPa", "least pressure of a node",
            [](const Step &s) { return s.totals.min_pressure; }},
@@ -64,7 +64,7 @@ Columns<SolvedStep> first_history_columns()
           {"method", "", "contact solver", [](const Step &s) { return s.method; }},
           {"iterations", "", "iterations of the contact solver",
            [](const Step &s) { return s.report.iterations; }},
-          {"residual", "", "residual of the contact problem, relative",
+          {"residual", "", "residual: norm of the natural map relative to the norm of the contact forces",
            [](const Step &s) { return s.report.residual; }}};
 }
 
@@ -83,7 +83,7 @@ Columns<SolvedStep> later_history_columns()
        [](const Step &s) { return s.step.cycle; }},
       {"phase", "", "step of the cycle or preload, from 0", [](const Step &s) { return s.step.phase; }},
       {"driven", "", "components of the held face that are driven", [](const Step &s) { return s.driven; }},
-      {"worn_volume", "mm^3", "volume that is worn since the start",
+      {"worn_volume", "mm^3", "volume that has been worn off since the start",
        [](const Step &s) { return s.totals.worn_volume; }},
       {"max_wear_depth", "mm", "largest worn depth of a node",
        [](const Step &s) { return s.totals.max_wear_depth; }}};
@@ -112,44 +112,45 @@ Columns<SolvedStep> columns_of_held_face_and_contact()
 
 Columns<CycleRow> first_cycle_columns()
 {
-  return {{"cycle", "", "the last cycle of the row", [](const Cycle &c) { return c.cycle; }},
-          {"n_cycles", "", "cycles for which the row stands", [](const Cycle &c) { return c.n_cycles; }},
-          {"last_step", "", "the last load step of the cycle", [](const Cycle &c) { return c.last_step; }},
-          {"peak_force_z", "N", "force where the total force is largest",
-           [](const Cycle &c) { return c.peak_force_z; }},
-          {"force_z", "N", "force at the end of the cycle", [](const Cycle &c) { return c.force_z; }},
-          {"max_slip", "mm", "largest slip of a node in contact in the cycle",
-           [](const Cycle &c) { return c.max_slip; }},
-          {"max_accumulated_slip", "mm", "largest length of a node's path of slip since the start",
-           [](const Cycle &c) { return c.max_accumulated_slip; }},
-          {"accumulated_slip", "mm", "largest length of a node's path of slip in the cycles of the row",
-           [](const Cycle &c) { return c.accumulated_slip; }},
-          {"dissipation", "N mm", "energy that friction dissipates in the cycles of the row",
-           [](const Cycle &c) { return c.dissipation; }},
-          {"total_dissipation", "N mm", "energy that friction has dissipated since the start",
-           [](const Cycle &c) { return c.total_dissipation; }},
-          {"work", "N mm",
-           "work of the held face, of all its forces and moments, and of the loads, in the cycles of the "
-           "row: dissipation + "
-           "change of elastic_energy + what leaves with worn material",
-           [](const Cycle &c) { return c.work; }},
-          {"change", "", "largest difference of the states at both ends, relative",
-           [](const Cycle &c) { return c.change; }},
-          {"iterations", "", "iterations of the contact solver", [](const Cycle &c) { return c.iterations; }},
-          {"worn_volume", "mm^3", "volume that is worn since the start",
-           [](const Cycle &c) { return c.worn_volume; }},
-          {"max_wear_depth", "mm", "largest worn depth of a node at the end",
-           [](const Cycle &c) { return c.max_wear_depth; }},
-          {"wear_error", "mm^3", "estimated error of worn_volume by the jumps",
-           [](const Cycle &c) { return c.wear_error; }}};
+  return {
+      {"cycle", "", "number of the last cycle of the row", [](const Cycle &c) { return c.cycle; }},
+      {"n_cycles", "", "cycles that the row stands for", [](const Cycle &c) { return c.n_cycles; }},
+      {"last_step", "", "number of the last load step of the cycle",
+       [](const Cycle &c) { return c.last_step; }},
+      {"peak_force_z", "N", "force_z where the total force is largest",
+       [](const Cycle &c) { return c.peak_force_z; }},
+      {"force_z", "N", "force along z at the end of the cycle", [](const Cycle &c) { return c.force_z; }},
+      {"max_slip", "mm", "largest slip of a node in contact in the cycle",
+       [](const Cycle &c) { return c.max_slip; }},
+      {"max_accumulated_slip", "mm", "largest accumulated slip of a node since the start",
+       [](const Cycle &c) { return c.max_accumulated_slip; }},
+      {"accumulated_slip", "mm", "largest accumulated slip of a node in the cycles of the row",
+       [](const Cycle &c) { return c.accumulated_slip; }},
+      {"dissipation", "N mm", "energy that friction dissipates in the cycles of the row",
+       [](const Cycle &c) { return c.dissipation; }},
+      {"total_dissipation", "N mm", "energy that friction has dissipated since the start",
+       [](const Cycle &c) { return c.total_dissipation; }},
+      {"work", "N mm",
+       "work of the held face, of all its forces and moments, and of the loads, in the cycles of the row: "
+       "dissipation + change of elastic_energy + energy that leaves with worn material",
+       [](const Cycle &c) { return c.work; }},
+      {"change", "", "largest relative difference between the states at both ends of the cycle",
+       [](const Cycle &c) { return c.change; }},
+      {"iterations", "", "iterations of the contact solver", [](const Cycle &c) { return c.iterations; }},
+      {"worn_volume", "mm^3", "volume that has been worn off since the start",
+       [](const Cycle &c) { return c.worn_volume; }},
+      {"max_wear_depth", "mm", "largest worn depth of a node at the end of the cycle",
+       [](const Cycle &c) { return c.max_wear_depth; }},
+      {"wear_error", "mm^3", "estimated error that jumps cause in worn_volume",
+       [](const Cycle &c) { return c.wear_error; }}};
 }
 
 /// What fretting tests report; nan where a cycle has no loop, or its loop no such figure.
 Columns<CycleRow> columns_of_fretting()
 {
   return {{"stroke", "mm",
-           "2 delta*: largest distance of two tangential places of the held face in the cycle; along it the "
-           "loop is read",
+           "2 delta*: largest distance between two tangential positions of the held face in the cycle, along "
+           "which the loop is evaluated",
            [](const Cycle &c) { return c.loop.stroke; }},
           {"tangential_force", "N", "Q*: largest tangential force along the stroke",
            [](const Cycle &c) { return c.loop.peak_force; }},
@@ -162,9 +163,10 @@ Columns<CycleRow> columns_of_fretting()
            [](const Cycle &c) { return c.loop.friction_largest; }},
           {"friction_energy", "", "E_d/(4 P delta_0), with the mean normal force P; nan where nothing slips",
            [](const Cycle &c) { return c.loop.friction_energy; }},
-          {"friction_geometric", "", "Q/P in the middle of the stroke, mean of both ways",
+          {"friction_geometric", "", "Q/P in the middle of the stroke, mean of both directions",
            [](const Cycle &c) { return c.loop.friction_geometric; }},
-          {"loop_stiffness", "N/mm", "slope of the loop in the first step behind a reversal, mean of both",
+          {"loop_stiffness", "N/mm",
+           "slope of the loop in the first step after a reversal, mean of both reversals",
            [](const Cycle &c) { return c.loop.stiffness; }},
           {"worst_energy", "N/mm", "largest energy that a node dissipates per area in the cycles of the row",
            [](const Cycle &c) { return c.worst_energy; }},
@@ -206,7 +208,7 @@ Columns<LinePoint> line_columns_on_surface()
 {
   using P = LinePoint;
   const auto of = [](const P &p) { return p.contact.value_or(ContactFields()); };
-  return {{"pressure", "MPa", "normal traction; nan off the contact surface, as all that follow",
+  return {{"pressure", "MPa", "normal traction; nan off the contact surface, as are all columns that follow",
            [of](const P &p) { return on_surface(p, of(p).pressure); }},
           {"traction_x", "MPa", "friction traction of the counterface on the body along x",
            [of](const P &p) { return on_surface(p, of(p).friction_traction[0]); }},
@@ -264,22 +266,21 @@ const Columns<SolvedStep> &checks_columns()
 {
   static const Columns<SolvedStep> columns{
       {"step", "", "number of the load step, from 1", [](const Step &s) { return s.state.step; }},
-      {"equilibrium", "", "error of forces and displacements of the body, relative",
+      {"equilibrium", "", "relative error of forces and displacements of the body",
        [](const Step &s) { return s.checks.equilibrium; }},
       {"penetration", "", "largest penetration, relative to the motion along z",
        [](const Step &s) { return s.checks.law.penetration; }},
-      {"complementarity", "", "forces across a gap, relative",
+      {"complementarity", "", "smaller one of gap and force of a node, each relative to its largest",
        [](const Step &s) { return s.checks.law.complementarity; }},
-      {"friction_cone", "", "forces outside of the cone, relative",
+      {"friction_cone", "", "how far forces lie outside of the friction cone, relative to the largest force",
        [](const Step &s) { return s.checks.law.friction_cone; }},
-      {"slip_rule", "", "slip in another direction than the rule's, relative",
+      {"slip_rule", "", "relative change of slip that does not follow the slip rule",
        [](const Step &s) { return s.checks.law.slip_rule; }},
       {"work", "N mm",
        "work of the held face, of all its forces and moments, and of the loads, in the step: dissipation + "
-       "change of "
-       "elastic_energy + what leaves with worn material, but for energy_defect",
+       "change of elastic_energy + energy that leaves with worn material, but for energy_defect",
        [](const Step &s) { return s.checks.work; }},
-      {"energy_identity", "", "error of an energy identity that holds for any forces, relative",
+      {"energy_identity", "", "relative error of an energy balance that holds for load steps of any size",
        [](const Step &s) { return s.checks.energy_identity; }},
       {"energy_defect", "",
        "energy that the step leaves open in the balance, relative to the largest energy so far",
@@ -308,7 +309,8 @@ const Columns<ProbedStep> &probe_columns()
        [](const Probed &p) { return p.fields.slip[0]; }},
       {"slip_y", "mm", "slip along y; 0 where the node is open",
        [](const Probed &p) { return p.fields.slip[1]; }},
-      {"accumulated_slip", "mm", "length of the path of the slip",
+      {"accumulated_slip", "mm",
+       "accumulated slip: length of the path along which the node has slipped since the start",
        [](const Probed &p) { return p.fields.accumulated_slip; }},
       {"force_n", "N", "force of the counterface on the node along the normal",
        [](const Probed &p) { return p.fields.nodal_force[2]; }},

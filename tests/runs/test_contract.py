@@ -209,7 +209,7 @@ class ContractTest(unittest.TestCase):
             rest = energy["work_Nmm"] - energy["dissipation_Nmm"] - float(row["elastic_energy"])
             self.assertLessEqual(abs(rest), energy["missing_Nmm"] * (1 + 1e-9) + 1e-9)
             self.assertEqual(any("because slip reverses" in warning for warning in summary["warnings"]), missing[-1] > 1)
-            self.assertIn("energy: work of the upper face", result.stdout)
+            self.assertIn("energy: work of the held face", result.stdout)
         self.assertGreater(missing[0], 1)
         self.assertGreater(missing[0], 4 * missing[1])
         self.assertGreaterEqual(missing[1], missing[2])
