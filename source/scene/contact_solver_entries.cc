@@ -88,10 +88,11 @@ void declare_contact_solver(ContactSolverOptions &solver, Section &section)
            "Relaxation factor of the sweeps of gauss-seidel; 1 = the one-node solutions are taken as they "
            "are.")
       .may_change_on_resume()
-      .only_if(method_where(solver, has_relaxation, "; it is for " + method_words(", ", has_relaxation)));
+      .only_if(
+          method_where(solver, has_relaxation, "; the entry is for " + method_words(", ", has_relaxation)));
   section.add("Rho factor", solver.rho_factor, number_codec(positive), help_of_rho())
       .may_change_on_resume()
-      .only_if(method_where(solver, has_rho, ", which has no rho to be chosen"));
+      .only_if(method_where(solver, has_rho, ", which has no rho to choose"));
 }
 
 void warn_of_weak_method(const ContactSolverOptions &solver, std::vector<std::string> &warnings)

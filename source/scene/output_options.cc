@@ -139,7 +139,9 @@ void declare_checks(CheckOptions &checks, Section &section)
       "checks judge the final state of each load step, and a state that exceeds a bound stops the run (exit "
       "code 3).");
   add("Penetration", checks.penetration,
-      "Bound of the penetration, which is the largest negative gap relative to the largest displacement." +
+      "Bound of the penetration, which is the largest negative gap relative to the largest displacement or "
+      "motion "
+      "along z, whichever is smaller." +
           times)
       ->unit(of_tolerance);
   add("Complementarity", checks.complementarity,

@@ -81,12 +81,14 @@ void warn_of_period(const std::string &entry, const double bound, const double t
   if (bound > 0 && bound < resolved * tolerance)
     warnings.push_back("Load program/" + entry + " = " + to_text(bound) +
                        " is less than a hundred times Contact solver/Tolerance = " + to_text(tolerance) +
-                       ": what the solver leaves may hide, or look like, a change from cycle to cycle");
+                       ", so that the residual may hide a change from cycle to cycle, or look like one; take "
+                       "a larger bound or a smaller Tolerance");
   // Cycles that differ count as alike, so that what is jumped or left out has errors of about this size.
   if (bound > loose)
     warnings.push_back("Load program/" + entry + " = " + to_text(bound) +
-                       ": cycles count as alike whose forces differ by " + to_text(percent * bound) +
-                       " % of the largest; slip and dissipation of the later ones may be as wrong, "
-                       "1e-3 and less keeps them");
+                       ": cycles count as periodic although their forces differ by up to " +
+                       to_text(percent * bound) +
+                       " % of the largest one, so that slip and dissipation of later cycles may be wrong by "
+                       "as much; take 1e-3 or less");
 }
 } // namespace orthocone

@@ -235,7 +235,7 @@ class ImportTest(MeshFileTest):
         for text, expression in (
                 ("", "bad.inp: is empty"), ("*HEADING\n", "has no hexahedra"),
                 (nodes + "*ELEMENT, TYPE=C3D4\n1, 1, 2, 3, 4\n*ELEMENT, TYPE=S3\n2, 1, 2, 3\n", "has 1 C3D4, 1 S3: allowed are "),
-                (nodes + "*ELEMENT, TYPE=C3D8\n1, 1, 2, 3, 4\n", "type C3D8 that have not 8 nodes each"),
+                (nodes + "*ELEMENT, TYPE=C3D8\n1, 1, 2, 3, 4\n", "type C3D8 without 8 nodes each"),
                 (nodes + "*ELEMENT, TYPE=C3D8\n1, 1, 2, 3, 4, 5, 6, 7, 8\n", "4 nodes that are not there, such as 5"),
                 (nodes + "1, 0, 0, 0\n", "has node 1 twice"), (nodes + "five, 0, 0, 0\n", "has 'five' where numbers belong"),
                 (nodes + "*NGEN\n1, 4\n", r"has \*NGEN"), ("*INCLUDE, INPUT=bad.inp\n", "includes files more than 20 deep"),

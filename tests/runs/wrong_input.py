@@ -189,7 +189,7 @@ COMMAND_LINES = [
 ]
 
 # Grids of gaps that are none, and what is said of them behind the name of the file.
-HOLE = "allowed is a finite number \\(mm\\), a grid has no holes$"
+HOLE = "allowed is a finite number \\(mm\\), because a grid has no holes$"
 GAP_FILES = [
     ("-10 10 3 -10 20 2\n0 nan 0\n0 0 0\n", ":2: number 2 is 'nan': " + HOLE),
     ("-10 10 3 -10 20 2\n0 0 0\n# hole\n0 0 -inf\n", ":4: number 3 is '-inf': " + HOLE),
@@ -240,13 +240,13 @@ VALID = [
 SLIP, RIM = "Friction/Slip potential = ", "Mesh: elements of degree "
 STRAIN, LOCKING = r"Load program: \|u_z\| up to ", "Material/Poisson ratio = "
 SHEAR, NO_CONTACT = r"Load program: \|u_t\| without sliding up to ", "Load program: no leg has u_z < 0"
-PERIOD = r"Load program/{} when periodic = 1e-10 is less than a hundred times Contact solver/Tolerance = 1e-10: "
+PERIOD = r"Load program/{} when periodic = 1e-10 is less than a hundred times Contact solver/Tolerance = 1e-10, "
 # Legal but suspicious: overrides of prm/paper/case_b.prm, which has nothing suspicious, and the warnings of --check.
 WARNINGS = [
     ([], []),
     (["Friction/Slip potential=20, 1"], []),
-    (["Friction/Slip potential=20.5, 1"], [SLIP + r"20\.5, 1: axes differ more than 20-fold"]),
-    (["Friction/Slip potential=0.01, 0.3"], [SLIP + r"0\.01, 0\.3: axes differ more than 20-fold"]),
+    (["Friction/Slip potential=20.5, 1"], [SLIP + r"20\.5, 1: the axes differ more than 20-fold"]),
+    (["Friction/Slip potential=0.01, 0.3"], [SLIP + r"0\.01, 0\.3: the axes differ more than 20-fold"]),
     (["Material/Poisson ratio=0.48"], []),
     (["Material/Poisson ratio=0.499"], [LOCKING + r"0\.499 with Mesh/Degree = 2 and full volumetric quadrature: "]),
     (["Material/Poisson ratio=0.499", "Mesh/Volumetric quadrature=auto"], []),
@@ -257,8 +257,8 @@ WARNINGS = [
     (["Mesh/Resolution=medium", "Mesh/Volumetric quadrature=reduced"], []),
     (["Load program/Legs=0 0 -0.5 : 5"], []),
     (["Load program/Jump when periodic=1e-3"], []),
-    (["Load program/Jump when periodic=0.999"], [r"Load program/Jump when periodic = 0\.999: cycles count as alike whose"]),
-    (["Load program/Stop when periodic=0.01"], [r"Load program/Stop when periodic = 0\.01: cycles count as alike whose"]),
+    (["Load program/Jump when periodic=0.999"], [r"Load program/Jump when periodic = 0\.999: cycles count as periodic although"]),
+    (["Load program/Stop when periodic=0.01"], [r"Load program/Stop when periodic = 0\.01: cycles count as periodic although"]),
     (["Load program/Legs=0 0 -0.1 : 5 ; 0 0 -0.6 : 5 ; 0 0 0 : 10"],
      [STRAIN + r"0\.6 mm on Geometry/Height = 10 mm is a strain of 6 %"]),
     (["Load program/Preload=0 0 -1 : 5"], [STRAIN + "1 mm on Geometry/Height = 10 mm is a strain of 10 %"]),
@@ -277,7 +277,7 @@ WARNINGS = [
     (["Load program/Jump when periodic=1e-10"], [PERIOD.format("Jump")]),
     (["Contact solver/Relaxation=1.5", "Contact solver/Method=gauss-seidel"], []),
     (["Contact solver/Relaxation=1.5"], ["Contact solver/Relaxation = 1.5 is ignored with Contact solver/Method = "
-                                         "newton; it is for gauss-seidel$"]),
+                                         "newton; the entry is for gauss-seidel$"]),
     (["Mesh/Layers=2"], [RIM + "2 and 50 % of the radius do not resolve the rim.*more layers and rings"]),
     (["Mesh/Layers=2", "Mesh/Degree=3"], []),
     (["Mesh/Layers=2", "Obstacle/Gap=(x^2+y^2)/900"], []),  # whether the rim touches is for the steps to say

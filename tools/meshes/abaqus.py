@@ -113,7 +113,7 @@ class AbaqusFile:
         n = 8 if volume else 4
         words = numbers([word for row in rows for word in row], int)
         if len(words) % (n + 1):
-            raise Fault(f"has elements of type {kind} that have not {n} nodes each")
+            raise Fault(f"has elements of type {kind} without {n} nodes each: allowed are complete ones")
         elements = {row[0]: row[1:] for row in np.reshape(words, (-1, n + 1)).tolist()}
         (self.hexahedra if volume else self.quadrilaterals).update(elements)
         if "ELSET" in given:
@@ -163,7 +163,7 @@ class AbaqusFile:
         if self.instances > 1:
             raise Fault("has several instances: allowed is one body")
         if len(rows) > 1:
-            raise Fault("has an instance that is turned: allowed is one that is moved alone")
+            raise Fault("has an instance that is turned: allowed is one that is only moved")
         if rows:
             self.shift += (numbers(rows[0]) + [0.0] * 3)[:3]
 

@@ -135,8 +135,8 @@ class ArgumentParser(argparse.ArgumentParser):
 def parse(arguments):
     for word in arguments:
         if any("\ud800" <= letter <= "\udfff" for letter in word):  # bytes that Python could not decode
-            raise WrongInput(f"'{word}' is no UTF-8: allowed are words and names of files that are text, for the table and the "
-                             "page name them")
+            raise WrongInput(f"'{word}' is no UTF-8: allowed are words and names of files that are text, because the table "
+                             "and the page name them")
     parser = ArgumentParser(prog="tools/sweep", description="A parameter study.")
     parser.add_argument("file", type=pathlib.Path, metavar="FILE.prm")
     parser.add_argument("--vary", action="append", required=True, metavar="NAME=VALUES",
@@ -153,7 +153,7 @@ def parse(arguments):
 
 def earlier_study(path, study):
     """What sweep.json says of the runs in its folder. It may be damaged, or somebody else's."""
-    remedy = "nobody knows what the runs beside it are of; remove it with them, or --output DIR takes another folder"
+    remedy = "the scene of the runs beside it is unknown; remove it with them, or --output DIR takes another folder"
     try:
         earlier = object_of(path)
     except BadFile as error:
@@ -196,8 +196,8 @@ def run_study(options):
     points = [dict(zip(names, values)) for values in itertools.product(*(values for _, values in grid))]
     folders = [folder_name(point) for point in points]
     if len(set(folders)) < len(points):
-        raise WrongInput(f"--vary: makes {len(points)} runs, {len(set(folders))} of them with names of their own: allowed are "
-                         "runs each with its own")
+        raise WrongInput(f"--vary: makes {len(points)} runs, but they have only {len(set(folders))} different names: "
+                         "allowed are runs that all have different ones")
     if (longest := max(len(name.encode()) for name in folders)) > MOST_BYTES_OF_NAME:
         raise WrongInput(f"--vary: makes names of folders of {longest} bytes: allowed are {MOST_BYTES_OF_NAME}; vary a short "
                          "NAME that stands in --set for a long one")

@@ -45,7 +45,7 @@ TEST(GapFile, RefusesHolesWithTheirPlace)
   const auto fault_of = [&](const std::string &rows)
   { return fault_of_file(folder.write("gap.txt", "0 1 3 0 1 2\n" + rows)); };
   const std::string file = folder.path("gap.txt");
-  const std::string finite = ": allowed is a finite number (mm), a grid has no holes";
+  const std::string finite = ": allowed is a finite number (mm), because a grid has no holes";
   EXPECT_EQ(fault_of("1 2 3\n1 nan 3\n"), file + ":3: number 2 is 'nan'" + finite);
   EXPECT_EQ(fault_of("# x\n1 2 inf\n1 2 3\n"), file + ":3: number 3 is 'inf'" + finite);
   EXPECT_EQ(fault_of("1e999 2 3\n1 2 3\n"), file + ":2: number 1 is '1e999'" + finite);

@@ -212,7 +212,8 @@ TEST(ProgramFile, RefusesWithTheLineAndTheRemedy)
   const auto expect = [&](const std::string &content, const std::string &fault)
   { EXPECT_EQ(fault_of(folder, content).substr(0, fault.size() + file.size()), file + fault); };
   expect("ux\n", ": has no row");
-  expect("ux;Fz\n1;2\n1;\n", ":3: column 'Fz' is '': allowed is a finite number, a signal has no gaps");
+  expect("ux;Fz\n1;2\n1;\n",
+         ":3: column 'Fz' is '': allowed is a finite number, because a signal has no gaps");
   expect("ux;Fz\n1;2\nx;1\n", ":3: column 'ux' is 'x': allowed is a finite number");
   expect("ux;Fz\n1;2\n1,5;1\n", ":3: column 'ux' is '1,5': allowed is a finite number with a decimal point");
   expect("ux;Fz\n1;2\n1;nan\n", ":3: column 'Fz' is 'nan': allowed is a finite number");

@@ -104,7 +104,7 @@ TEST(BadMeshFile, WrongPlacesAreRefused)
   expect(named, "z = 1", "Geometry/Held surface = z = 1 has no faces: allowed in");
   expect(named, "z mx", "z mx is no physical surface: allowed in");
   expect(named, "z mx", " are base (1), top (2), side (3), x0 (4), y0 (5), each once, and " + places);
-  expect(named, "z = 0", "Geometry/Held surface = z = 0 is that of Geometry/Contact surface, too");
+  expect(named, "z = 0", "Geometry/Held surface = z = 0 is the surface of Geometry/Contact surface, too");
   expect(named, "x = 0", "x = 0 has nodes of the contact surface");
   for (auto &element : box.elements)
     element.group = 0;
