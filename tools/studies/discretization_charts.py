@@ -58,7 +58,8 @@ def _draw_named(axes, rows, case, model, name):
 def _draw_doubt(axes, rows, case, name, bottom):
     """Differences of the two references: below them nothing is known."""
     for row in chosen(rows, case, family="reference", size="second"):
-        axes.axhspan(bottom, max(error(row, name), bottom), color="#dddddd", lw=0, zorder=0, label="error of the reference itself")
+        axes.axhspan(bottom, max(error(row, name), bottom), color="#dddddd", lw=0, zorder=0,
+                     label="error of the reference itself")
 
 
 def _tick_labels(axes):

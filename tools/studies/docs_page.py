@@ -16,10 +16,11 @@ from paths import ROOT
 matplotlib.use("Agg")
 # Pictures are as wide as a page, so that their letters have the size that stands here.
 WIDTH = 6.5  # inches
-matplotlib.rcParams.update({"font.size": 9, "axes.titlesize": 9, "axes.labelsize": 9, "xtick.labelsize": 8, "ytick.labelsize": 8,
-                            "legend.fontsize": 8, "legend.frameon": False, "lines.linewidth": 1.3, "lines.markersize": 4,
-                            "axes.grid": True, "grid.color": "0.9", "grid.linewidth": 0.6, "axes.axisbelow": True,
-                            "axes.spines.top": False, "axes.spines.right": False, "figure.constrained_layout.use": True})
+matplotlib.rcParams.update({
+    "font.size": 9, "axes.titlesize": 9, "axes.labelsize": 9, "xtick.labelsize": 8, "ytick.labelsize": 8, "legend.fontsize": 8,
+    "legend.frameon": False, "lines.linewidth": 1.3, "lines.markersize": 4, "axes.grid": True, "grid.color": "0.9",
+    "grid.linewidth": 0.6, "axes.axisbelow": True, "axes.spines.top": False, "axes.spines.right": False,
+    "figure.constrained_layout.use": True, "figure.constrained_layout.h_pad": 0.06})
 
 import matplotlib.pyplot as plt  # noqa: E402
 from matplotlib.ticker import AutoLocator, MaxNLocator  # noqa: E402
@@ -46,7 +47,7 @@ def round_ticks(figure):
     for axes in figure.axes:
         for axis in (axes.xaxis, axes.yaxis):
             if isinstance(axis.get_major_locator(), AutoLocator):
-                axis.set_major_locator(MaxNLocator("auto", steps=(1, 2, 5, 10)))
+                axis.set_major_locator(MaxNLocator("auto", steps=(1, 2, 5, 10), min_n_ticks=3))
 
 
 def save_small(figure, path):

@@ -128,12 +128,14 @@ class Map:
 
 FACTOR = "μ / μ of case C"
 MAPS = {
-    "friction": Map(friction_map, FACTOR, r"$(p_x/p_y)\,/\,(\mu_x/\mu_y)$", "Slip rules far from associated are hard, high friction is not",
+    "friction": Map(friction_map, FACTOR, r"$(p_x/p_y)\,/\,(\mu_x/\mu_y)$",
+                    "Slip rules far from associated are hard, high friction is not",
                     ("newton", "plain-newton", "uzawa", "feng2006")),
-    "body": Map(body_map, "Poisson's ratio", "height / radius", "Tall bodies are slow for sweeps, and easy for Newton's method"),
+    "body": Map(body_map, "Poisson's ratio", "height / radius",
+                "Tall bodies are slow for sweeps, and easy for Newton's method"),
     "mesh": Map(mesh_map, "rim grading", "", "Grading costs sweeps and projections many iterations"),
     "steps": Map(steps_map, "load steps of a leg", "tolerance", "A tight tolerance costs Newton's method little"),
-    "rho": Map(rho_map, "factor on ρ", "", "Newton's method does not depend on ρ, Box 3 does", ("newton", "plain-newton", "feng2006", "box3"),
-               ("gauss-seidel", "uzawa")),
+    "rho": Map(rho_map, "factor on ρ", "", "Newton's method does not depend on ρ, Box 3 does",
+               ("newton", "plain-newton", "feng2006", "box3"), ("gauss-seidel", "uzawa")),
     "unloading": Map(unloading_map, "$u_z$ at the end (mm)", FACTOR, "Unloading to zero is nothing special"),
 }
