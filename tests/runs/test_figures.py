@@ -54,7 +54,7 @@ class FiguresTest(unittest.TestCase):
             with self.subTest(name):
                 self.assertLess((images / f"{name}.png").stat().st_size, 150e3)
                 picture = imread(self.folder / f"figures/{name}.png")[::5, ::5, :3]
-                self.assertGreater(min(picture.shape[:2]), 150)
+                self.assertGreater(min(picture.shape[:2]), 100)
                 background = (picture == 1).all(axis=2).mean()
                 self.assertTrue(0.2 < background < 0.98, background)
 

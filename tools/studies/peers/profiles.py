@@ -63,26 +63,27 @@ def draw_profile(axes, times, problems):
         last = shares[-1] if len(shares) else 0
         axes.step([1, *ratios, FARTHEST], [100 * np.sum(ratios == 1) / len(problems), *shares, last], where="post",
                   label=label(solver), **line_of(solver))
-    axes.set(xscale="log", xlim=(1, FARTHEST), ylim=(0, 101), xlabel="time / that of the fastest")
+    axes.set(xscale="log", xlim=(1, FARTHEST), ylim=(0, 101), xlabel="time / fastest")
 
 
 def profiles(times):
-    figure = plt.figure(figsize=(11, 5))
-    charts, legend = figure.subfigures(2, 1, height_ratios=(4.2, 0.8))
     groups = {name: laws for name, laws in GROUPS.items() if times.group(laws)}
-    for axes, (name, laws) in zip(charts.subplots(1, len(groups), sharey=True, squeeze=False)[0], groups.items()):
+    figure, charts = plt.subplots(1, len(groups), figsize=(style.WIDTH, 4), sharey=True, squeeze=False)
+    for axes, (name, laws) in zip(charts[0], groups.items()):
         problems = times.group(laws)
         draw_profile(axes, times, problems)
-        axes.set_title(f"{name}: {len(problems)} problems", fontsize=9)
+        axes.set_title(f"{name}: {len(problems)} problems")
+        style.plain_ticks(axes.xaxis, (1, 10, 100, 1000))
         if laws is None:
-            axes.set_ylabel("% of the problems solved in that time")
-    legend.legend(*axes.get_legend_handles_labels(), fontsize=8, loc="center", ncols=6)
+            axes.set_ylabel("problems solved in that time (%)")
+    style.legend_below(figure, *axes.get_legend_handles_labels(), 3)
+    style.headline(figure, "The higher and the further left, the better: newton solves most, and fastest")
     return figure
 
 
 def over_nodes(times):
     """Newton's method against the best of the peers, and against Gauss-Seidel of both."""
-    figure, charts = plt.subplots(1, 2, figsize=(11, 3.4), sharey=True)
+    figure, charts = plt.subplots(1, 2, figsize=(style.WIDTH, 3.2), sharey=True)
     pairs = (("newton", race.PEERS, "newton / fastest solver of Siconos"),
              ("gauss-seidel", ("nsgs-ac",), "gauss-seidel / Siconos nsgs-ac"))
     for axes, (ours, theirs, title) in zip(charts, pairs):
@@ -94,11 +95,11 @@ def over_nodes(times):
                       color=COLOURS["newton"] if name == "associated" else COLOURS["nsgs-ac"])
         axes.axhline(1, color="0.3", linewidth=0.8)
         axes.set(xscale="log", yscale="log", xlabel="contact nodes", title=title)
-        axes.xaxis.set_major_formatter("{x:.0f}")
-        axes.set_xticks((10, 20, 50, 100, 200, 400), minor=False)
-        axes.minorticks_off()
-    charts[0].set_ylabel("ratio of times, below 1: ours is faster")
-    charts[0].legend(fontsize=8)
+        style.plain_ticks(axes.xaxis, (10, 20, 50, 100, 200, 500))
+        style.plain_ticks(axes.yaxis, (0.01, 0.1, 1, 10))
+    charts[0].set_ylabel("ratio of times")
+    style.legend_below(figure, *charts[0].get_legend_handles_labels(), 2)
+    style.headline(figure, "Below 1 orthocone is faster, the more so the more nodes there are")
     return figure
 
 
