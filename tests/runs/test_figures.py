@@ -13,7 +13,6 @@ import shutil
 import sys
 import tempfile
 import unittest
-import xml.etree.ElementTree
 
 import meshio
 
@@ -49,17 +48,15 @@ class FiguresTest(unittest.TestCase):
     def test_every_figure_appears_and_shows_something(self):
         images = self.folder / "images"
         images.mkdir()
-        docs_page.draw("figures", paper_figures.FIGURES, self.runs, self.folder / "figures", images, has_svg=True)
+        docs_page.draw("figures", paper_figures.FIGURES, self.runs, self.folder / "figures", images)
         self.assertEqual(sorted(file.stem for file in images.iterdir()), sorted(FIGURES))
         for name in FIGURES:
             with self.subTest(name):
                 self.assertLess((images / f"{name}.png").stat().st_size, 150e3)
                 picture = imread(self.folder / f"figures/{name}.png")[::5, ::5, :3]
-                self.assertGreater(min(picture.shape[:2]), 150)
+                self.assertGreater(min(picture.shape[:2]), 100)
                 background = (picture == 1).all(axis=2).mean()
                 self.assertTrue(0.2 < background < 0.98, background)
-                svg = xml.etree.ElementTree.parse(self.folder / f"figures/{name}.svg").getroot()
-                self.assertGreater(len(list(svg.iter())), 200)
 
     def test_numbers_of_the_table_are_those_of_the_runs(self):
         lines = [line.strip("| ").split(" | ") for line in paper_tables.comparison(self.runs).splitlines()[2:]]

@@ -125,7 +125,11 @@ class StudyCommandTest(RunTest):
                 self.assertTrue(all(row["command"].startswith(("build/", "mpirun ")) for row in rows))
         pictures = {file.stem for file in self.folder.glob("*.png")}
         self.assertGreaterEqual(len(pictures), len(names))
-        self.assertEqual(pictures, {file.stem for file in self.folder.glob("*.svg")})
+
+    def test_points_of_the_pages_are_drawn_without_computing(self):
+        finished = self.study("wear_steps", "backends", "--redraw", "--program", "nowhere", "--output", self.folder / "redrawn")
+        self.assertEqual(finished.returncode, 0, finished.stderr)
+        self.assertEqual({file.name for file in (self.folder / "redrawn").iterdir()}, {"wear_steps.png", "map_backends.png"})
 
     def test_points_are_made_once_and_kept_when_interrupted(self):
         self.assertEqual(self.study("spectra", "--quick").returncode, 0)

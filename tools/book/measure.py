@@ -20,6 +20,15 @@ def on_surface(run, step, name):
     return radius[chosen], contact[name][chosen]
 
 
+def along_x(run, step, name):
+    """Places x >= 0 on the x axis and a field there."""
+    contact = run.contact(step)
+    x, y = contact.points[:, :2].T
+    on = np.flatnonzero((np.abs(y) < 1e-6) & (x > -1e-6))
+    on = on[np.argsort(x[on])]
+    return x[on].astype(float), contact[name][on].astype(float)
+
+
 def on_line(run, step, name):
     """Places along x and a field, on one side of the strip of plane strain."""
     contact = run.contact(step)

@@ -31,7 +31,7 @@ CORNERS = np.array([[-1, 1, 1, -1] * 2, [-1, -1, 1, 1] * 2, [-1] * 4 + [1] * 4])
 UNLIT = {"Ambient": 1, "Diffuse": 0, "InterpolateScalarsBeforeMapping": 1}  # exactly the colours of the legend
 LEGEND = {"ComponentTitle": "", "HorizontalTitle": 1, "TitleJustification": "Left", "TitleColor": DARK,
           "LabelColor": DARK, "TitleFontSize": 16, "LabelFontSize": 16, "AutomaticLabelFormat": 0,
-          "LabelFormat": "%.4g", "RangeLabelFormat": "%.4g", "WindowLocation": "Any Location", "Position": [0.84, 0.14],
+          "LabelFormat": "%.4g", "RangeLabelFormat": "%.3g", "WindowLocation": "Any Location", "Position": [0.84, 0.14],
           "ScalarBarLength": 0.66, "ScalarBarThickness": 18}
 OFFSET = "Translation" if simple.GetParaViewVersion() >= (5, 13) else "Position"  # the property has two names
 
@@ -137,7 +137,7 @@ class Run:
             row, files = self.rows[step], files or self.contact
             shown = min((other for other in files if other >= step), default=max(files))
             value = f" {row[column] if row[column] > NOTHING else 0:.4g} {unit}" if column else ""
-            moved = f"u_z = {row['uz']:g} mm" if is_axial else f"u = ({row['ux']:g}, {row['uy']:g}, {row['uz']:g}) mm"
+            moved = f"uz = {row['uz']:g} mm" if is_axial else f"u = ({row['ux']:g}, {row['uy']:g}, {row['uz']:g}) mm"
             titles.append((float(step), f"{text}{value}{'' if shown == step else f', of step {shown}'}\n"
                                         f"{self.folder.name}, step {step} of {self.n_steps}, {moved}"))
         return titles

@@ -5,23 +5,19 @@ import itertools
 
 import matplotlib.pyplot as plt
 import style
-from matplotlib.lines import Line2D
-from matplotlib.ticker import FuncFormatter, NullFormatter
 
 QUANTITIES = {"largest_slip_mm": "largest slip, peak", "force_N": "total force, peak",
               "dissipation_Nmm": "dissipated energy", "stick_area_mm2": "stick area, peak"}
 FIELDS = {"slip_peak": "slip, peak", "pressure_peak": "pressure, peak",
           "slip_last": "slip, almost unloaded", "pressure_last": "pressure, almost unloaded"}
-PICTURES = {"discretization_quantities": QUANTITIES, "discretization_fields": FIELDS}
+PICTURES = {"discretization_quantities": (QUANTITIES, "graded cells of degree 2 and 3 are the most accurate for their time"),
+            "discretization_fields": (FIELDS, "the slip field converges, the pressure only as far as the rim lets it")}
+DRAWN = ("b", "quarter")  # case and model; the others are in the table and in the file of points
 DEGREES = (1, 2, 3, 4)
 LEAST = 3e-4  # percent; smaller errors are drawn there
 BOUNDS = (5, 1, 0.3)  # percent, of the table
-PALE = 0.35
 ELEMENTS = ((1, "full"), *((degree, quadrature) for degree in DEGREES[1:] for quadrature in ("full", "projected")))
-
-
-def is_pale(degree, quadrature):
-    return degree > 1 and quadrature == "full"
+DEFAULT = tuple(element for element in ELEMENTS if element[0] == 1 or element[1] == "projected")  # those of the program
 
 
 def error(row, name):
@@ -39,80 +35,63 @@ def chosen(rows, case, **wanted):
 
 
 def _draw_ladders(axes, rows, case, model, name):
-    """From degree 2 on full quadrature is pale, under the projected one."""
     looks = {"uniform": {"ls": ":", "mfc": "white"}, "graded": {"ls": "-"}}
-    for degree, quadrature, family in itertools.product(DEGREES, ("full", "projected"), looks):
+    for (degree, quadrature), family in itertools.product(DEFAULT, looks):
         line = sorted(chosen(rows, case, model=model, family=family, degree=degree, quadrature=quadrature),
                       key=lambda row: int(row["size"]))
-        axes.plot([seconds(row) for row in line], [error(row, name) for row in line], "o", ms=3.5, lw=1.2,
-                  color=style.COLOURS[degree - 1], alpha=PALE if is_pale(degree, quadrature) else 1, **looks[family])
+        if line:
+            axes.plot([seconds(row) for row in line], [error(row, name) for row in line], "o", color=style.COLOURS[degree - 1],
+                      label=f"degree {degree}, {family}", **looks[family])
 
 
 def _draw_named(axes, rows, case, model, name):
-    """The resolutions of the program; the paper's meshes with a line to the same mesh of the whole body."""
+    """The resolutions of the program, and the paper's meshes."""
     words = [row for row in chosen(rows, case, model=model, family="resolution") if row["size"] != "paper"]
-    axes.plot([seconds(row) for row in words], [error(row, name) for row in words], "kd", ms=5, mfc="none")
-    for family, marker in (("resolution", "*"), ("bricks", "X")):
-        meshes = [row for kind in (model, "full") for row in
-                  chosen(rows, case, model=kind, family=family, size="paper") if kind != "full" or model == "quarter"]
-        axes.plot([seconds(row) for row in meshes], [error(row, name) for row in meshes], "-", lw=0.8, color="k")
-        for row, face in zip(meshes, ("k", "white")):
-            axes.plot(seconds(row), error(row, name), marker, color="k", mfc=face, ms=9 if marker == "*" else 7)
+    axes.plot([seconds(row) for row in words], [error(row, name) for row in words], "kd", ms=6, mfc="none", ls="",
+              label="coarse, medium, fine")
+    for family, marker, label in (("resolution", "*", "the paper's mesh, degree 2"), ("bricks", "X", "the paper's bricks")):
+        meshes = chosen(rows, case, model=model, family=family, size="paper")
+        axes.plot([seconds(row) for row in meshes], [error(row, name) for row in meshes], marker, color="k", ls="",
+                  ms=9 if marker == "*" else 7, label=label)
 
 
 def _draw_doubt(axes, rows, case, name, bottom):
     """Differences of the two references: below them nothing is known."""
     for row in chosen(rows, case, family="reference", size="second"):
-        axes.axhspan(bottom, max(error(row, name), bottom), color="#dddddd", lw=0, zorder=0)
+        axes.axhspan(bottom, max(error(row, name), bottom), color="#dddddd", lw=0, zorder=0,
+                     label="error of the reference itself")
 
 
-def _handles():
-    handles = [Line2D([], [], color=style.COLOURS[degree - 1], lw=2, label=f"degree {degree}") for degree in DEGREES]
-    look = {"color": "#555555", "marker": "o", "ms": 4}
-    handles += [Line2D([], [], ls=":", mfc="white", label="uniform", **look),
-                Line2D([], [], label="graded", **look),
-                Line2D([], [], alpha=PALE, label="full (degree 2 to 4)", **look)]
-    look = {"color": "k", "ls": ""}
-    handles += [Line2D([], [], marker="d", mfc="none", label="coarse, medium, fine", **look),
-                Line2D([], [], marker="*", ms=9, label="paper's mesh, degree 2", **look),
-                Line2D([], [], marker="X", ms=7, label="paper's bricks", **look),
-                Line2D([], [], marker="*", ms=9, mfc="white", label="the same, whole body", **look),
-                Line2D([], [], color="#dddddd", lw=6, label="reference's own error")]
-    return handles
+def _tick_labels(axes):
+    style.plain_ticks(axes.xaxis, (0.5, 1, 2, 5, 10))
+    axes.yaxis.set_major_formatter("{x:g}")
+    bottom, top = axes.get_ylim()
+    axes.yaxis.set_minor_formatter("")
+    if top < 30 * bottom:
+        axes.set_yticks([tick for tick in (0.5, 1, 2, 5, 10) if bottom < tick < top])
+    axes.set_ylim(bottom, top)
 
 
-def _picture(rows, names, sections):
-    figure, grid = plt.subplots(len(names), len(sections), figsize=(11, 10.5), sharex=True, sharey="row", squeeze=False)
-    times = [seconds(row) for row in rows if row["family"] != "reference"]
-    low, high = min(times), max(times)
-    for line, (name, title) in zip(grid, names.items()):
-        for axes, (case, model) in zip(line, sections):
-            axes.set(xscale="log", yscale="log")
-            _draw_ladders(axes, rows, case, model, name)
-            _draw_named(axes, rows, case, model, name)
-            axes.xaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-            axes.xaxis.set_minor_formatter(NullFormatter())
-            axes.set_xticks([tick for tick in (0.2, 0.5, 1, 2, 5, 10, 20, 50) if low <= tick <= high])
-            axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-        line[0].set_ylabel(f"{title}\nerror (%)")
-        bottom, top = line[0].get_ylim()
-        line[0].yaxis.set_minor_formatter(NullFormatter())
-        if top < 30 * bottom:
-            line[0].set_yticks([tick for tick in (0.1, 0.2, 0.5, 1, 2, 5, 10, 20) if bottom <= tick <= top])
-        for axes, (case, _) in zip(line, sections):
-            _draw_doubt(axes, rows, case, name, bottom)
-        line[0].set_ylim(bottom=bottom)
-    for axes, (case, model) in zip(grid[0], sections):
-        axes.set_title(f"case {case.upper()}, {model}", fontsize=10)
+def _picture(rows, names, message, section):
+    figure, grid = plt.subplots(2, 2, figsize=(style.WIDTH, 5.6), sharex=True)
+    for axes, (name, title) in zip(grid.flat, names.items()):
+        axes.set(xscale="log", yscale="log", title=title)
+        _draw_ladders(axes, rows, *section, name)
+        _draw_named(axes, rows, *section, name)
+        _tick_labels(axes)
+        _draw_doubt(axes, rows, section[0], name, axes.get_ylim()[0])
+    for axes in grid[:, 0]:
+        axes.set_ylabel("error (%)")
     for axes in grid[-1]:
-        axes.set_xlabel("seconds, one thread")
-    figure.get_layout_engine().set(rect=(0, 0, 1, 0.94))
-    figure.legend(handles=_handles(), loc="upper center", ncols=6, fontsize=9)
+        axes.set_xlabel("processor time (s)")
+    style.legend_below(figure, *grid[0, 0].get_legend_handles_labels(), 3)
+    style.headline(figure, f"Case {section[0].upper()}: {message}")
     return figure
 
 
 def figures(rows, sections):
-    return {picture: _picture(rows, names, sections) for picture, names in PICTURES.items()}
+    section = DRAWN if DRAWN in sections else sections[0]
+    return {picture: _picture(rows, names, message, section) for picture, (names, message) in PICTURES.items()}
 
 
 def _fastest(rows, names, bound):

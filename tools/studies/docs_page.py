@@ -14,25 +14,47 @@ from PIL import Image
 from paths import ROOT
 
 matplotlib.use("Agg")
-# The same runs give the same files: no date, and names within an SVG that do not change.
-matplotlib.rcParams["svg.hashsalt"] = "orthocone"
+# Pictures are as wide as a page, so that their letters have the size that stands here.
+WIDTH = 6.5  # inches
+matplotlib.rcParams.update({
+    "font.size": 9, "axes.titlesize": 9, "axes.labelsize": 9, "xtick.labelsize": 8, "ytick.labelsize": 8, "legend.fontsize": 8,
+    "legend.frameon": False, "lines.linewidth": 1.3, "lines.markersize": 4, "axes.grid": True, "grid.color": "0.9",
+    "grid.linewidth": 0.6, "axes.axisbelow": True, "axes.spines.top": False, "axes.spines.right": False,
+    "figure.constrained_layout.use": True, "figure.constrained_layout.h_pad": 0.06})
 
 import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.ticker import AutoLocator, MaxNLocator  # noqa: E402
 
 
 class ProgramError(Exception):
     """The program stopped with an error."""
 
 
-def fitting_dpi(figure, pixels):
-    """The resolution that makes so many pixels of the figure, but not more than 120 dots per inch."""
-    return min(120, (pixels / np.prod(figure.get_size_inches()))**0.5)
+def headline(figure, message):
+    """What the picture shows, in one sentence above it."""
+    figure.suptitle(message, x=0.01, ha="left", fontsize=10, fontweight="bold")
+
+
+def legend_below(figure, handles, labels, ncols):
+    """Entries below all axes, in rows of `ncols`."""
+    share = (0.1 + 0.155 * -(-len(handles) // ncols)) / figure.get_figheight()
+    figure.get_layout_engine().set(rect=(0, share, 1, 1 - share))
+    figure.legend(handles, labels, loc="lower center", ncols=ncols, borderaxespad=0.2, labelspacing=0.25, columnspacing=1.4)
+
+
+def round_ticks(figure):
+    """At multiples of 1, 2 and 5; matplotlib's own rule also takes 2.5."""
+    for axes in figure.axes:
+        for axis in (axes.xaxis, axes.yaxis):
+            if isinstance(axis.get_major_locator(), AutoLocator):
+                axis.set_major_locator(MaxNLocator("auto", steps=(1, 2, 5, 10), min_n_ticks=3))
 
 
 def save_small(figure, path):
-    """A picture for the page, with a palette."""
+    """A picture for the page, with a palette: a million pixels, but not more than 200 dots per inch."""
+    round_ticks(figure)
     buffer = io.BytesIO()
-    figure.savefig(buffer, dpi=fitting_dpi(figure, 1e6))
+    figure.savefig(buffer, dpi=min(200, (1e6 / np.prod(figure.get_size_inches()))**0.5))
     Image.open(buffer).convert("RGB").quantize(256, dither=Image.Dither.NONE).save(path, optimize=True)
 
 
@@ -49,21 +71,20 @@ def write_tables(tables, page, tool):
     print(f"{tool}: tables of {page}")
 
 
-def draw(tool, pictures, runs, folder, images=None, has_svg=False):
-    """Every picture {name: function of the runs} as PNG in `folder`, also as SVG, and smaller as PNG in the folder `images`."""
+def draw(tool, pictures, runs, folder, images=None):
+    """Every picture {name: function of the runs} as PNG in `folder`, and smaller in the folder `images`."""
     folder.mkdir(parents=True, exist_ok=True)
     for name, picture in pictures.items():
         figure = picture(runs)
-        figure.savefig(folder / f"{name}.png", dpi=200 if has_svg else 150)
-        if has_svg:
-            figure.savefig(folder / f"{name}.svg", dpi=fitting_dpi(figure, 1.2e6), metadata={"Date": None})
+        round_ticks(figure)
+        figure.savefig(folder / f"{name}.png", dpi=200)
         if images:
             save_small(figure, images / f"{name}.png")
         plt.close(figure)
-        print(f"{tool}: {folder / name}.png{', .svg' if has_svg else ''}", flush=True)
+        print(f"{tool}: {folder / name}.png", flush=True)
 
 
-def main(tool, about, runs_in, pictures, tables=None, has_svg=False):
+def main(tool, about, runs_in, pictures, tables=None):
     """A word of tools/study: its pictures, and with --docs those of its page with the tables {name: function of the runs}.
     `runs_in(program, folder)` makes what runs the program."""
     parser = argparse.ArgumentParser(prog=f"tools/study {tool}", description=about)
@@ -73,7 +94,7 @@ def main(tool, about, runs_in, pictures, tables=None, has_svg=False):
     runs = runs_in(ROOT / "build/orthocone", options.output / "runs")
     page = {"figures": "paper"}.get(tool, tool)
     try:
-        draw(tool, pictures, runs, options.output, ROOT / "docs/images" if options.docs else None, has_svg)
+        draw(tool, pictures, runs, options.output, ROOT / "docs/images" if options.docs else None)
         if options.docs and tables:
             write_tables({name: make(runs) for name, make in tables.items()}, ROOT / f"docs/{page}.md", tool)
     except ProgramError as error:

@@ -3,11 +3,14 @@
 """Where methods fail: every method over friction, body, mesh, load steps, tolerance, rho and unloading."""
 import itertools
 import math
+import re
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.patches import Patch, Rectangle
 
 import scenes
+import style
 import verdicts
 from points import program_point
 from style import METHODS
@@ -18,9 +21,11 @@ DEFAULT_ITERATIONS = 5000
 MOST_ITERATIONS = 2000  # of methods other than the default, which has the program's
 RANDOM_METHODS = (DEFAULT, "gauss-seidel", "uzawa")
 
-# Verdict: (colour, letter in the cell). Converged cells are shaded by their iterations instead.
-KINDS = {"slow": ("#e69f00", "s"), "cycling": ("#cc79a7", "c"), "diverged": ("#000000", "d"), "rounding": ("#999999", "r"),
-         "other": ("#d55e00", "o"), "divided": ("#9ecae1", "h"), "check": ("#ff0000", "x"), "no-model": ("#ffffff", "-")}
+# Verdict: (colour, hatching, in words). Converged cells are shaded by their iterations instead.
+KINDS = {"slow": ("#e69f00", "//", "too slow"), "cycling": ("#cc79a7", "..", "goes in cycles"),
+         "diverged": ("#000000", "", "diverges"), "rounding": ("#999999", "", "stopped by rounding"),
+         "other": ("#d55e00", "xx", "another solution"), "divided": ("#f0e442", "", "solved in divided steps"),
+         "check": ("#882255", "", "stopped by a check"), "no-model": ("#ffffff", "", "scene is refused")}
 SOLVED = ("converged", "divided")
 SHADES = plt.get_cmap("GnBu")
 MOST_SHADED = 2000
@@ -40,10 +45,10 @@ def point_of(name, x, y, method, settings):
 
 
 def all_points(is_quick):
-    for name, (make, _, _, left_out) in list(scenes.MAPS.items())[:2 if is_quick else None]:
-        for x, y, settings in make(2) if is_quick else make():
+    for name, of_map in list(scenes.MAPS.items())[:2 if is_quick else None]:
+        for x, y, settings in of_map.make(2) if is_quick else of_map.make():
             for method in METHODS:
-                if method not in left_out:
+                if method not in of_map.left_out:
                     yield point_of(name, x, y, method, settings)
     for x, y, settings in scenes.random_scenes(2) if is_quick else scenes.random_scenes():
         for method in RANDOM_METHODS:
@@ -62,17 +67,14 @@ def shade(iterations):
 
 
 def draw_map(axes, rows, columns, lines):
-    image = np.ones((len(lines), len(columns), 4))
     for row in rows:
-        place = lines.index(row["y"]), columns.index(row["x"])
         if row["verdict"] == "converged":
-            image[place] = shade(int(row["iterations"]))
+            look = {"facecolor": shade(int(row["iterations"]))}
         else:
-            colour, letter = KINDS[row["verdict"]]
-            image[place] = plt.matplotlib.colors.to_rgba(colour)
-            axes.text(place[1], place[0], letter, ha="center", va="center", fontsize=6,
-                      color="white" if letter in "d" else "black")
-    axes.imshow(image, origin="lower", aspect="auto")
+            colour, hatching, _ = KINDS[row["verdict"]]
+            look = {"facecolor": colour, "hatch": hatching, "edgecolor": "0.25", "linewidth": 0}
+        axes.add_patch(Rectangle((columns.index(row["x"]) - 0.5, lines.index(row["y"]) - 0.5), 1, 1, **look))
+    axes.set(xlim=(-0.5, len(columns) - 0.5), ylim=(-0.5, len(lines) - 0.5))
     axes.grid(False)
 
 
@@ -83,43 +85,71 @@ def short(value):
         return value
 
 
-def label_axis(axis, values, most=10):
-    every = math.ceil(len(values) / most)
-    axis.set_ticks(range(0, len(values), every), [short(value) for value in values[::every]], fontsize=7)
+def in_words(value):
+    """-1e-06 as a formula, C Q2 as a case and a degree; anything else as it is."""
+    found = re.fullmatch(r"(-?)(?:1e(.\d+)|0\.(0+)1)", value)
+    if not found:
+        return value.replace(" Q", ", degree ")
+    return f"${found[1]}10^{{{int(found[2]) if found[2] else -1 - len(found[3])}}}$"
+
+
+def is_even_in_logarithms(values):
+    """Whether the values are those of scenes.logarithmic."""
+    try:
+        numbers = np.array([float(value) for value in values])
+    except ValueError:
+        return False
+    if len(numbers) < 3 or numbers.min() <= 0:
+        return False
+    ratios = numbers[1:] / numbers[:-1]
+    return np.allclose(ratios, ratios[0], rtol=0.02)
+
+
+def label_axis(axis, values):
+    """Round numbers where the scale is a logarithmic one, else the values themselves."""
+    if not is_even_in_logarithms(values) or "e" in "".join(values):
+        axis.set_ticks(range(len(values)), [in_words(short(value)) for value in values])
+        return
+    first, last = float(values[0]), float(values[-1])
+    per_decade = (1,) if max(last / first, first / last) > 1e3 else (1, 2, 5)
+    ticks = [digit * 10.0**power for power in range(-4, 3) for digit in per_decade]
+    ticks = [tick for tick in ticks if 0.99 * min(first, last) < tick < 1.01 * max(first, last)]
+    axis.set_ticks([(len(values) - 1) * math.log(tick / first) / math.log(last / first) for tick in ticks],
+                   [f"{tick:g}" for tick in ticks])
+
+
+def draw_panel(axes, name, rows):
+    """Of one method (or backend) the map with its axes."""
+    columns, lines = (list(dict.fromkeys(row[axis] for row in rows)) for axis in "xy")
+    draw_map(axes, rows, columns, lines)
+    label_axis(axes.xaxis, columns)
+    label_axis(axes.yaxis, lines)
+    if len("".join(label.get_text() for label in axes.get_xticklabels())) > 25:
+        axes.tick_params(axis="x", rotation=45)
+    axes.set(xlabel=scenes.MAPS[name].x, ylabel=scenes.MAPS[name].y)
+
+
+def panels():
+    return plt.subplots(2, 2, figsize=(style.WIDTH, 5.4))
 
 
 def map_figure(name, rows):
-    _, x_label, y_label, left_out = scenes.MAPS[name]
-    methods = [method for method in METHODS if method not in left_out]
-    columns = list(dict.fromkeys(row["x"] for row in rows))
-    lines = list(dict.fromkeys(row["y"] for row in rows))
-    n_columns = 3 if len(methods) > 4 else 2
-    n_lines = math.ceil(len(methods) / n_columns)
-    figure = plt.figure(figsize=(3.4 * n_columns, 2.9 * n_lines + 0.4))
-    maps, legend = figure.subfigures(2, 1, height_ratios=(2.9 * n_lines, 0.4))
-    grid = maps.subplots(n_lines, n_columns, squeeze=False, sharex=True, sharey=True)
-    for axes, method in zip(grid.flat, methods):
+    figure, grid = panels()
+    for axes, method in zip(grid.flat, scenes.MAPS[name].shown):
         own = [row for row in rows if row["method"] == method]
-        draw_map(axes, own, columns, lines)
-        n = sum(row["verdict"] in SOLVED for row in own)
-        axes.set_title(f"{method}: {n} of {len(own)}", fontsize=9)
-        label_axis(axes.xaxis, columns)
-        label_axis(axes.yaxis, lines)
-        axes.tick_params(axis="x", rotation=45)
-    for axes in grid[-1]:
-        axes.set_xlabel(x_label)
-    for axes in grid[:, 0]:
-        axes.set_ylabel(y_label)
-    add_legend(legend, {row["verdict"] for row in rows})
+        draw_panel(axes, name, own)
+        axes.set_title(f"{method}: solves {sum(row['verdict'] in SOLVED for row in own)} of {len(own)}")
+        axes.label_outer()
+    add_legend(figure, {row["verdict"] for row in rows if row["method"] in scenes.MAPS[name].shown})
+    style.headline(figure, scenes.MAPS[name].message)
     return figure
 
 
 def add_legend(figure, found):
-    patch = plt.matplotlib.patches.Patch
-    handles = [patch(color=shade(n), label=f"{n} iterations") for n in (5, 50, 500)]
-    handles += [patch(facecolor=colour, edgecolor="grey", label=f"{letter}: {kind}")
-                for kind, (colour, letter) in KINDS.items() if kind in found]
-    figure.legend(handles=handles, loc="center", ncols=len(handles), fontsize=7)
+    handles = [Patch(color=shade(n), label=f"{n} iterations") for n in (5, 50, 500)]
+    handles += [Patch(facecolor=colour, hatch=hatching, edgecolor="0.25", linewidth=0.5, label=words)
+                for kind, (colour, hatching, words) in KINDS.items() if kind in found]
+    style.legend_below(figure, handles, [handle.get_label() for handle in handles], min(len(handles), 4))
 
 
 def figures(rows):

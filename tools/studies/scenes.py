@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 """The scenes of the maps of failure: small ones, so that thousands of them take minutes."""
+import dataclasses
 import math
 import random
+import typing
 
 PEAK = -0.1  # mm
 # Of degree 2 and more, the program's own default; prm/paper/scene.prm has full quadrature.
@@ -113,12 +115,27 @@ def random_scenes(n=200):
         yield seed, "", random_scene(seed)
 
 
-# Name: (scenes, words on the x and y axes, methods that are left out because nothing changes for them)
+@dataclasses.dataclass(frozen=True)
+class Map:
+    """Scenes, words on the axes, what the picture says, and the four methods that it shows."""
+    make: typing.Callable
+    x: str
+    y: str
+    message: str
+    shown: tuple = ("newton", "gauss-seidel", "uzawa", "plain-newton")
+    left_out: tuple = ()  # methods for which nothing changes
+
+
+FACTOR = "μ / μ of case C"
 MAPS = {
-    "friction": (friction_map, "μ / μ of case C", "(p_x/p_y) / (μ_x/μ_y)", ()),
-    "body": (body_map, "Poisson's ratio", "height / radius", ()),
-    "mesh": (mesh_map, "grading", "case, degree", ()),
-    "steps": (steps_map, "steps of a leg", "tolerance", ()),
-    "rho": (rho_map, "rho factor", "case, degree", ("gauss-seidel", "uzawa")),
-    "unloading": (unloading_map, "u_z at the end, mm", "μ / μ of case C", ()),
+    "friction": Map(friction_map, FACTOR, r"$(p_x/p_y)\,/\,(\mu_x/\mu_y)$",
+                    "Slip rules far from associated are hard, high friction is not",
+                    ("newton", "plain-newton", "uzawa", "feng2006")),
+    "body": Map(body_map, "Poisson's ratio", "height / radius",
+                "Tall bodies are slow for sweeps, and easy for Newton's method"),
+    "mesh": Map(mesh_map, "rim grading", "", "Grading costs sweeps and projections many iterations"),
+    "steps": Map(steps_map, "load steps of a leg", "tolerance", "A tight tolerance costs Newton's method little"),
+    "rho": Map(rho_map, "factor on ρ", "", "Newton's method does not depend on ρ, Box 3 does",
+               ("newton", "plain-newton", "feng2006", "box3"), ("gauss-seidel", "uzawa")),
+    "unloading": Map(unloading_map, "$u_z$ at the end (mm)", FACTOR, "Unloading to zero is nothing special"),
 }

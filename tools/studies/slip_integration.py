@@ -54,25 +54,31 @@ def order(found):
     return math.log(found["error"][-3] / found["error"][-1]) / math.log(found["steps"][-1] / found["steps"][-3])
 
 
+def draw(ax, rows, program, law):
+    for scheme, marker, colour in zip(SCHEMES, MARKERS, style.COLOURS):
+        if (found := chosen(rows, scheme, program, law)) is None:
+            continue
+        ax.loglog(found["solves"], 100 * found["error"], marker + "-", lw=1, color=colour, label=SCHEMES[scheme])
+        drives = found["driven"] > DRIVES
+        ax.loglog(found["solves"][drives], 100 * found["error"][drives], "o", ms=10, mfc="none", color="black")
+    ax.set_title(f"{PROGRAMS[program]}, case {law}")
+    ax.set_xticks((1, 10, 100, 1000), ("1", "10", "100", "1000"))
+    ax.set_yticks([10.0**power for power in range(-4, 3, 2)], ("0.0001", "0.01", "1", "100"))
+    ax.minorticks_off()
+
+
 def figures(rows):
-    figure, axes = plt.subplots(3, 3, figsize=(10, 9.4), sharex=True, sharey=True)
-    for line, (program, title) in zip(axes, PROGRAMS.items()):
-        for ax, law in zip(line, FRICTION):
-            for scheme, marker, colour in zip(SCHEMES, MARKERS, style.COLOURS):
-                if (found := chosen(rows, scheme, program, law)) is None:
-                    continue
-                ax.loglog(found["solves"], 100 * found["error"], marker + "-", ms=4, lw=1, color=colour,
-                          label=SCHEMES[scheme])
-                drives = found["driven"] > DRIVES
-                ax.loglog(found["solves"][drives], 100 * found["error"][drives], "o", ms=10, mfc="none", color="black")
-            ax.set_title(f"{title}, {law if law == 'isotropic' else 'case ' + law}", fontsize=9)
-        line[0].set_ylabel("largest error of the traction in %")
+    """Of the programs and laws of the table."""
+    figure, axes = plt.subplots(2, 2, figsize=(style.WIDTH, 6), sharex=True, sharey=True)
+    for line, program in zip(axes, PROGRAMS):
+        for ax, law in zip(line, "BC"):
+            draw(ax, rows, program, law)
+        line[0].set_ylabel("largest error of the traction (%)")
     for ax in axes[-1]:
-        ax.set_xlabel("one-node solves")
-    figure.get_layout_engine().set(rect=(0, 0.07, 1, 0.93))  # room for the legend
-    axes[0, 2].plot([], [], "o", ms=10, mfc="none", color="black", label="friction drives in some step")
-    handles, labels = axes[0, 2].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="lower center", ncols=3, fontsize=8)
+        ax.set_xlabel("one-node solutions")
+    axes[0, 0].plot([], [], "o", ms=10, mfc="none", color="black", label="friction drives in some step")
+    style.legend_below(figure, *axes[0, 0].get_legend_handles_labels(), 2)
+    style.headline(figure, "Schemes of second order gain much only with small steps")
     return {"slip_integration": figure}
 
 

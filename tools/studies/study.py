@@ -2,12 +2,14 @@
 # Copyright (C) 2026 the orthocone authors
 """Charts of accuracy against time and maps of where methods fail. Started by tools/study."""
 import argparse
+import csv
 import hashlib
 import importlib
 import pathlib
 import sys
 
 import docs_page
+import style
 from paths import ROOT
 from points import StudyError, Table, measure, write_rows
 
@@ -46,6 +48,7 @@ def parsed_options():
     parser.add_argument("--list", action="store_true", help="list what there is, and stop")
     parser.add_argument("--docs", action="store_true", help="also refresh the pages, pictures and tables in docs/")
     parser.add_argument("--anew", action="store_true", help="compute also the points that are there already")
+    parser.add_argument("--redraw", action="store_true", help="compute nothing: pictures and tables of the points in docs/data")
     parser.add_argument("--quick", action="store_true", help="few points: a test of this tool, not a study")
     parser.add_argument("--large", action="store_true", help="also the points of `elastic` and `adaptive` that take gigabytes")
     parser.add_argument("--jobs", type=int, default=2, help="runs at a time where no time is measured (2)")
@@ -84,11 +87,20 @@ def set_aside_other_versions(name, options):
     mark.write_text(present, encoding="utf-8")
 
 
-def make(name, options):
-    import style  # here, for it changes how all pictures look that are drawn afterwards
-    module = importlib.import_module(name)
+def measured_rows(module, name, options):
     set_aside_other_versions(name, options)
-    rows = module.measured(Context(name, options))
+    return module.measured(Context(name, options))
+
+
+def stored_rows(name):
+    """Of docs/data, as text, like those that are measured."""
+    with open(ROOT / "docs/data" / f"{name}.csv", newline="", encoding="utf-8") as file:
+        return list(csv.DictReader(file))
+
+
+def make(name, options):
+    module = importlib.import_module(name)
+    rows = stored_rows(name) if options.redraw else measured_rows(module, name, options)
     folders = [options.output] + ([ROOT / "docs/images"] if options.docs else [])
     for picture, figure in module.figures(rows).items():
         style.save(figure, picture, folders)

@@ -1,15 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""How all charts of the studies look, and how they are kept: as PNG to look at and SVG to print."""
+"""How all charts of the studies look, and how they are kept."""
 import docs_page
-import matplotlib
 
-matplotlib.use("Agg")
-matplotlib.rcParams.update({"font.size": 9, "axes.grid": True, "grid.alpha": 0.3, "axes.spines.top": False,
-                            "axes.spines.right": False, "legend.frameon": False, "figure.constrained_layout.use": True,
-                            "svg.hashsalt": "orthocone", "svg.fonttype": "none"})
-
-import matplotlib.pyplot as plt  # noqa: E402
+matplotlib, plt = docs_page.matplotlib, docs_page.plt
+WIDTH, headline, legend_below = docs_page.WIDTH, docs_page.headline, docs_page.legend_below
 
 # Okabe and Ito's palette, whose colours the colour-blind can distinguish.
 COLOURS = ("#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9", "#000000")
@@ -17,10 +12,17 @@ METHODS = ("newton", "gauss-seidel", "uzawa", "feng2006", "box3", "plain-newton"
 METHOD_COLOURS = dict(zip(METHODS, COLOURS))
 
 
+def plain_ticks(axis, ticks=None):
+    """Numbers as one says them, also on a logarithmic axis."""
+    if ticks is not None:
+        axis.set_ticks(ticks)
+    axis.set_major_formatter("{x:g}")
+    axis.set_minor_formatter("")
+
+
 def save(figure, name, folders):
-    """NAME.png and NAME.svg in each folder; without dates, so that the same figure gives the same bytes."""
+    """NAME.png in each folder."""
     for folder in folders:
         folder.mkdir(parents=True, exist_ok=True)
         docs_page.save_small(figure, folder / f"{name}.png")
-        figure.savefig(folder / f"{name}.svg", metadata={"Date": None})
     plt.close(figure)

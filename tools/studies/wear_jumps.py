@@ -46,22 +46,19 @@ def numbers_of(rows):
 
 def figures(rows):
     depths, _, errors, estimates, shares = zip(*numbers_of(rows))
-    figure, (left, right) = plt.subplots(1, 2, figsize=(9, 3.4), sharey=True)
-    for axes, places in ((left, [100 * share for share in shares]), (right, depths)):
-        for values, mark, name, colour in ((errors, "o-", "error", style.COLOURS[0]),
-                                           (estimates, "s--", "its estimate, wear_error", style.COLOURS[1])):
-            axes.plot(places, [abs(value) for value in values], mark, color=colour, label=name)
-        axes.set(yscale="log", xscale="log" if axes is right else "linear", yticks=(0.5, 1, 2, 5))
-        axes.yaxis.set_major_formatter("{x:g}")
-        axes.yaxis.set_minor_formatter("")
-    right.xaxis.set_major_formatter("{x:g}")
-    right.xaxis.set_minor_formatter("")
-    for place, error, depth in zip(shares, errors, depths):
-        if depth <= 5:
-            left.annotate(f"{depth:g} nm", (100 * place, abs(error)), xytext=(4, 4), textcoords="offset points", fontsize=8)
-    left.set(xlabel="time (% of that without jumps)", ylabel="worn volume: error (%)")
-    right.set_xlabel("largest depth of a jump (nm)")
-    right.legend()
+    figure, (left, right) = plt.subplots(1, 2, figsize=(style.WIDTH, 2.9))
+    for values, mark, name, colour in ((errors, "o-", "error", style.COLOURS[0]),
+                                       (estimates, "s--", "error that the run estimates", style.COLOURS[1])):
+        left.plot(depths, [abs(value) for value in values], mark, color=colour, label=name)
+    left.set(yscale="log", ylabel="error of the worn volume (%)")
+    left.legend()
+    style.plain_ticks(left.yaxis, (0.5, 1, 2, 5, 10))
+    right.plot(depths, [100 * share for share in shares], "o-", color=style.COLOURS[0])
+    right.set(ylim=(0, None), ylabel="time (% of that without jumps)")
+    for axes in (left, right):
+        axes.set(xscale="log", xlabel="largest depth of a jump (nm)")
+        style.plain_ticks(axes.xaxis, (1, 2, 5, 10, 20, 50, 100))
+    style.headline(figure, "Shallower jumps lower the error of the worn volume, and take longer")
     return {"wear_jumps": figure}
 
 

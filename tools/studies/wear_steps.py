@@ -66,32 +66,40 @@ def missing(row):
     return 100 * (1 - float(row["worn_volume"]) / wanted(row))
 
 
-def curves(axes, rows, name):
+def curves(axes, rows, name, factor=1):
     """Along the line through the centre: the fewest steps, and the fewest that are within the bound."""
     ends = (rows[0], next((row for row in rows if not row["ratio"]), rows[-1]))
     for row, colour, mark in zip(ends, (style.COLOURS[1], style.COLOURS[0]), ("o-", "s-")):
         x, values = (np.array(row[column].split(), dtype=float) for column in ("x", name))
-        axes.plot(x, values, mark, markersize=3, color=colour, label=f"{row['steps']} steps a cycle")
+        axes.plot(x, factor * values, mark, markersize=3, color=colour, label=f"{row['steps']} load steps of a cycle")
     axes.set_xlabel("x (mm)")
 
 
-def figures(rows):
-    figure, (left, middle, right) = plt.subplots(1, 3, figsize=(11, 3.3))
+def losses(axes, rows):
     shown = [(int(row["steps"]), max(missing(row), LEAST), row["ratio"]) for row in rows]
-    left.plot(*zip(*(one[:2] for one in shown)), "o-", color=style.COLOURS[0])
+    axes.plot(*zip(*(one[:2] for one in shown)), "o-", color=style.COLOURS[0])
     for steps, share, ratio in shown:
-        left.annotate(ratio, (steps, share), xytext=(5, 4), textcoords="offset points", fontsize=8)
-    left.set(yscale="log", xlabel="load steps of a cycle", ylabel=f"worn volume that is missing, or {LEAST} (%)",
-             title="beside the points: depth of a step / flattening")
-    left.title.set_fontsize(9)
-    curves(middle, rows, "pressure")
-    middle.set_ylabel("pressure after the last step (MPa)")
-    curves(right, rows, "wear_depth")
+        if ratio:
+            axes.annotate(f"{ratio} times", (steps, share), xytext=(6, 3), textcoords="offset points", fontsize=8)
+    axes.set(yscale="log", xlabel="load steps of a cycle", ylabel="worn volume\nthat is missing (%)")
+    axes.text(1, 0.95, "at the points: depth that a step wears,\ncompared with the flattening by pressure", ha="right", va="top",
+              fontsize=8, transform=axes.transAxes)
+    axes.minorticks_off()
+    axes.set_yticks([LEAST, 0.001, 0.01, 0.1, 1, 10], ["none", "0.001", "0.01", "0.1", "1", "10"])
+
+
+def figures(rows):
+    figure, axes = plt.subplot_mosaic([["losses", "losses"], ["pressure", "depth"]], figsize=(style.WIDTH, 4.8))
+    losses(axes["losses"], rows)
+    curves(axes["pressure"], rows, "pressure")
+    axes["pressure"].set_ylabel("pressure, last step (MPa)")
+    curves(axes["depth"], rows, "wear_depth", 1e3)
     deep = np.sqrt(wanted(rows[0]) / (np.pi * RADIUS))  # of the cap of the sphere: V = pi R h^2
     r = np.linspace(-1, 1, 200) * np.sqrt(2 * RADIUS * deep)
-    right.plot(r, deep - r**2 / (2 * RADIUS), color="0.3", linewidth=1, label="cap of the sphere")
-    right.set_ylabel("worn depth (mm)")
-    right.legend(fontsize=7)
+    axes["depth"].plot(r, 1e3 * (deep - r**2 / (2 * RADIUS)), color="0.3", linewidth=1, label="cap of the sphere (Archard's law)")
+    axes["depth"].set_ylabel("worn depth (µm)")
+    style.legend_below(figure, *axes["depth"].get_legend_handles_labels(), 3)
+    style.headline(figure, "Steps that wear deeper than pressure flattens lose worn volume")
     return {"wear_steps": figure}
 
 

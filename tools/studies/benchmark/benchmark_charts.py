@@ -3,61 +3,57 @@
 """Charts of docs/performance.md: cost against size, and where the time of a whole process goes."""
 import matplotlib.pyplot as plt
 import numpy as np
-from matplotlib.ticker import NullFormatter
 
+import style
 from benchmark_measure import PAPER, PHASES
 from benchmark_ratios import costs, exponent
 
-COLOURS = ("#4477aa", "#ee6677", "#228833", "#aa3377", "#bbaa22", "#66ccee", "#888888", "#222222")
-MARKERS = "osD^v"
+# Neighbours in the bars differ also in lightness.
+COLOURS = ("#0072b2", "#f0e442", "#009e73", "#d55e00", "#000000", "#56b4e9", "#999999", "#e69f00")
+DARK = COLOURS[:1] + COLOURS[2:5]
 
 
 def cost_chart(result):
-    """Seconds against contact nodes and against unknowns, with the exponents of the three finest meshes."""
-    figure, panels = plt.subplots(1, 2, figsize=(11, 5), sharey=True, constrained_layout=True)
+    """Seconds against contact nodes, with the exponents of the three finest meshes."""
+    figure, panel = plt.subplots(figsize=(style.WIDTH, 3.8))
+    for (name, (nodes, _, seconds)), colour, marker in zip(costs(result).items(), style.COLOURS, "osD^v"):
+        panel.loglog(nodes, seconds, color=colour, marker=marker, label=f"{name}: $n^{{{exponent(nodes, seconds):.1f}}}$")
     paper = next((p for p in result["programs"] if p["core_cells"] == PAPER), None)
-    for column, (panel, label) in enumerate(zip(panels, ("contact nodes", "unknowns"))):
-        for (name, curve), colour, marker in zip(costs(result).items(), COLOURS, MARKERS):
-            sizes, seconds = curve[column], curve[2]
-            panel.loglog(sizes, seconds, color=colour, marker=marker,
-                         label=f"{name}: {'nN'[column]}$^{{{exponent(sizes, seconds):.2f}}}$")
-        if paper:
-            panel.axvline(paper["dofs" if column else "contact_nodes"], color="0.8", zorder=0)
-            panel.annotate("the paper's mesh", (paper["dofs" if column else "contact_nodes"], 0.01), rotation=90,
-                           xycoords=("data", "axes fraction"), color="0.5", ha="right", va="bottom", size=9)
-        panel.set_xticks([p["dofs" if column else "contact_nodes"] for p in result["programs"]],
-                         [f"{p['dofs' if column else 'contact_nodes']}" for p in result["programs"]])
-        panel.xaxis.set_minor_formatter(NullFormatter())
-        panel.minorticks_off()
-        panel.set_xlabel(label)
-        panel.grid(alpha=0.3)
-        panel.legend(loc="upper left", fontsize=9)
-    panels[0].set_ylabel("seconds")
+    if paper:
+        panel.axvline(paper["contact_nodes"], color="0.6", linewidth=1, zorder=0)
+        panel.annotate("the paper's mesh", (paper["contact_nodes"], 1), xycoords=("data", "axes fraction"), xytext=(4, -4),
+                       textcoords="offset points", va="top", size=8)
+    sizes = [p["contact_nodes"] for p in result["programs"]]
+    style.plain_ticks(panel.xaxis, [tick for tick in (10, 20, 50, 100, 200, 500, 1000, 2000, 5000)
+                                    if 0.8 * min(sizes) < tick < 1.2 * max(sizes)])
+    panel.yaxis.set_major_formatter("{x:g}")
+    panel.set(xlabel="contact nodes n", ylabel="time (s)")
+    panel.legend(loc="center left", bbox_to_anchor=(1, 0.5))
+    style.headline(figure, "All parts grow about as the square of the contact nodes, output more slowly")
     return figure
 
 
 def share_chart(result):
-    """Parts of the whole process on every mesh, in per cent: means over the runs."""
-    figure, panel = plt.subplots(figsize=(9, 0.8 + 0.55 * len(result["programs"])), constrained_layout=True)
+    """Parts of the whole process on every mesh, in per cent: means over the runs. The start-up is that of another process, so
+    that the parts do not quite make 100."""
+    figure, panel = plt.subplots(figsize=(style.WIDTH, 1.2 + 0.42 * len(result["programs"])))
     names = ("start_up", *PHASES)
-    longest = 100
     for row, program in enumerate(result["programs"]):
         parts = np.mean([[100 * run[name] / run["process"] for name in names] for run in program["samples"]], axis=0)
         left = 0
         for part, colour, name in zip(parts, COLOURS, names):
             panel.barh(row, part, left=left, color=colour, label=name.replace("_", "-") if row == 0 else None)
             if part > 4:
-                panel.text(left + part / 2, row, f"{part:.0f}", ha="center", va="center", color="white", size=9)
+                panel.text(left + part / 2, row, f"{part:.0f}", ha="center", va="center", size=8,
+                           color="white" if colour in DARK else "black")
             left += part
-        longest = max(longest, left)
     panel.set_yticks(range(len(result["programs"])),
                      [f"{p['contact_nodes']} contact nodes, {p['median']['process']:.2g} s" for p in result["programs"]])
     panel.invert_yaxis()
-    panel.set_xlim(0, longest)  # the start-up is that of another process
-    panel.set_xlabel("per cent of the wall time of the whole process")
-    panel.spines[["top", "right"]].set_visible(False)
-    panel.legend(ncols=8, loc="lower center", bbox_to_anchor=(0.5, 1), fontsize=8, frameon=False, columnspacing=1,
-                 handlelength=1)
+    panel.grid(axis="y", visible=False)
+    panel.set_xlabel("share of the wall time of the whole process (%)")
+    style.legend_below(figure, *panel.get_legend_handles_labels(), 4)
+    style.headline(figure, "Small runs start and write, large ones factorize and check")
     return figure
 
 

@@ -6,7 +6,9 @@ import matplotlib.tri as mtri
 import numpy as np
 from matplotlib.collections import PolyCollection
 from matplotlib.patches import Patch
+from matplotlib.ticker import MaxNLocator
 
+import docs_page
 import run_folder
 
 # Every kind of colour vision distinguishes them, and so does print in grey.
@@ -72,22 +74,23 @@ def frame(ax, radius=10):
     ax.set_frame_on(False)
 
 
-def axes_cross(ax):
-    """The directions x and y and the scale, at the lower left."""
-    start, length = (-10, -10), 2.5
+def axes_cross(ax, radius=10):
+    """The directions x and y at the lower left, and a bar of half the radius (mm) at the lower right."""
+    start, length = (-radius, -radius), 0.25 * radius
     for end, text in (((length, 0), "x"), ((0, length), "y")):
         ax.annotate("", xytext=start, xy=np.add(start, end), arrowprops={"arrowstyle": "->", "linewidth": 0.7})
-        ax.text(*np.add(start, np.multiply(end, 1.15)), text, fontsize=7, ha="center", va="center")
+        ax.text(*np.add(start, np.multiply(end, 1.3)), text, fontsize=8, ha="center", va="center")
+    ax.plot([0.5 * radius, radius], [-radius, -radius], color="black", linewidth=1.2, solid_capstyle="butt")
+    ax.text(0.75 * radius, -0.97 * radius, f"{0.5 * radius:g} mm", fontsize=8, ha="center", va="bottom")
 
 
 def contours(ax, surface, values, levels, cmap, colour="black"):
     """Filled contours with lines; what lies outside the levels has the colours at the ends of the map."""
     triangulation, values = surface.triangulation(), surface.with_centres(values)
-    shown = ax.tricontourf(triangulation, values, levels=levels, cmap=cmap, extend="both", zorder=1)
-    # An SVG has the areas as pixels, lines and text as such, but not the many pieces of lines on fine meshes.
-    ax.set_rasterization_zorder(1.05)
-    order = 1.1 if len(surface.points) < 1000 else 1.02
-    ax.tricontour(triangulation, values, levels=levels, colors=colour, linewidths=0.4, zorder=order)
+    extend = {(True, True): "both", (True, False): "min", (False, True): "max", (False, False): "neither"}
+    shown = ax.tricontourf(triangulation, values, levels=levels, cmap=cmap, zorder=1,
+                           extend=extend[bool(values.min() < levels[0]), bool(values.max() > levels[-1])])
+    ax.tricontour(triangulation, values, levels=levels, colors=colour, linewidths=0.4, zorder=1.1)
     frame(ax)
     return shown
 
@@ -103,15 +106,30 @@ def status_map(ax, surface):
         statuses.append(surface["status"][surface.quadrilaterals[:, i]])
     colours = [STATUS_COLOURS[int(status)] for status in np.concatenate(statuses)]
     # Without antialiasing no seams show between neighbours.
-    ax.add_collection(PolyCollection(np.concatenate(shares), facecolors=colours, linewidths=0, antialiaseds=False,
-                                     rasterized=True))
+    ax.add_collection(PolyCollection(np.concatenate(shares), facecolors=colours, linewidths=0, antialiaseds=False))
     frame(ax)
 
 
-def status_legend(figure, *more):
-    """A line below the axes that explains the colours, and `more` handles."""
-    handles = [Patch(facecolor=STATUS_COLOURS[status], edgecolor="0.3", label=name)
-               for status, name in STATUS_NAMES.items()]
-    inches = figure.get_figheight()
-    figure.get_layout_engine().set(rect=(0, 0.3 / inches, 1, 1 - 0.3 / inches))
-    figure.legend(handles=[*handles, *more], loc="lower center", ncols=3 + len(more), frameon=False)
+def status_legend(figure, *more, statuses=tuple(STATUS_NAMES)):
+    """A line below the axes that explains the colours of the statuses, and `more` handles."""
+    handles = [Patch(facecolor=STATUS_COLOURS[status], edgecolor="0.3", label=STATUS_NAMES[status]) for status in statuses]
+    handles += more
+    docs_page.legend_below(figure, handles, [handle.get_label() for handle in handles], 4)
+
+
+def levels_of(low, high, count=12):
+    """Round levels from one below `low` to one above `high`."""
+    return MaxNLocator(count, steps=(1, 2, 5, 10)).tick_values(low, high)
+
+
+def scale(figure, shown, ax, label, levels, place="bottom"):
+    """A scale with round numbers."""
+    bar = figure.colorbar(shown, ax=ax, label=label, location=place, shrink=0.9, aspect=18)
+    bar.set_ticks([tick for tick in levels_of(levels[0], levels[-1], 4) if levels[0] <= tick <= levels[-1]])
+
+
+def filled(figure, ax, surface, values, levels, label, colours="viridis", line="white"):
+    """Contours with their scale below."""
+    shown = contours(ax, surface, values, levels, colours, line)
+    scale(figure, shown, ax, label, levels)
+    axes_cross(ax)

@@ -17,4 +17,4 @@ FIGURES = {
 
 
 def main():
-    docs_page.main("figures", __doc__, Runs, FIGURES, paper_tables.TABLES, has_svg=True)
+    docs_page.main("figures", __doc__, Runs, FIGURES, paper_tables.TABLES)

@@ -5,7 +5,9 @@ import matplotlib.pyplot as plt
 import numpy as np
 from matplotlib.patches import Rectangle
 
+import docs_page
 from disc_map import LINES, Surface
+from panels import entries
 from paper_printed import CYCLE, FORCE_AXIS_END, P_FORCE_X, P_FORCE_Y, P_SLIP, PEAK
 from paper_runs import MESHES, place, slip_length
 
@@ -18,11 +20,14 @@ def from_rest(values, stop=None):
 
 
 def two_panels(**settings):
-    figure, axes = plt.subplots(1, 2, figsize=(10.5, 4.6), layout="constrained", **settings)
-    for ax in axes:
-        ax.grid(color="0.9", linewidth=0.6)
-        ax.set_axisbelow(True)
-    return figure, axes
+    return plt.subplots(1, 2, figsize=(docs_page.WIDTH, 3.6), **settings)
+
+
+def finished(figure, axes, message, columns=2):
+    """With the entries of all panels below them."""
+    docs_page.legend_below(figure, *entries(axes), columns)
+    docs_page.headline(figure, message)
+    return figure
 
 
 def mark_steps(ax, x, y, steps, offset=(5, 3), colour="0.25"):
@@ -44,12 +49,11 @@ def figure_9(runs):
                 linewidth=1.2, label="A, isotropic")
         mark_steps(ax, x, y, (PEAK, 12, 13))
         mark_steps(ax, x, y, (1, 14), offset=(-13, 3))  # on the other side there are the other curves
-        ax.set_title(f"{MESHES[mesh].title}; P at {place(run, 'P')}", fontsize=10)
-        ax.set_xlabel("slip $u_x$, µm")
+        ax.set_title(f"{MESHES[mesh].title}\nP at {place(run, 'P')}")
+        ax.set_xlabel("slip along x (µm)")
         ax.set(xlim=(-0.5, 12.5), ylim=(-0.5, 12.5), aspect="equal")
-    axes[0].set_ylabel("slip $u_y$, µm")
-    axes[1].legend(fontsize=8.5, loc="upper right", title="small numbers: steps of B", title_fontsize=8.5)
-    return figure
+    axes[0].set_ylabel("slip along y (µm)")
+    return finished(figure, axes, "P slips to the peak on a line, and back on a curve (numbers: steps of B)", 3)
 
 
 def figure_10(runs):
@@ -62,20 +66,19 @@ def figure_10(runs):
         path = [from_rest(run.probe(name)[column], CYCLE) for column in ("force_x", "force_y")]
         axes[0].plot(*path, "-o", color=colour, markersize=4, linewidth=1.5, label=f"{name}, {place(run, name)}")
         mark_steps(axes[0], *path, (PEAK, 7, 9, 10, 12), offset, colour)
-    axes[0].set_title(f"friction force, {MESHES['bricks'].title}", fontsize=10)
-    axes[0].set_xlabel("$r_x$, N")
-    axes[0].set_ylabel("$r_y$, N")
+    axes[0].set_title(f"friction force, {MESHES['bricks'].title}")
+    axes[0].set_xlabel("$r_x$ (N)")
+    axes[0].set_ylabel("$r_y$ (N)")
     for mesh, colour in (("bricks", BLUE), ("refined", GREEN)):
         probe = runs.case("b", mesh).probe("P")
         path = [from_rest(probe[column], CYCLE) for column in ("traction_x", "traction_y")]
         axes[1].plot(*path, "-o", color=colour, markersize=4, linewidth=1.5, label=MESHES[mesh].title)
-    axes[1].set_title("friction traction at P", fontsize=10)
-    axes[1].set_xlabel("$r_x$ per area, MPa")
-    axes[1].set_ylabel("$r_y$ per area, MPa")
+    axes[1].set_title("friction traction at P")
+    axes[1].set_xlabel("$r_x$ per area (MPa)")
+    axes[1].set_ylabel("$r_y$ per area (MPa)")
     for ax in axes:
         ax.set_aspect("equal", adjustable="datalim")
-        ax.legend(fontsize=8.5, loc="lower right")
-    return figure
+    return finished(figure, axes, "The friction force at P turns round in the unloading (numbers: steps)")
 
 
 def figure_11(runs, positive_load):
@@ -87,15 +90,14 @@ def figure_11(runs, positive_load):
         axes[0].plot(steps, slip, "-o", color=colour, markersize=3, linewidth=1.3, label=MESHES[mesh].title)
     axes[1].plot(steps, from_rest(slip_length(positive_load.probe("P")) * 1000), "-o", color=BLUE, markersize=3,
                  linewidth=1.3, label=MESHES["bricks"].title)
-    for ax, title in zip(axes, ("unloaded to $u_z = 0$, as in the paper", "unloaded to $u_z = -0.02$ mm")):
+    for ax, title in zip(axes, ("unloaded to $u_z$ = 0, as in the paper", "unloaded to $u_z$ = -0.02 mm")):
         ax.axhline(P_SLIP * 1000, color="0.4", linestyle=":", label="printed peak, about")
-        ax.set_title(f"case B, {title}", fontsize=10)
+        ax.set_title(title)
         ax.set_xlabel("step")
         ax.set_xticks(steps[::5])
-        ax.legend(fontsize=8.5, loc="upper center", ncols=3)
-    axes[0].set_ylabel("slip at P, µm")
+    axes[0].set_ylabel("slip at P (µm)")
     axes[0].set_ylim(0, 15)
-    return figure
+    return finished(figure, axes, "Slip at P repeats itself only if the body is unloaded fully", 3)
 
 
 def friction_on_half(run, step, axis):
@@ -120,10 +122,9 @@ def figure_12(runs):
                          label=f"along {'xy'[axis]}, {MESHES[mesh].title}")
         if mesh == "bricks":
             mark_steps(axes[0], slip, force, (1, PEAK, 7, 9, 11, 12, 13))
-    axes[0].set_ylabel("total normal force, kN")
-    axes[1].set_ylabel("friction on half of the base, inwards, kN")
+    axes[0].set_ylabel("total normal force (kN)")
+    axes[1].set_ylabel("friction on half of the base (kN)")
     for ax in axes:
         ax.axhline(FORCE_AXIS_END / 1000, color="0.4", linestyle=":", label="end of the printed axis")
-        ax.set_xlabel("slip at P, µm")
-        ax.legend(fontsize=8.5, loc="upper left")
-    return figure
+        ax.set_xlabel("slip at P (µm)")
+    return finished(figure, axes, "The total force is beyond the printed axis, friction is not (numbers: steps)", 3)

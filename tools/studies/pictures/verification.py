@@ -12,11 +12,13 @@ import verification_import
 import verification_wear
 import verification_profiles
 from answers import Sphere, punch_pressure, punch_slope, radius_of_punch
-from measure import on_surface
-from panels import DOTS, GREEN, GREY, LINE, RED, label, three_panels
+from measure import along_x, on_surface
+from panels import BLUE, DOTS, GREEN, GREY, LINE, RED, entries, label
 from paper_runs import Runs
 
+plt = docs_page.plt
 Q = 83.99  # N
+MU = (0.8, 0.4)  # of gross sliding
 
 
 class VerificationRuns(Runs):
@@ -35,20 +37,20 @@ def hertz(runs, ax):
     inside, r = radius < 0.6, np.linspace(0, 0.5, 400)
     ax.plot(r, sphere.pressure(r), **LINE)
     ax.plot(radius[inside], pressure[inside], **DOTS)
-    radius, pressure = on_surface(runs.verified("hertz_half_space"), 4, "pressure")
-    inside = radius < 0.6
-    ax.plot(r, ON_HALF_SPACE.pressure(r), **{**LINE, "label": ""})
-    ax.plot(radius[inside], pressure[inside], **{**DOTS, "color": GREEN, "label": "on a softer half-space"})
-    label(ax, "Hertz: pressure under a sphere", "r in mm", "pressure in MPa")
+    x, pressure = along_x(runs.verified("hertz_half_space"), 4, "pressure")
+    inside = x < 0.6
+    ax.plot(r, ON_HALF_SPACE.pressure(r), **LINE)
+    ax.plot(x[inside], pressure[inside], **{**DOTS, "color": GREEN, "label": "orthocone, softer half-space"})
+    label(ax, "pressure (Hertz)", "r (mm)", "pressure (MPa)")
 
 
 def mindlin_traction(runs, ax):
-    contact = runs.verified("cattaneo_mindlin").contact(10)
-    radius, sphere = np.hypot(*contact.points[:, :2].T), Sphere(466.6, poisson=0.4999)
-    inside, r = radius < 0.6, np.linspace(0, 0.5, 1000)
+    x, traction = along_x(runs.verified("cattaneo_mindlin"), 10, "friction_traction")
+    sphere = Sphere(466.6, poisson=0.4999)
+    inside, r = x < 0.6, np.linspace(0, 0.5, 1000)
     ax.plot(r, sphere.traction(r, Q), **LINE)
-    ax.plot(radius[inside], np.abs(contact["friction_traction"][inside, 0]), **DOTS)
-    label(ax, "Cattaneo, Mindlin: shear traction at Q = 0.6 $\\mu$P", "r in mm", "|traction along x| in MPa")
+    ax.plot(x[inside], np.abs(traction[inside, 0]), **DOTS)
+    label(ax, "shear traction (Cattaneo)", "x (mm)", "traction along x (MPa)")
 
 
 def own_shear(runs, sphere):
@@ -65,7 +67,7 @@ def mindlin_loop(runs, ax):
     ax.plot(-sphere.unloading_shift(Q, shear) * 1e3, -shear, color=RED, linewidth=1.2)
     force = -history["force_x"]
     ax.plot((history["ux"] - own * force)[3:] * 1e3, force[3:], **DOTS)
-    label(ax, "Mindlin: loop, without the body's own shear", "shift in µm", "tangential force in N")
+    label(ax, "loop (Mindlin)", "shift (µm)", "tangential force (N)")
 
 
 def flat_punch(runs, ax):
@@ -73,7 +75,7 @@ def flat_punch(runs, ax):
     inside, r = radius < 0.985, np.linspace(0, 0.985, 400)
     ax.plot(r, punch_pressure(r, 1000), **LINE)
     ax.plot(radius[inside], pressure[inside], **DOTS)
-    label(ax, "Flat punch", "r in mm", "pressure in MPa")
+    label(ax, "flat punch", "r (mm)", "pressure (MPa)")
 
 
 def tilted_punch(runs, ax):
@@ -82,17 +84,17 @@ def tilted_punch(runs, ax):
     line, r = (np.abs(y) < 1e-9) & (np.abs(x) < 0.9), np.linspace(-0.9, 0.9, 400)
     radius = radius_of_punch(contact["pressure"][np.argmin(np.hypot(x, y))], 1000)
     ax.plot(r, punch_pressure(np.abs(r), 1000, radius) * (1 + punch_slope(1000, 1e-4, radius) * r),
-            **{**LINE, "label": f"closed form, a = {radius:.3f} mm"})
+            **LINE)
     ax.plot(x[line], contact["pressure"][line], **DOTS)
-    label(ax, "Inclined punch, along the inclination", "x in mm", "pressure in MPa")
+    label(ax, "inclined punch", "x (mm)", "pressure (MPa)")
 
 
 def polar(runs, ax):
-    for model, style in (("axisymmetric", {"color": RED, "label": "section"}), ("quarter", {**DOTS, "label": "quarter"})):
+    for model, style in (("axisymmetric", {"color": GREEN, "label": "orthocone, axisymmetric"}), ("quarter", {**DOTS})):
         run = runs.verified("polar_friction", "Mesh/Degree=3", f"Mesh/Model={model}")
         radius, traction = on_surface(run, 5, "friction_traction")
         ax.plot(radius, np.hypot(*traction.T[:2]), **style)
-    label(ax, "Axes of friction along radius and hoop", "r in mm", "friction traction in MPa")
+    label(ax, "turned surface", "r (mm)", "friction traction (MPa)")
 
 
 def torsion(runs, ax):
@@ -101,7 +103,7 @@ def torsion(runs, ax):
     moment = 105000 * math.pi / 2 * 1e4 / 10 * np.radians(angles)
     ax.plot(angles, moment / 1e6, **LINE)
     ax.plot(run.history["rz"], -run.history["moment_z"] / 1e6, **DOTS)
-    label(ax, "Torsion of a shaft that sticks", "angle in degrees", "moment in kN m")
+    label(ax, "moment of a shaft that sticks", "angle (degrees)", "moment (kN m)")
 
 
 def first_slip(runs, ax):
@@ -110,33 +112,37 @@ def first_slip(runs, ax):
     for n in cells:
         run = runs.verified("first_slip_in_torsion", f"Mesh/Core cells={n}", f"Mesh/Rings={n}", "Mesh/Model=full")
         angles.append(0.03 / (1 + on_surface(run, 2, "friction_criterion")[1].max()))
-    ax.axhline(math.degrees(6e-4), **LINE)
-    ax.plot(cells, angles, **{**DOTS, "linestyle": "--"})
-    ax.set_xticks(cells)
-    label(ax, "First slip of the twisted shaft, at its rim", "core cells = rings", "angle in degrees")
+    ax.plot(cells, 100 * (1 - np.array(angles) / math.degrees(6e-4)), "o-", color=BLUE)
+    ax.set(ylim=(0, None), xticks=cells)
+    label(ax, "angle of the first slip", "core cells, and as many rings", "below closed form (%)")
+
+
+def ratios(history):
+    """Of the tangential forces to the normal force in the last step."""
+    return [-history[f"force_{axis}"][-1] / history["force_z"][-1] for axis in "xy"]
+
+
+def draw_direction(runs, ax, p, look):
+    """The motion along 15, 45 and 75 degrees, and the forces that the slip rule gives."""
+    for angle in np.radians((15, 45, 75)):
+        legs = f"0 0 -0.01 : 1 ; {math.cos(angle):.6g} {math.sin(angle):.6g} -0.01 : 20"
+        ax.plot(*ratios(runs.verified("gross_sliding", f"Friction/Slip potential={p[0]}, {p[1]}",
+                                      f"Load program/Legs={legs}").history), linestyle="none", **look)
+        along = np.array([p[0]**2 * math.cos(angle), p[1]**2 * math.sin(angle)])
+        ax.plot(*along / np.hypot(along[0] / MU[0], along[1] / MU[1]), "+", color="black", markersize=9,
+                label="closed form of the slip rule")
 
 
 def gross_sliding(runs, ax):
-    direction, mu = np.radians(np.linspace(0, 90, 200)), (0.8, 0.4)
-    for p, colour, name in (((0.8, 0.4), RED, "associated"), ((1, 1), GREEN, "collinear")):
-        along = -np.array([p[0]**2 * np.cos(direction), p[1]**2 * np.sin(direction)])
-        along /= np.hypot(along[0] / mu[0], along[1] / mu[1])
-        ax.plot([], [], "o", color=colour, markerfacecolor="none" if name == "collinear" else colour, label=name)
-        for angle in (15, 45, 75):
-            legs = f"0 0 -0.01 : 1 ; {math.cos(math.radians(angle)):.6g} {math.sin(math.radians(angle)):.6g} -0.01 : 20"
-            history = runs.verified("gross_sliding", f"Friction/Slip potential={p[0]}, {p[1]}",
-                                    f"Load program/Legs={legs}").history
-            ax.plot(-history["force_x"][-1] / history["force_z"][-1], -history["force_y"][-1] / history["force_z"][-1],
-                    "o", color=colour, markersize=5, markerfacecolor="none" if name == "collinear" else colour)
-            ax.plot(*(np.interp(math.radians(angle), direction, -part) for part in along), "+", color="0.2", markersize=9)
-    history = runs.verified("gross_sliding_by_force").history
-    ax.plot(-history["force_x"][-1] / history["force_z"][-1], -history["force_y"][-1] / history["force_z"][-1], "s",
-            color=RED, markersize=10, markerfacecolor="none", label="associated, F_z given")
+    draw_direction(runs, ax, (0.8, 0.4), {"marker": "o", "color": RED, "label": "associated slip"})
+    draw_direction(runs, ax, (1, 1), {"marker": "o", "color": GREEN, "markerfacecolor": "none", "markersize": 6,
+                                      "label": "collinear slip"})
+    ax.plot(*ratios(runs.verified("gross_sliding_by_force").history), "s", color=RED, markersize=10, markerfacecolor="none",
+            label="associated slip, normal force given")
     ax.set_aspect("equal")
     angle = np.linspace(0, math.pi / 2, 100)
-    ax.plot(mu[0] * np.cos(angle), mu[1] * np.sin(angle), color=GREY, linewidth=1, label="friction ellipse")
-    ax.plot([], [], "+", color="0.2", markersize=9, label="closed form")
-    label(ax, "Gross sliding along 15°, 45°, 75°", "force_x / force_z", "force_y / force_z")
+    ax.plot(MU[0] * np.cos(angle), MU[1] * np.sin(angle), color=GREY, linewidth=1, label="friction ellipse")
+    label(ax, "gross sliding along 15°, 45° and 75°", "$F_x / F_z$", "$F_y / F_z$")
 
 
 def pressed_by_force(runs, ax):
@@ -144,9 +150,9 @@ def pressed_by_force(runs, ax):
     legs = " ; ".join(f"Fz {-f!r} ux {u!r} : 1" for f, u in zip(history["force_z"].tolist(), history["ux"].tolist()))
     by_force = runs.run("pressed-by-force", "../verification/pressed_by_force", "Output/Probes=",
                         f"Load program/Legs={legs}").history
-    ax.plot(range(1, 10), -history["uz"] * 1e3, color=RED, label="driven by the motion")
-    ax.plot(range(1, 10), -by_force["uz"] * 1e3, **{**DOTS, "label": "driven by its force"})
-    label(ax, "The same press by motion and by force", "load step", "-uz in µm")
+    ax.plot(range(1, 10), -history["uz"] * 1e3, color=GREEN, label="orthocone, driven by the motion")
+    ax.plot(range(1, 10), -by_force["uz"] * 1e3, **DOTS)
+    label(ax, "press by motion and by force", "load step", "motion of the top (µm)")
 
 
 def box(runs, ax):
@@ -155,32 +161,43 @@ def box(runs, ax):
     line = np.array([-10, 10])
     ax.plot(line, 0.3 / 210 * line * 1e3, **LINE)
     ax.plot(x, slip * 1e3, **DOTS)
-    label(ax, "Box under 240 kN: lateral strain at its base", "x in mm", "slip along x in µm")
+    label(ax, "box under 240 kN", "x (mm)", "slip along x (µm)")
 
 
 def patch(runs, ax):
     radius, slip = on_surface(runs.verified("patch_test"), 1, "slip_magnitude")
     ax.plot([0, 10], [0, 30], **LINE)
     ax.plot(radius, slip * 1e3, **DOTS)
-    label(ax, "Patch test: lateral strain at the base", "r in mm", "slip in µm")
+    label(ax, "patch test", "r (mm)", "slip (µm)")
 
 
-PICTURES = {"verification_spheres": (hertz, mindlin_traction, mindlin_loop),
-            "verification_profiles": verification_profiles.PANELS,
-            "verification_lines": verification_profiles.LINES,
-            "verification_places": (flat_punch, tilted_punch, polar),
-            "verification_turns": (torsion, first_slip, gross_sliding),
-            "verification_bodies": (pressed_by_force, box, patch),
-            "verification_wear": verification_wear.PANELS}
+# Headline and panels of each picture.
+PICTURES = {"verification_spheres": ("Pressed and sheared spheres follow Hertz, Cattaneo and Mindlin",
+                                     (hertz, mindlin_traction, mindlin_loop)),
+            "verification_profiles": ("Pressures follow the closed form up to the edge", verification_profiles.PANELS),
+            "verification_lines": ("Line contact follows Hertz and Cattaneo through a cycle", verification_profiles.LINES),
+            "verification_places": ("Punches press most at their edge, and section and quarter agree",
+                                    (flat_punch, tilted_punch, polar)),
+            "verification_turns": ("Shafts stick and slip, and bodies slide, as the closed forms say",
+                                   (torsion, first_slip, gross_sliding)),
+            "verification_bodies": ("Motion and force lead to the same state, and even states are exact",
+                                    (pressed_by_force, box, patch)),
+            "verification_wear": ("Wear ends in the shapes that are known", verification_wear.PANELS)}
+WIDE = ("verification_turns",)  # the last panel has a row of its own
 
 
-def of_panels(runs, panels):
-    figure, axes = three_panels()
-    for draw, ax in zip(panels, axes):
+def of_panels(runs, name):
+    """Three panels, with the entries of all below."""
+    message, panels = PICTURES[name]
+    places = [["first", "second"], ["third", "third"]] if name in WIDE else [["first", "second", "third"]]
+    figure, axes = plt.subplot_mosaic(places, figsize=(docs_page.WIDTH, 5.8 if name in WIDE else 3))
+    for draw, ax in zip(panels, axes.values()):
         draw(runs, ax)
+    docs_page.legend_below(figure, *entries(axes.values()), 3)
+    docs_page.headline(figure, message)
     return figure
 
 
 def main():
-    pictures = {name: functools.partial(of_panels, panels=panels) for name, panels in PICTURES.items()}
+    pictures = {name: functools.partial(of_panels, name=name) for name in PICTURES}
     docs_page.main("verification", __doc__, VerificationRuns, {**pictures, "import": verification_import.picture})

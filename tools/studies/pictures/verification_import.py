@@ -1,21 +1,21 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""The bodies of prm/import: their meshes, and a field on the contact surface; of tools/study verification."""
+"""Bodies of prm/import: their meshes, and the pressure on the contact surface; of tools/study verification."""
 import itertools
 
 import matplotlib.pyplot as plt
 import numpy as np
+from matplotlib.collections import PolyCollection
 from mpl_toolkits.mplot3d.art3d import Poly3DCollection
 
-from disc_map import Surface
+import docs_page
+from disc_map import Surface, levels_of
 from imported_body import ImportedBody
 from outline import outline
 from panels import BLUE
 
-# Name, step, field with its title and unit, colours, and whence the body is seen (degrees).
-BODIES = (("cylinder", 5, "slip_magnitude", "slip (mm)", "viridis", (-22, -60)),
-          ("pin", 10, "pressure", "pressure (MPa)", "plasma", (-22, -60)),
-          ("dovetail", 6, "pressure", "pressure (MPa)", "plasma", (-28, -115)))
+# Name, step, and whence the body is seen (degrees).
+BODIES = (("pin", 10, (-22, -60)), ("dovetail", 6, (-28, -115)))
 PALE, LIT = "#dfe5ec", BLUE
 
 
@@ -49,25 +49,33 @@ def draw_mesh(ax, body, view):
     ax.set_axis_off()
 
 
-def draw_field(ax, surface, field, colours):
-    values = surface.with_centres(surface[field])
-    shown = ax.tripcolor(surface.triangulation(), values, shading="gouraud", cmap=colours, vmin=0, rasterized=True)
+def draw_field(ax, surface, values, colours):
+    """Where nothing touches, the mesh remains white."""
+    levels = levels_of(0, values.max(), 10)
+    values = np.where(surface["pressure"] > 0, values, -levels[1])
+    shown = ax.tricontourf(surface.triangulation(), surface.with_centres(values), levels=levels, cmap=colours)
+    ax.add_collection(PolyCollection(surface.points[surface.quadrilaterals], facecolor="none", edgecolor="0.5", linewidth=0.3))
     for polygon in outline(surface.points, surface.quadrilaterals):
         ax.plot(*np.concatenate([polygon, polygon[:1]]).T, color="0.3", linewidth=0.8)
+    ax.grid(False)
     ax.set(aspect="equal", xlabel="x (mm)", ylabel="y (mm)")
     return shown
 
 
 def picture(runs):
-    """Meshes above, fields below."""
-    figure = plt.figure(figsize=(11, 6.2), layout="constrained")
-    for column, (name, step, field, title, colours, view) in enumerate(BODIES, start=1):
+    """Meshes on the left, pressures on the right."""
+    figure = plt.figure(figsize=(docs_page.WIDTH, 5.6))
+    for row, (name, step, view) in enumerate(BODIES):
         run = runs.run(f"import-{name}", f"../import/{name}", "Output/Probes=", "Load program/Cycles=1")
         body = ImportedBody.of(run.parameters["Geometry"])
-        mesh = figure.add_subplot(2, 3, column, projection="3d")
+        mesh = figure.add_subplot(2, 2, 2 * row + 1, projection="3d")
         draw_mesh(mesh, body, view)
-        mesh.set_title(f"{name}.msh: {len(np.concatenate([cells for cells, _ in body.blocks('hexahedron')]))} cells")
-        ax = figure.add_subplot(2, 3, 3 + column)
-        figure.colorbar(draw_field(ax, Surface(run, step), field, colours), ax=ax, label=title, shrink=0.9)
-        ax.set_title(f"step {step}")
+        mesh.set_title(f"{name}: {len(np.concatenate([cells for cells, _ in body.blocks('hexahedron')]))} cells, from below")
+        ax = figure.add_subplot(2, 2, 2 * row + 2)
+        surface = Surface(run, step)
+        figure.colorbar(draw_field(ax, surface, 1e-3 * surface["pressure"], "cividis"), ax=ax, label="pressure (GPa)", shrink=0.9)
+        ax.set_title(f"{name}: contact surface at full load")
+        if name == "pin":
+            ax.set(xlim=(-1, 1), ylim=(-1, 1))
+    docs_page.headline(figure, "Pin and dovetail touch on small parts of their contact surfaces")
     return figure

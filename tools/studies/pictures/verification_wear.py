@@ -4,7 +4,7 @@
 import math
 
 import numpy as np
-from measure import on_surface
+from measure import along_x
 from panels import BLUE, DOTS, GREEN, LINE, label
 
 RADIUS = 100  # of the spheres, mm
@@ -14,14 +14,14 @@ N_STEPS = 8  # of a cycle of fretting_wear.prm, which has 16 before
 
 def worn_cap(runs, ax):
     run = runs.verified("worn_sphere", "Output/Contact fields=1048")
-    radius, depth = on_surface(run, 1048, "wear_depth")
+    x, depth = along_x(run, 1048, "wear_depth")
     # The cap whose volume Archard's law gives: V = pi R h^2.
     h = math.sqrt(run.history["worn_volume"][-1] / (math.pi * RADIUS))
     r = np.linspace(0, math.sqrt(2 * RADIUS * h), 200)
     ax.plot(r, (h - r**2 / (2 * RADIUS)) * 1e3, **LINE)
-    ax.plot(radius, depth * 1e3, **DOTS)
+    ax.plot(x, depth * 1e3, **DOTS)
     ax.set_xlim(0, 6)
-    label(ax, "Worn by a sphere in gross sliding", "r in mm", "worn depth in µm")
+    label(ax, "worn by a sphere", "x (mm)", "worn depth (µm)")
 
 
 def limit_pressure(r, approach, c):
@@ -42,23 +42,24 @@ def fretted_pressure(runs, ax):
     # What the body gives way besides the contact is proportional to the force.
     approach = (3 * force[first] * RADIUS / (4 * STIFFNESS))**(2 / 3) / RADIUS
     approach = 0.0027 + (approach - 0.0027) * force[-1] / force[first]
-    radius, pressure = on_surface(run, last, "pressure")
+    x, pressure = along_x(run, last, "pressure")
     start = math.sqrt(history["stick_area"][first] / math.pi)
     r = np.linspace(0, 0.99 * start, 300)
     ax.plot(r, limit_pressure(r, approach, start), **LINE)
-    ax.plot(radius, pressure, **DOTS)
-    ax.axvline(start, color=GREEN, linewidth=1, linestyle="--", label="sticks in the first cycle")
-    ax.set(xlim=(0, 0.7), ylim=(0, 2000))
-    label(ax, "Fretting: pressure after 10$^5$ cycles", "r in mm", "pressure in MPa")
+    ax.plot(x, pressure, **DOTS)
+    ax.axvline(start, color="0.4", linewidth=1, linestyle="--", label="border of the stick zone")
+    ax.set(xlim=(0, 0.7), ylim=(0, 1800))
+    label(ax, "fretted, 10$^5$ cycles", "x (mm)", "pressure (MPa)")
 
 
 def fretted_force(runs, ax):
-    for depth, colour in (("8e-5", GREEN), ("2e-5", BLUE)):
+    for depth, style, colour in (("8e-5", "-", GREEN), ("2e-5", ":", "black")):
         history = runs.verified("fretting_wear", "Load program/Cycles=20000", f"Wear/Largest depth of a jump={depth}").history
         cyclic = history["cycle"] > 0
-        ax.plot(history["cycle"][cyclic] / 1e3, history["force_z"][cyclic], color=colour, linewidth=1.2,
-                label=f"jumps of at most {1e6 * float(depth):.0f} nm: {len(history['cycle']) // N_STEPS} cycles computed")
-    label(ax, "Fretting: the normal force that wear leaves", "thousand cycles", "normal force in N")
+        ax.plot(history["cycle"][cyclic] / 1e3, history["force_z"][cyclic], color=colour, linestyle=style,
+                linewidth=2 if style == ":" else 1.3,
+                label=f"jumps up to {1e6 * float(depth):.0f} nm: {len(history['cycle']) // N_STEPS} cycles computed")
+    label(ax, "force that wear leaves", "thousand cycles", "normal force (N)")
 
 
 PANELS = (worn_cap, fretted_pressure, fretted_force)
