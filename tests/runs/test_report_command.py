@@ -73,7 +73,10 @@ class CommandTest(unittest.TestCase):
     def test_output(self):
         page = self.folder / "page.html"
         result = report(self.folder, "--output", page)
-        self.assertEqual((result.returncode, result.stdout), (0, f"report: {page}\n"))
+        first, second = result.stdout.splitlines()
+        self.assertRegex(first, rf"^report: {page} \(\d+ kB\): 15 of 15 steps; histories, maps of 15 steps, loops, cycles, "
+                                "energies, solver$")
+        self.assertEqual((result.returncode, second), (0, f"report: open it in a web browser: xdg-open {page}"))
         first = page.read_bytes()
         self.assertEqual(report(self.folder, "--output", page).returncode, 0)
         self.assertEqual(page.read_bytes(), first)
