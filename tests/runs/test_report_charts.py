@@ -189,7 +189,7 @@ class ChartsTest(Page):
         steps = self.chart("Force of the plane").find_element("css selector", "path.curve").get_attribute("d")
         self.assertEqual(steps.count("M"), 1 + jumped.sum())
         # The ledger has every computed cycle, whatever its number.
-        self.assertIn("cycle 100 (steps 3966\u20134005)", self.text(".ledger"))
+        self.assertIn("cycle 100 (steps 3966\u20134005)", self.text(".cycles"))
         ledger = self.saved_table(self.menu("Energies since the start"))
         total = float(table(folder)[-1]["total_dissipation"])
         self.assertAlmostEqual(float(ledger[-1]["dissipated by friction (N mm)"]) / total, 1, delta=1e-6)

@@ -3,7 +3,7 @@
 # Copyright (C) 2026 the orthocone authors
 """Pictures of a run folder, unattended: the views of contact.py.
 
-xvfb-run -a -s -noreset pvbatch pictures.py RUN_FOLDER --png DIR [--steps 5,8,12 | --steps all]
+xvfb-run -a -s -noreset pvbatch pictures.py RUN_FOLDER --png DIR [--steps 5,8,12 | --steps all] [--open]
 writes {overview,body,slip,pressure,friction}-NNNN.png, and wear-NNNN.png of a run that wears, by default for the step of largest elastic energy. Most
 ParaViews, Debian's among them, draw through an X server even in pvbatch; xvfb-run brings one that needs no screen
 (without -noreset it sometimes refuses). Not needed at a screen, or if built for EGL or OSMesa.
@@ -70,6 +70,7 @@ def main(words):
     parser.add_argument("run_folder", metavar="RUN_FOLDER")
     parser.add_argument("--png", metavar="DIR", type=pathlib.Path, required=True, help="folder of the pictures")
     parser.add_argument("--steps", metavar="LIST", help="steps, as 5,8,12, or all")
+    parser.add_argument("--open", action="store_true", help="show the whole surface, with the values of open nodes")
     parser.error = refuse  # one line
     options = parser.parse_args(words)
     run = contact.Run(options.run_folder)
@@ -78,7 +79,7 @@ def main(words):
     if vtkRenderWindow().GetClassName() == "vtkXOpenGLRenderWindow" and not os.environ.get("DISPLAY"):
         refuse("no X server to draw with; start with xvfb-run")
     options.png.mkdir(parents=True, exist_ok=True)
-    write_pictures(*contact.open_run(options.run_folder), steps, options.png)
+    write_pictures(*contact.open_run(options.run_folder, options.open), steps, options.png)
 
 
 if __name__ == "__main__":

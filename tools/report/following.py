@@ -41,7 +41,8 @@ def follow(folders, make, seconds=LEAST_SECONDS):
             make(wait)
         except (OSError, BadFile):
             pass
-        spent = time.monotonic() - start
-        time.sleep(wait)
-        wait = max(seconds, spent / LARGEST_SHARE)
+        end = time.monotonic() + wait
+        wait = max(seconds, (time.monotonic() - start) / LARGEST_SHARE)
+        while time.monotonic() < end and any(map(is_running, folders)):
+            time.sleep(min(seconds, 1))
     make(None)
