@@ -163,7 +163,8 @@ class Page(unittest.TestCase):
         return np.array(self.script(COLOURS, pixels.tolist()))
 
     def assert_sections(self):
-        sizes = self.script("return [...document.querySelectorAll('section, .chart, .figures svg')].map(element => "
+        sizes = self.script("return [...document.querySelectorAll('section, .chart, .figures svg')]"
+                            ".filter(element => !element.closest('figure[hidden]')).map(element => "
                             "[element.getBoundingClientRect().width, element.getBoundingClientRect().height])")
         self.assertGreater(len(sizes), 9)
         self.assertGreater(np.min(sizes), 20)

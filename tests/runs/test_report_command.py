@@ -8,9 +8,11 @@ import os
 import pathlib
 import re
 import shutil
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 
 import meshio
@@ -19,7 +21,7 @@ import numpy as np
 sys.dont_write_bytecode = True  # the source tree stays clean
 from program import PROGRAM, main  # noqa: E402
 from report_page import table  # noqa: E402
-from report_run import COARSE, SCRATCH, report, run  # noqa: E402
+from report_run import CASE_B, COARSE, REPORT, SCRATCH, report, run  # noqa: E402
 
 
 def payload(page):
@@ -44,6 +46,14 @@ def merge_points(file):
     _, one, node = np.unique(places, axis=0, return_index=True, return_inverse=True)
     order = np.random.default_rng(1).permutation(len(one))  # not the order of the cells
     with_points(file, one[order], np.argsort(order)[node.reshape(-1)][mesh.cells[0].data])
+
+
+def wait_for(happened, seconds=100):
+    end = time.monotonic() + seconds
+    while not happened():
+        if time.monotonic() > end:
+            raise AssertionError("it did not happen")
+        time.sleep(0.1)
 
 
 class CommandTest(unittest.TestCase):
@@ -73,7 +83,10 @@ class CommandTest(unittest.TestCase):
     def test_output(self):
         page = self.folder / "page.html"
         result = report(self.folder, "--output", page)
-        self.assertEqual((result.returncode, result.stdout), (0, f"report: {page}\n"))
+        first, second = result.stdout.splitlines()
+        self.assertRegex(first, rf"^report: {page} \(\d+ kB\): 15 of 15 steps; histories, maps of 15 steps, loops, cycles, "
+                                "energies, solver$")
+        self.assertEqual((result.returncode, second), (0, f"report: open it in a web browser: xdg-open {page}"))
         first = page.read_bytes()
         self.assertEqual(report(self.folder, "--output", page).returncode, 0)
         self.assertEqual(page.read_bytes(), first)
@@ -84,6 +97,56 @@ class CommandTest(unittest.TestCase):
         os.mkfifo(pipe)
         self.assert_error(report(self.folder, "--output", pipe), 4, "pipe: is no ordinary file")
         self.assert_error(report(self.folder, "--output", self.folder / "none/page.html"), 4, "none: no such folder")
+
+    def tiles(self, folder):
+        """{name: words} of the answers on the page."""
+        self.assertEqual(report(folder).returncode, 0)
+        text = (folder / "report.html").read_text(encoding="utf-8").replace("\u00a0", " ")
+        return dict(re.findall(r'<div class="tile"><dt>(.*?)</dt><dd>(.*?)<', text))
+
+    def test_answers(self):
+        """Of the tables, and of summary.json where it has them."""
+        folder = pathlib.Path(tempfile.mkdtemp(dir=SCRATCH.name)) / "answers"
+        shutil.copytree(self.folder, folder)
+        rows, tiles = table(folder), self.tiles(folder)
+        self.assertEqual(tiles["largest normal force"], f"{max(float(row['force_z']) for row in rows) / 1000:.4g} kN")
+        self.assertEqual(tiles["largest slip in contact"], f"{max(float(row['max_slip']) for row in rows) * 1000:.4g} \u00b5m")
+        self.assertEqual(tiles["energy dissipated in the last cycle"], f"{float(rows[-1]['total_dissipation']):.4g} N mm")
+        self.assertNotIn("largest tangential force", tiles)
+        summary = json.loads((folder / "summary.json").read_text(encoding="utf-8"))
+        summary["answers"] = {"slip_of_contact": {"value": 0.0123, "unit": "mm", "step": 7}, "mu_eff": {"value": None}}
+        (folder / "summary.json").write_text(json.dumps(summary), encoding="utf-8")
+        self.assertEqual(self.tiles(folder), {**tiles, "largest slip in contact": "12.3 \u00b5m"})
+
+    def test_changed_entries_come_first(self):
+        report(self.folder)
+        text = (self.folder / "report.html").read_text(encoding="utf-8")
+        changed, _, folded = text.partition('<section id="parameters"')[2].partition("<details>")
+        for name, is_changed in (("Layers", True), ("Degree", True), ("Height", False), ("Rho factor", False)):
+            self.assertEqual([f'row">{name}</th>' in part for part in (changed, folded)], [is_changed, not is_changed], name)
+
+    def test_follow(self):
+        """The page shows itself anew as long as the run goes on, and stands still afterwards."""
+        folder = pathlib.Path(SCRATCH.name) / "followed"
+        settings = [f"--set={setting}" for setting in (*COARSE, "Load program/Cycles=60000", "Output/Contact fields=0")]
+        with subprocess.Popen([PROGRAM, CASE_B, "--quiet", "--output", folder, *settings], stderr=subprocess.DEVNULL) as going:
+            page = folder / "report.html"
+            wait_for((folder / "history.csv").exists)
+            with subprocess.Popen([sys.executable, REPORT, folder, "--follow", "--every", "0.5"], stdout=subprocess.PIPE,
+                                  text=True) as following:
+                try:
+                    wait_for(page.exists)
+                    text = page.read_text(encoding="utf-8")
+                finally:
+                    going.send_signal(signal.SIGINT)
+                said = following.communicate(timeout=100)[0]
+        self.assertIn("Still running", text)
+        self.assertIn('http-equiv="refresh"', text)
+        self.assertEqual((following.returncode, said.count("\n")), (0, 3), said)
+        text = page.read_text(encoding="utf-8")
+        self.assertIn("Not complete", text)
+        self.assertNotIn('http-equiv="refresh"', text)
+        self.assert_error(report(folder, "--follow", "--every", "0"), 2, "seconds from 0.5")
 
     def test_several_runs_go_into_the_first_folder(self):
         first, second = run("first", *COARSE, "Load program/Cycles=1"), run("second", *COARSE, "Load program/Cycles=2")

@@ -5,6 +5,9 @@
 ORTHOCONE_RUN=RUN_FOLDER paraview --script=contact.py
 or, in the Python Shell of an open one: Run Script... contact.py, then open_run("RUN_FOLDER")
 
+The views look at the contact, and what is open is grey. ORTHOCONE_OPEN=1, or open_run("RUN_FOLDER", shows_open=True), shows
+the whole surface with the values of open nodes.
+
 One file: ParaView's window does not say to a script where it lies, so that it could not find others. pictures.py, for
 pvbatch, imports it."""
 import csv
@@ -33,6 +36,7 @@ LEGEND = {"ComponentTitle": "", "HorizontalTitle": 1, "TitleJustification": "Lef
           "LabelColor": DARK, "TitleFontSize": 16, "LabelFontSize": 16, "AutomaticLabelFormat": 0,
           "LabelFormat": "%.4g", "RangeLabelFormat": "%.3g", "WindowLocation": "Any Location", "Position": [0.84, 0.14],
           "ScalarBarLength": 0.66, "ScalarBarThickness": 18}
+BEYOND_CONTACT, MOST_OF_SURFACE = 1.3, 0.75  # of the radius of what touches, of that of the surface
 OFFSET = "Translation" if simple.GetParaViewVersion() >= (5, 13) else "Position"  # the property has two names
 
 
@@ -93,6 +97,27 @@ class Grid:
         order = np.argsort(values)
         sums = np.cumsum(weights[order])
         return values[order][min(np.searchsorted(sums, part * sums[-1]), len(order) - 1)]
+
+
+class Focus:
+    """Where the views of the contact surface look, and whether what is open is grey: centre and radius of what touches in the
+    steps of the largest values, with some room; the whole surface where that is most of it."""
+
+    def __init__(self, run, grid, shows_open):
+        self.centre, self.radius, self.shows_open, self.is_near = grid.centre, grid.radius, shows_open, False
+        if shows_open:
+            return
+        touched = []
+        for step in {run.peak(run.contact, column) for column in ("max_pressure", "elastic_energy", "max_slip")}:
+            one = Grid(run.contact[step])
+            touched.append(one.points[one["status"] > 0.5, :2])
+        points = np.concatenate(touched)
+        if len(points) < 2:
+            return
+        centre = (points.min(axis=0) + points.max(axis=0)) / 2
+        radius = BEYOND_CONTACT * np.hypot(*(points - centre).T).max()
+        if 0 < radius < MOST_OF_SURFACE * grid.radius:
+            self.centre, self.radius, self.is_near = centre, radius, True
 
 
 class Run:
@@ -188,18 +213,40 @@ def surface_of(source, grid):
     return simple.ExtractSurface(Input=source, NonlinearSubdivisionLevel=level)
 
 
-def draw_values(name, unit, preset, column, within, run, view, surface, _grid):
-    """On the scale of the step in which the column of the history is largest; returns its upper end."""
+def seen(surface, focus):
+    """The disc on which the views look, so that there is room for title and legend beside it."""
+    if not focus.is_near:
+        return surface
+    disc = simple.Clip(Input=surface, ClipType="Sphere", Invert=1)
+    disc.ClipType.Center, disc.ClipType.Radius = [*focus.centre, 0], focus.radius
+    return disc
+
+
+def hide_open(view, surface, focus):
+    """Grey over what is open: its values would bury the contact."""
+    if not focus.shows_open:
+        zone = simple.Clip(Input=surface, ClipType="Scalar", Scalars=["POINTS", "opens"], Value=0.5, Invert=0)
+        show_plain(zone, view, OPEN, [0, 0, 0.02 * focus.radius])
+
+
+def draw_values(name, unit, preset, column, within, run, view, surface, focus, lasts=False):
+    """On the scale of the step in which the column of the history is largest; returns its upper end. What lasts stays where
+    the surface has opened again."""
     grid = Grid(run.contact[run.peak(run.contact, column)])
     upper = scale(name.split("_")[0], unit, grid.bound(name, within), grid[name].max())
     show_field(surface, view, name, unit, preset, upper, **UNLIT)
+    if not lasts:
+        hide_open(view, surface, focus)
     return upper
 
 
-def draw_slip(run, view, surface, grid):
-    upper = draw_values("slip_magnitude", "mm", "Viridis (matplotlib)", "max_slip", 1, run, view, surface, grid)
-    (x, y), radius = grid.centre, grid.radius
-    lines = simple.Contour(Input=surface, ContourBy=["POINTS", "slip_magnitude"],
+def draw_slip(run, view, surface, focus):
+    upper = draw_values("slip_magnitude", "mm", "Viridis (matplotlib)", "max_slip", 1, run, view, surface, focus)
+    (x, y), radius = focus.centre, focus.radius
+    # Towards open nodes slip falls to zero at once: lines would pile up there.
+    inside = surface if focus.shows_open else simple.Clip(Input=surface, ClipType="Scalar", Scalars=["POINTS", "opens"],
+                                                          Value=0.02, Invert=1)
+    lines = simple.Contour(Input=inside, ContourBy=["POINTS", "slip_magnitude"],
                            Isosurfaces=[upper * k / 10 for k in range(1, 10)])
     show_plain(lines, view, WHITE, [0, 0, 0.01 * radius], LineWidth=2)
     # Arrows stand on a grid of their own, symmetric whatever the mesh; at its places off the disc the slip is zero.
@@ -212,7 +259,7 @@ def draw_slip(run, view, surface, grid):
     show_plain(arrows, view, DARK, [0, 0, 0.2 * radius])
 
 
-def draw_friction(_run, view, surface, grid):
+def draw_friction(_run, view, surface, focus):
     """Zones that slip or are open have colours of their own, the ends of the legend."""
     colours, legend = show_field(surface, view, "friction_criterion", "", "Viridis (matplotlib)", 1, **UNLIT)
     colours.RGBPoints = [-1.08, *OPEN, -1.002, *OPEN, *STICKING, 0.002, *SLIPPING, 0.08, *SLIPPING]
@@ -221,17 +268,17 @@ def draw_friction(_run, view, surface, grid):
     simple.SetProperties(legend, UseCustomLabels=1, CustomLabels=[-1, -0.8, -0.6, -0.4, -0.2, 0], AddRangeLabels=0)
     for height, (name, colour) in enumerate((("slips", SLIPPING), ("opens", OPEN)), start=1):
         zone = simple.Clip(Input=surface, ClipType="Scalar", Scalars=["POINTS", name], Value=0.5, Invert=0)
-        show_plain(zone, view, colour, [0, 0, 0.01 * height * grid.radius])
+        show_plain(zone, view, colour, [0, 0, 0.01 * height * focus.radius])
     outline = simple.Contour(Input=surface, ContourBy=["POINTS", "sticks"], Isosurfaces=[0.5])
-    show_plain(outline, view, DARK, [0, 0, 0.03 * grid.radius], LineWidth=2.5)
+    show_plain(outline, view, DARK, [0, 0, 0.03 * focus.radius], LineWidth=2.5)
 
 
 CONTACT_VIEWS = [("slip", draw_slip, "Slip, largest", "max_slip", "mm"),
                  ("pressure", functools.partial(draw_values, "pressure", "MPa", "Plasma (matplotlib)", "max_pressure",
                                                 PRESSURE_WITHIN), "Pressure, largest", "max_pressure", "MPa"),
                  ("friction", draw_friction, "Friction criterion, stick area", "stick_area", "mm²"),
-                 ("wear", functools.partial(draw_values, "wear_depth", "mm", "Viridis (matplotlib)", "max_wear_depth", 1),
-                  "Worn depth, largest", "max_wear_depth", "mm")]
+                 ("wear", functools.partial(draw_values, "wear_depth", "mm", "Viridis (matplotlib)", "max_wear_depth", 1,
+                                            lasts=True), "Worn depth, largest", "max_wear_depth", "mm")]
 
 
 def magnification(moved, height):
@@ -286,19 +333,20 @@ def show_body(run, view, kind, grid, factor, upper):
     return view
 
 
-def open_run(folder):
+def open_run(folder, shows_open=False):
     """Makes the views. Returns the run, the views by name and their layout."""
     run = Run(folder)
     reader = simple.PVDReader(FileName=str(run.folder / "contact.pvd"))
     grid = Grid(next(iter(run.contact.values())))
-    zones, radius, (x, y) = reader, grid.radius, grid.centre
+    focus = Focus(run, grid, shows_open)
+    zones, radius, (x, y) = reader, focus.radius, focus.centre
     for status, name in enumerate(("opens", "sticks", "slips")):
         zones = simple.Calculator(Input=zones, ResultArrayName=name, Function=f"status == {status}")
-    surface, views = surface_of(zones, grid), {"body": body_view(run, reader, grid.centre)}
+    surface, views = seen(surface_of(zones, grid), focus), {"body": body_view(run, reader, grid.centre)}
     is_worn = any(row["max_wear_depth"] for row in run.rows.values())
     for name, draw, *title in CONTACT_VIEWS[:4 if is_worn else 3]:
         views[name] = new_view(reader, run.titles(*title), [x + radius / 4, y, 0], 2.5 * radius)
-        draw(run, views[name], surface, grid)
+        draw(run, views[name], surface, focus)
     for other in list(views.values())[2:]:
         simple.AddCameraLink(views["slip"], other, "slip and " + other.SMProxy.GetGlobalIDAsString())
     layout = simple.CreateLayout(run.folder.name)
@@ -325,4 +373,4 @@ def guarded(script, action, *arguments):
 
 
 if __name__ == "__main__" and "ORTHOCONE_RUN" in os.environ:
-    guarded("contact.py", open_run, os.environ["ORTHOCONE_RUN"])
+    guarded("contact.py", open_run, os.environ["ORTHOCONE_RUN"], os.environ.get("ORTHOCONE_OPEN", "0") not in ("", "0"))

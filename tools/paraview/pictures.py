@@ -3,7 +3,7 @@
 # Copyright (C) 2026 the orthocone authors
 """Pictures of a run folder, unattended: the views of contact.py.
 
-xvfb-run -a -s -noreset pvbatch pictures.py RUN_FOLDER --png DIR [--steps 5,8,12 | --steps all] [--width PIXELS]
+xvfb-run -a -s -noreset pvbatch pictures.py RUN_FOLDER --png DIR [--steps 5,8,12 | --steps all] [--width PIXELS] [--open]
 writes {overview,body,slip,pressure,friction}-NNNN.png, and wear-NNNN.png of a run that wears, by default for the step of largest elastic energy. Most
 ParaViews, Debian's among them, draw through an X server even in pvbatch; xvfb-run brings one that needs no screen
 (without -noreset it sometimes refuses). Not needed at a screen, or if built for EGL or OSMesa.
@@ -73,6 +73,7 @@ def main(words):
     parser.add_argument("--steps", metavar="LIST", help="steps, as 5,8,12, or all")
     parser.add_argument("--width", metavar="PIXELS", type=int, default=WIDTH,
                         help=f"of a picture, whose letters are the larger the fewer they are ({WIDTH})")
+    parser.add_argument("--open", action="store_true", help="show the whole surface, with the values of open nodes")
     parser.error = refuse  # one line
     options = parser.parse_args(words)
     run = contact.Run(options.run_folder)
@@ -83,7 +84,7 @@ def main(words):
     if vtkRenderWindow().GetClassName() == "vtkXOpenGLRenderWindow" and not os.environ.get("DISPLAY"):
         refuse("no X server to draw with; start with xvfb-run")
     options.png.mkdir(parents=True, exist_ok=True)
-    write_pictures(*contact.open_run(options.run_folder), steps, options.png, options.width)
+    write_pictures(*contact.open_run(options.run_folder, options.open), steps, options.png, options.width)
 
 
 if __name__ == "__main__":

@@ -4,7 +4,8 @@
 // Charts as SVG: curves over the steps, the cycles or a line, and paths of one quantity over another.
 
 const DASHES = ["none", "7 3", "2 3", "9 3 2 3"];
-const MOST_DOTS = 64, MOST_BARS = 12;
+const MOST_DOTS = 64, MOST_BARS = 12, LEAST_WIDTH = 280, WIDEST_EQUAL = 480;
+const drawn = [];  // every chart, also those that no step of the maps concerns
 
 /**
  * spec: title; series [{name, run, colour, dash, steps, x, y, gaps (x where a curve begins anew)}], one step, x and y a
@@ -17,13 +18,14 @@ const MOST_DOTS = 64, MOST_BARS = 12;
 class Chart {
   constructor(parent, spec, onStep) {
     this.whole = this.spec = spec;
-    const figure = htmlElement(parent, "figure");
+    const figure = this.figure = htmlElement(parent, "figure");
     this.caption = htmlElement(figure, "figcaption", {}, spec.title);
     if (spec.caption) htmlElement(figure, "p", {class: "caption"}, spec.caption);
     drawKeys(htmlElement(figure, "div", {class: "keys"}), spec);
-    const viewBox = `0 0 ${BOX.width} ${BOX.height}`;
-    this.svg = svgElement(figure, "svg", {class: "chart", viewBox, role: "img", tabindex: 0});
+    this.svg = svgElement(figure, "svg", {class: spec.equal ? "chart equal" : "chart", role: "img", tabindex: 0});
+    this.box = BOX;
     this.draw();
+    drawn.push(this);
     this.reader = new ChartReader(this, onStep);
     addSaving(this.caption, () => chartPicture(this), () => chartRows(this), spec.title);
   }
@@ -44,9 +46,25 @@ class Chart {
     this.draw();
   }
 
+  /** As wide as its place, or as told. */
+  fit(told) {
+    const place = told || this.figure.clientWidth;
+    if (!place) return;
+    const width = Math.max(LEAST_WIDTH, this.whole.equal ? Math.min(place, WIDEST_EQUAL) : place);
+    if (width !== this.box.width) this.drawIn(boxOf(width));
+  }
+
+  drawIn(box) {
+    this.box = box;
+    this.draw();
+    if (this.step !== undefined) this.mark(this.step);
+  }
+
   draw() {
+    const {width, height} = this.box;
+    this.svg.setAttribute("viewBox", `0 0 ${width} ${height}`);
     this.svg.replaceChildren();
-    this.scales = new Scales(this.spec);
+    this.scales = new Scales(this.spec, this.box);
     this.svg.setAttribute("aria-label", this.description());
     this.drawFrame();
     this.markGroup = svgElement(this.svg, "g", {class: "marks", "pointer-events": "none"});
@@ -70,46 +88,46 @@ class Chart {
     for (const [from, to] of spec.bands || []) this.drawBand(scales.px(from), scales.px(to));
     for (const tick of ticks.y) {
       const y = scales.py(tick / scales.yUnit.factor);
-      svgElement(svg, "line", {class: "gridline", x1: BOX.left, x2: BOX.right, y1: y, y2: y});
+      svgElement(svg, "line", {class: "gridline", x1: this.box.left, x2: this.box.right, y1: y, y2: y});
       const text = spec.y.log ? tick.toExponential(0).replace("-", "−").replace("e+", "e") : numberText(tick, yDigits);
-      svgElement(svg, "text", {class: "tick", x: BOX.left - 6, y: y + 4, "text-anchor": "end"}, text);
+      svgElement(svg, "text", {class: "tick", x: this.box.left - 6, y: y + 4, "text-anchor": "end"}, text);
     }
     for (const tick of ticks.x) {
       const x = scales.px(tick / scales.xUnit.factor);
-      if (!spec.x.whole) svgElement(svg, "line", {class: "gridline", x1: x, x2: x, y1: BOX.top, y2: BOX.bottom});
-      const place = {class: "tick", x, y: BOX.bottom + 15, "text-anchor": "middle"};
+      if (!spec.x.whole) svgElement(svg, "line", {class: "gridline", x1: x, x2: x, y1: this.box.top, y2: this.box.bottom});
+      const place = {class: "tick", x, y: this.box.bottom + 15, "text-anchor": "middle"};
       svgElement(svg, "text", place, numberText(tick, xDigits));
     }
     this.drawSeparators();
-    svgElement(svg, "rect", {class: "frame", x: BOX.left, y: BOX.top, width: BOX.right - BOX.left,
-                             height: BOX.bottom - BOX.top});
+    svgElement(svg, "rect", {class: "frame", x: this.box.left, y: this.box.top, width: this.box.right - this.box.left,
+                             height: this.box.bottom - this.box.top});
     this.drawAxisNames();
   }
 
   drawBand(from, to) {
-    const left = Math.max(BOX.left, from), right = Math.min(BOX.right, to);
+    const left = Math.max(this.box.left, from), right = Math.min(this.box.right, to);
     if (right > left)
-      svgElement(this.svg, "rect", {class: "band", x: left, y: BOX.top, width: right - left,
-                                    height: BOX.bottom - BOX.top});
+      svgElement(this.svg, "rect", {class: "band", x: left, y: this.box.top, width: right - left,
+                                    height: this.box.bottom - this.box.top});
   }
 
   drawSeparators() {
     const separators = this.spec.separators || [];
     if (separators.length > 40) return;
     for (const x of separators.map(value => this.scales.px(value)))
-      if (BOX.left < x && x < BOX.right)
-        svgElement(this.svg, "line", {class: "cycle", x1: x, x2: x, y1: BOX.top, y2: BOX.bottom});
+      if (this.box.left < x && x < this.box.right)
+        svgElement(this.svg, "line", {class: "cycle", x1: x, x2: x, y1: this.box.top, y2: this.box.bottom});
   }
 
   drawAxisNames() {
     const named = (name, unit) => unit ? `${name} (${unit})` : name;
     const {scales, spec} = this;
-    svgElement(this.svg, "text", {x: (BOX.left + BOX.right) / 2, y: BOX.height - 6, "text-anchor": "middle"},
+    svgElement(this.svg, "text", {x: (this.box.left + this.box.right) / 2, y: this.box.height - 6, "text-anchor": "middle"},
                named(spec.x.name, scales.xUnit.name));
     const names = new Set(spec.series.map(series => series.name));
     const name = spec.y.name || (names.size === 1 ? spec.series[0].name : "");
     const words = name ? named(name, scales.yUnit.name) : scales.yUnit.name;
-    const y = (BOX.top + BOX.bottom) / 2;
+    const y = (this.box.top + this.box.bottom) / 2;
     const place = {x: 11, y, "text-anchor": "middle", transform: `rotate(-90 11 ${y})`};
     if (words) svgElement(this.svg, "text", place, words);
   }
@@ -156,13 +174,14 @@ class Chart {
   drawLevel() {
     if (!this.spec.level) return;
     const y = this.scales.py(this.spec.level.value);
-    svgElement(this.svg, "line", {class: "level", x1: BOX.left, x2: BOX.right, y1: y, y2: y});
-    const place = {class: "tick", x: BOX.right - 4, y: y - 4, "text-anchor": "end"};
+    svgElement(this.svg, "line", {class: "level", x1: this.box.left, x2: this.box.right, y1: y, y2: y});
+    const place = {class: "tick", x: this.box.right - 4, y: y - 4, "text-anchor": "end"};
     svgElement(this.svg, "text", place, this.spec.level.name);
   }
 
   /** The step of the maps: a line, or a ring on the path. */
   mark(step) {
+    this.step = step;
     this.markGroup.replaceChildren();
     const [series] = this.spec.series;
     if (!series || !series.steps || (series.run && series.run !== data.runs[0].name)) return;
@@ -171,8 +190,12 @@ class Chart {
     if (!place) return;
     const [x, y] = place;
     if (this.spec.shared)
-      svgElement(this.markGroup, "line", {class: "mark", x1: x, x2: x, y1: BOX.top, y2: BOX.bottom});
+      svgElement(this.markGroup, "line", {class: "mark", x1: x, x2: x, y1: this.box.top, y2: this.box.bottom});
     else
       svgElement(this.markGroup, "circle", {class: "mark", cx: x, cy: y, r: 5.5});
   }
+}
+
+function fitAll(told) {
+  for (const chart of drawn) chart.fit(told);
 }

@@ -10,12 +10,15 @@ LARGEST_STEP = 2**53
 MOST_LAYERS = 10_000
 SECTIONS = ("Geometry", "Mesh", "Friction", "Contact solver", "Load program")
 NUMBER, WORD, NUMBERS = "a number", "a word", "numbers"
+ANSWERS = ("normal_force", "tangential_force", "contact_area", "stick_area", "pressure", "slip_of_contact", "mu_eff",
+           "last_cycle_energy", "energy_per_area", "wear_depth")
 # Where the summary has what the page shows, and of what kind it is. Older runs have less of it.
 SUMMARY = {
     "status": WORD, "model": {"kind": WORD, "reason": WORD, "symmetry_planes": "words", "cells": NUMBER, "degree": NUMBER,
                               "dofs": NUMBER, "contact_nodes": NUMBER},
     "scene": {"area_mm2": NUMBER}, "steps": {"planned": NUMBER, "solved": NUMBER}, "cycles": {"jumped_steps": NUMBER},
     "contact_solver": {"method": WORD, "tolerance": NUMBER, "iterations": NUMBER},
+    "answers": {name: {"value": NUMBER, "unit": WORD, "step": NUMBER} for name in ANSWERS},
     "peaks": {name: {"value": NUMBER, "step": NUMBER} for name in ("slip_mm", "pressure_MPa", "force_z_N")},
     "friction": {"mu": NUMBERS, "p": NUMBERS, "angle_degrees": NUMBER}, "warnings": "words"}
 NEEDED = {"model": ("kind", "reason", "cells", "degree", "dofs", "contact_nodes"), "peaks": (),

@@ -20,7 +20,29 @@ function jumpedBands() {
     ? [[cycle - cycles.n_cycles[row] + 0.5, cycle + 0.5]] : []);
 }
 
+/** Of a single cycle there are no curves: its figures are rows of a table, with a column for each run. */
+function figuresOfCycle(title, unit, columns) {
+  const [table] = byId("only-cycle").children, place = table.tBodies[0] || htmlElement(table, "tbody");
+  byId("only-cycle").hidden = false;
+  if (several && !table.tHead) {
+    const head = htmlElement(htmlElement(table, "thead"), "tr");
+    for (const name of ["", ...data.runs.map(run => run.name)]) htmlElement(head, "th", {scope: "col"}, name);
+  }
+  for (const [column, name] of columns) {
+    const values = data.runs.map(({cycles}) => (cycles[column] || [null])[0]);
+    if (values.every(value => value === null)) continue;
+    const row = htmlElement(place, "tr"), {factor, name: used} = unitOf(values, unit);
+    htmlElement(row, "th", {scope: "row"}, inSentence(title) === inSentence(name) ? title : `${title}: ${name}`);
+    for (const value of values)
+      htmlElement(row, "td", {}, value === null ? "–" : `${numberText(value * factor, 5)} ${used}`.trim());
+  }
+}
+
 function overCycles(title, unit, columns, {parent = byId("cycle-charts"), ...more} = {}) {
+  if (data.runs.every(({cycles}) => (cycles.cycle || []).length < 2)) {
+    figuresOfCycle(title, unit, columns);
+    return;
+  }
   const series = curves(data.runs, run => run.cycles, columns, {column: "cycle", steps: "last_step"});
   const jumpedOf = new Map(data.runs.map(({cycles}) => [cycles.cycle, cycles]));
   for (const one of series) one.hollow = jumpedOf.get(one.x).jumped;
@@ -48,7 +70,7 @@ function drawCycles() {
   byId("jumped-hint").hidden = !data.runs.some(({cycles}) => (cycles.jumped || []).some(Boolean));
   if (!any) return;
   overCycles("Change of the state in a cycle", "", [["change", "change"]], {log: true, level: periodicLevel()});
-  overCycles("Energy of a cycle", "N mm", [["dissipation", "dissipation"], ["work", "work of the top"]],
+  overCycles("Energy of a cycle", "N mm", [["dissipation", "dissipated by friction"], ["work", "work of all components"]],
              {log: spansDecades(["dissipation", "work"])});
   overCycles("Slip since the start", "mm", [["max_slip", "largest slip"],
                                             ["max_accumulated_slip", "largest accumulated slip"]], {fit: true});

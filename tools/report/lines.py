@@ -7,7 +7,7 @@ import numpy as np
 from load_program import evenly
 
 MOST_POINTS = 240
-QUANTITIES = ("pressure", "traction_x", "traction_y", "slip_x", "slip_y")
+QUANTITIES = ("pressure", "traction_x", "traction_y", "slip_x", "slip_y", "touches")
 
 
 def crossings(places, quads, axis, across_at):
@@ -50,5 +50,6 @@ class Line:
 
 
 def fields_of(file, nodes):
-    columns = (file["pressure"][nodes], *(file["friction_traction"][nodes, :2].T), *(file["slip"][nodes, :2].T))
+    columns = (file["pressure"][nodes], *(file["friction_traction"][nodes, :2].T), *(file["slip"][nodes, :2].T),
+               file["status"][nodes] > 0)
     return dict(zip(QUANTITIES, columns))

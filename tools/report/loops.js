@@ -22,6 +22,9 @@ const FRETTING = ["x", "y", "rz"];
 const motionUnit = component => component.startsWith("r") ? "degrees" : "mm";
 const forceUnit = component => component.startsWith("r") ? "N mm" : "N";
 
+/** A sum of forces leaves 1e-9 N where there is none; the moment of such a force has a lever of 1 mm. */
+const leastForce = () => 1e-6 * largestOf("force_z");
+
 /** Always in the same units: what was taken away from several loops has to be comparable. */
 function lineWords(component, {stiffness, offset, of}) {
   const {of: motion, name} = LOOPS[component], unit = forceUnit(component);
@@ -32,12 +35,14 @@ function lineWords(component, {stiffness, offset, of}) {
 
 /** Words of every run that moves in this way. */
 function ofRuns(component, words) {
-  const said = data.runs.map(run => [run.name, run.departures[component] && words(run.departures[component])]);
+  const said = data.runs.map(run => [run.name, run.departures[component] && words(run.departures[component], component)]);
   return said.filter(([, text]) => text).map(([name, text]) => `${several ? `${name}: ` : ""}${text}`).join("; ");
 }
 
-function areaWords({area, loop, loop_dissipation: dissipation}) {
-  return loop && `${numberText(area, 4)} N mm (${loop}; dissipated ${numberText(dissipation, 4)} N mm)`;
+/** Three energies of the same steps, and what each counts. */
+function areaWords({area, loop, loop_work: work, loop_dissipation: dissipation}, component) {
+  return loop && `${numberText(area, 4)} N mm in ${loop}, the work of ${LOOPS[component].name} alone; all components do `
+    + `${numberText(work, 4)} N mm of work there, and friction dissipates ${numberText(dissipation, 4)} N mm`;
 }
 
 function addLoop(grid, component) {
@@ -47,13 +52,13 @@ function addLoop(grid, component) {
                                          run.history[force].map(value => value === null ? null : sign * value)));
   const area = isFretting ? ofRuns(component, areaWords) : "";
   addPaths(grid, isFretting ? `Fretting loop: ${name} over ${of}` : `${name} over ${of} of the top`,
-           {name: of, unit: motionUnit(component)}, {name, unit: forceUnit(component)}, series,
+           {name: of, unit: motionUnit(component)}, {name, unit: forceUnit(component), least: leastForce()}, series,
            {caption: area && `Area of the loop: ${area}.`});
 }
 
 /** The loop is so thin that it only shows once the straight line is taken away. */
 function addDeparture(grid, component) {
-  const runs = data.runs.filter(run => run.departures[component]);
+  const runs = data.runs.filter(run => run.departures[component] && !isZero(run.history[LOOPS[component].force], leastForce()));
   if (!runs.length) return;
   const {motion, of, name} = LOOPS[component], rest = `${name} − line`;
   const series = runs.map(run => onePath(run, data.runs.indexOf(run), run.history.step, rest, run.history[motion],
@@ -72,14 +77,6 @@ function drawBodyLoops() {
     addLoop(grid, component);
     addDeparture(grid, component);
   }
-  for (const axis of ["x", "y", "z"]) {
-    if (largestOf(`r${axis}`) === 0) continue;
-    const name = `M_${axis}`;
-    const series = data.runs.map((run, r) => onePath(run, r, run.history.step, name, run.history[`r${axis}`],
-                                                     run.history[`moment_${axis}`])).filter(one => one.x);
-    addPaths(byId("body-loops"), `M_${axis} over r_${axis} of the top`, {name: `r_${axis}`, unit: "degrees"},
-             {name, unit: "N mm"}, series);
-  }
 }
 
 function ellipsePoints([a, b], degrees) {
@@ -90,28 +87,33 @@ function ellipsePoints([a, b], degrees) {
   });
 }
 
-/** Loops, paths and histories of a probe of the first run. */
-function drawProbeLoops({name, place, table: t}) {
-  if (!t.step.length) return;
-  const {history} = data.runs[0];
-  const slip = {unit: "mm", least: 1e-9 * largest(history.max_slip)};
-  const force = {unit: "N", least: 1e-9 * largest(history.force_z)};
+/** Loops, paths and histories of a probe, of all runs that have it. */
+function drawProbeLoops(name) {
+  const of = run => run.probes.find(probe => probe.name === name);
+  const tables = data.runs.map(run => (of(run) || {table: {step: []}}).table);
+  if (!tables.some(table => table.step.length)) return;
+  const {place} = data.runs.map(of).find(probe => probe);
+  const slip = {unit: "mm", least: 1e-9 * largestOf("max_slip")};
+  const force = {unit: "N", least: 1e-9 * largestOf("force_z")};
   htmlElement(byId("probe-loops"), "h3", {}, `Probe ${name}${place ? ` at (${place[0]}, ${place[1]}) mm` : ""}`);
   const grid = htmlElement(byId("probe-loops"), "div", {class: "grid"});
   const norm = (x, y) => x.map((value, i) => Math.hypot(value, y[i]));
   const over = (x, y) => x.map((value, i) => y[i] > 0 ? value / y[i] : null);
-  const path = (title, x, y, xs, ys, more) => addPaths(grid, title, x, y, [
-    {name: y.name, run: "", colour: "var(--c1)", dash: "none", steps: t.step, x: xs, y: ys}], more);
+  const path = (title, x, y, xOf, yOf, more) => addPaths(grid, title, x, y, data.runs.flatMap((run, r) => {
+    const t = tables[r];
+    return t.step.length ? [onePath(run, r, t.step, y.name, xOf(t), yOf(t))] : [];
+  }), more);
   path("Tangential force against slip", {name: "slip", ...slip}, {name: "tangential force", ...force},
-       norm(t.slip_x, t.slip_y), norm(t.force_x, t.force_y));
-  path("Path of slip", {name: "slip_x", ...slip}, {name: "slip_y", ...slip}, t.slip_x, t.slip_y, {equal: true});
-  path("Path of the friction force", {name: "force_x", ...force}, {name: "force_y", ...force}, t.force_x, t.force_y,
+       t => norm(t.slip_x, t.slip_y), t => norm(t.force_x, t.force_y));
+  path("Path of slip", {name: "slip_x", ...slip}, {name: "slip_y", ...slip}, t => t.slip_x, t => t.slip_y, {equal: true});
+  path("Path of the friction force", {name: "force_x", ...force}, {name: "force_y", ...force}, t => t.force_x, t => t.force_y,
        {equal: true});
   path(data.mu ? "Path in the friction ellipse (dashed)" : "Path of force_t / force_n", {name: "force_x / force_n", unit: ""},
-       {name: "force_y / force_n", unit: ""}, over(t.force_x, t.force_n), over(t.force_y, t.force_n),
+       {name: "force_y / force_n", unit: ""}, t => over(t.force_x, t.force_n), t => over(t.force_y, t.force_n),
        data.mu ? {equal: true, outline: ellipsePoints(data.mu, data.angle)} : {equal: true});
-  overStepsOfFirst(grid, "Slip over the steps", t, "mm", [["slip_x", "slip_x"], ["slip_y", "slip_y"],
-                                                          ["accumulated_slip", "accumulated"]], {least: slip.least});
-  overStepsOfFirst(grid, "Forces over the steps", t, "N",
-                   [["force_n", "force_n"], ["force_x", "force_x"], ["force_y", "force_y"]], {least: force.least});
+  const table = run => tables[data.runs.indexOf(run)];
+  overSteps(grid, "Slip over the steps", table, "mm", [["slip_x", "slip_x"], ["slip_y", "slip_y"],
+                                                       ["accumulated_slip", "accumulated"]], {least: slip.least});
+  overSteps(grid, "Forces over the steps", table, "N",
+            [["force_n", "force_n"], ["force_x", "force_x"], ["force_y", "force_y"]], {least: force.least});
 }

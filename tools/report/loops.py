@@ -5,6 +5,7 @@ hides them."""
 import numpy as np
 
 LEAST_ROWS = 3
+LEAST_MOTION = 1e-3  # of the largest one: a face that a force holds moves a little, and draws no loop
 CLOSED = 1e-2  # of the loop: how far its ends may be from each other
 # Motion, force of the plane on the body, and the factor that makes it the force which the page draws: along and about the
 # plane that of the top, as fretting loops are drawn, else that of the plane.
@@ -55,7 +56,8 @@ def area_of(data, motion, force, rows):
         return {}
     first, last = part
     steps, inside = data.steps, slice(first, last + 1)
-    return {"area": abs(loop_area(motion[inside], force[inside])), "loop": f"steps {steps[first]}\u2013{steps[last]}",
+    return {"rows": (first, last), "area": abs(loop_area(motion[inside], force[inside])), "loop": f"steps {steps[first]}\u2013{steps[last]}",
+            "loop_work": float(data.energy["step_work"][first + 1:last + 1].sum()),
             "loop_dissipation": float(data.history["dissipation"][first + 1:last + 1].sum())}
 
 
@@ -66,12 +68,19 @@ def departure(data, component, name, rows):
         return None
     motion, force = data.history[of_motion], sign * data.history[of_force]
     largest = np.max(np.abs(motion))
-    if len(rows) < LEAST_ROWS or largest == 0 or np.ptp(motion[rows]) <= 1e-9 * largest:
+    if len(rows) < LEAST_ROWS or largest == 0 or np.ptp(motion[rows]) <= LEAST_MOTION * largest:
         return None
     stiffness, offset = np.polyfit(motion[rows], force[rows], 1)
     return {"stiffness": stiffness, "offset": offset, "of": name, "values": force - offset - stiffness * motion,
             "least": 1e-9 * np.max(np.abs(force)),
             **area_of(data, np.radians(motion) if component[0] == "r" else motion, force, rows)}
+
+
+def closed_rows(data):
+    """First and last row of the closed fretting loop of the last cycle, where there is one."""
+    name, rows = last_part(data)
+    found = [departure(data, component, name, rows) for component in ("x", "y", "rz")]
+    return next((one["rows"] for one in found if one and "rows" in one), None)
 
 
 def departures(data):

@@ -8,11 +8,13 @@ function addMapSaving(player) {
   addSaving(byId("map-save"), () => mapPicture(player), () => mapRows(player), title);
 }
 
-function mapRows({mesh, frame, field}) {
-  const {unit} = FIELDS[field];
+/** As it is on show: open nodes have no value of the contact, if they are hidden. */
+function mapRows({mesh, frame, field, showsOpen}) {
+  const {unit} = FIELDS[field], bare = field === "status" || showsOpen ? [] : frame.bare(field);
+  const rounded = value => Number(value.toPrecision(6));
   return [["x (mm)", "y (mm)", withUnit(field, unit)],
-          ...Array.from(mesh.x, (x, node) => [x, mesh.y[node], frame.value(field, node)]
-            .map(value => Number(value.toPrecision(6))))];
+          ...Array.from(mesh.x, (x, node) => [rounded(x), rounded(mesh.y[node]),
+                                              bare[node] ? null : rounded(frame.value(field, node))])];
 }
 
 function mapPicture(player) {

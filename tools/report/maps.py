@@ -3,12 +3,13 @@
 """Fields on the contact surface for the page: one mesh, and a byte for each value of each frame."""
 import base64
 import contextlib
+import functools
 import io
 
 import checked
 import numpy as np
 from lines import QUANTITIES, Line, fields_of
-from load_program import choose_steps, spread_steps
+from load_program import choose_steps, nearest, spread_steps
 from outline import distinct
 
 MOST_FRAMES = 60
@@ -49,7 +50,9 @@ class Maps:
     def name(self, step):
         return f"{self.kind}-{step:04d}.vtu"
 
+    @functools.cached_property
     def steps(self):
+        """Those of the frames."""
         if not self.mesh:
             return []
         limit = max(2, min(MOST_FRAMES, MOST_VALUES // len(self.nodes)))
@@ -59,13 +62,24 @@ class Maps:
                                    "fields.")
         return chosen
 
+    @functools.cached_property
+    def lines(self):
+        return [Line(self.places, self.quads, axis, self.data.centre[1 - axis]) for axis in (0, 1)]
+
+    def line_payload(self, steps):
+        """Tractions and slip along both axes in those of the steps that have a file, or are nearest to one."""
+        if not self.mesh or not steps:
+            return None
+        steps = sorted({nearest(self.all_steps, step) for step in steps})
+        frames = [self.data.read(self.name(step), lambda step=step: fields_of(self.file(step), self.nodes)) for step in steps]
+        return {"places": [line.payload for line in self.lines], "steps": steps,
+                "frames": [[line.values(fields) for line in self.lines] for fields in frames]}
+
     def frame(self, step):
         return self.data.read(self.name(step), lambda: self.fields(step, self.file(step)))
 
     def fields(self, step, file):
-        fields = fields_of(file, self.nodes)
-        frame = {"step": step, "lines": [line.values(fields) for line in self.lines],
-                 "status": packed(file["status"][self.nodes].astype(np.uint8))}
+        frame = {"step": step, "status": packed(file["status"][self.nodes].astype(np.uint8))}
         for name in self.names:
             values = file[name][self.nodes].astype(float)
             low, high = float(values.min()), float(values.max())
@@ -73,14 +87,12 @@ class Maps:
             frame[name] = {"low": low, "high": high, "levels": packed(levels)}
         return frame
 
-    def payload(self, steps):
-        if not steps:
+    def payload(self):
+        if not self.steps:
             return None
         index = np.uint16 if len(self.nodes) < 2**16 else np.uint32
-        places, centre = self.places, self.data.centre
-        self.lines = [Line(places, self.quads, axis, centre[1 - axis]) for axis in (0, 1)]
+        places = self.places
         return {"x": packed(places[:, 0].astype(np.float32)), "y": packed(places[:, 1].astype(np.float32)),
                 "quads": packed(self.quads.astype(index)), "index_bytes": index().nbytes,
-                "small": spread_steps(steps, MOST_SMALL_MAPS, self.data.blocks),
-                "line_places": [line.payload for line in self.lines], "line_quantities": QUANTITIES,
-                "frames": [self.frame(step) for step in steps]}
+                "small": spread_steps(self.steps, MOST_SMALL_MAPS, self.data.blocks),
+                "line_quantities": QUANTITIES, "frames": [self.frame(step) for step in self.steps]}

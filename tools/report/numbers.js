@@ -14,7 +14,7 @@ function numberText(value, digits = 6) {
 }
 
 const UNITS = {
-  "mm": {"-3": "µm", "-6": "nm"}, "N": {"3": "kN", "6": "MN"}, "MPa": {"3": "GPa"}, "N mm": {"3": "N m"},
+  "mm": {"-3": "µm", "-6": "nm"}, "N": {"3": "kN", "6": "MN"}, "MPa": {"3": "GPa"},
   "s": {"-3": "ms", "-6": "µs"},
 };
 

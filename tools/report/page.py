@@ -2,23 +2,24 @@
 # Copyright (C) 2026 the orthocone authors
 """Puts the page together: text and tables as HTML, the drawings, and the data for the scripts."""
 import json
+import math
 import pathlib
 import re
 
+import answers
 import body_lines
+import energies
+import entries
 import loops
 import model_picture
-import numpy as np
-import worn
 from markup import element, escape, table
 from payload import payload_of, run_names
-from run_folder import text_of
 
 HERE = pathlib.Path(__file__).resolve().parent
 SCRIPTS = ("numbers.js", "elements.js", "scales.js", "charts.js", "reading.js", "save.js", "maps.js", "lines.js",
            "player.js", "map_picture.js",
            "specs.js", "loops.js", "cycles.js", "wear.js", "body_lines.js", "report.js")
-MOST_LEDGER_ROWS = 12
+MARKS = {"good": "\u2713", "warned": "\u26a0", "bad": "\u26a0", "running": "\u23f1"}
 
 
 def fallback(value, form="{}"):
@@ -26,37 +27,6 @@ def fallback(value, form="{}"):
 
 
 # --- header ---
-
-def peak(data, key, column):
-    """Value and step, from the summary or, without one, from the history."""
-    if not data.n_solved:
-        return None, None
-    peaks = data.summary.get("peaks", {})
-    if key in peaks:
-        return peaks[key]["value"], peaks[key]["step"]
-    at = int(np.argmax(data.history[column]))
-    return data.history[column][at], int(data.history["step"][at])
-
-
-def tile(name, value, form, step=None):
-    small = element("small", f"at step {step}") if step else ""
-    return element("div", element("dt", escape(name)) + element("dd", escape(fallback(value, form)) + small), "tile")
-
-
-def tiles(data):
-    """The figures that a reader looks for first."""
-    force, force_step = peak(data, "force_z_N", "force_z")
-    dissipation = data.history["total_dissipation"][-1] if data.n_solved else None
-    residual = np.max(data.history["residual"]) if data.n_solved else None
-    slip, slip_step = peak(data, "slip_mm", "max_slip")
-    pressure, pressure_step = peak(data, "pressure_MPa", "max_pressure")
-    return "".join((tile("largest slip", slip, "{:.5g} mm", slip_step),
-                    tile("largest pressure", pressure, "{:.5g} MPa", pressure_step),
-                    tile("largest normal force", None if force is None else force / 1000, "{:.5g} kN", force_step),
-                    tile("dissipated energy", dissipation, "{:.5g} N mm"),
-                    tile("largest residual", residual, "{:.1e}"),
-                    tile("time of the run", data.summary.get("seconds", {}).get("total"), "{:.3g} s")))
-
 
 def facts(data):
     """Model, mesh, solver and versions; what only the summary knows is missing without it."""
@@ -76,27 +46,34 @@ def facts(data):
     return table((), [(name, fallback(value)) for name, value in rows], "facts")
 
 
-def status(data):
+def status(data, seconds):
+    """With `seconds`, until the page is made anew."""
     kind, words = data.status()
     lines = "<br>".join(escape(line) for line in words.splitlines())
-    return element("p", element("strong", "\u2713 " if kind == "good" else "\u26a0 ") + lines, f"status {kind}",
-                   ' id="run-status"')
+    if kind == "warned":
+        lines = f'<a href="#warnings">{lines}</a>'
+    if kind == "running" and seconds:
+        lines += f". This page is made anew about every {seconds:.0f} s, and a browser shows the new one by itself."
+    return element("p", element("strong", MARKS[kind] + " ") + lines, f"status {kind}", ' id="run-status"')
 
 
 def listed(lines, css):
     return element("ul", "".join(element("li", escape(line)) for line in lines), css)
 
 
-def warnings(data):
-    """What the program warned of, and what the page leaves out."""
+def warnings_of(data):
     recorded = data.summary.get("warnings")
     if recorded:
-        out = listed(recorded, "warnings")
-    elif recorded is None:
-        out = element("p", "This run recorded no list of warnings.")
-    else:
-        out = element("p", "The program gave no warnings.")
-    return out + (element("h3", "About this page") + listed(data.notes, "notes") if data.notes else "")
+        return listed(recorded, "warnings")
+    return element("p", "This run recorded no list of warnings." if recorded is None else "The program gave no warnings.")
+
+
+def warnings(runs):
+    """What the program warned of in each run, and what the page leaves out."""
+    names = [element("h3", escape(name)) for name in run_names(runs)] if len(runs) > 1 else [""]
+    out = "".join(name + warnings_of(data) for name, data in zip(names, runs))
+    notes = list(dict.fromkeys(runs[0].notes))
+    return out + (element("h3", "About this page") + listed(notes, "notes") if notes else "")
 
 
 # --- sections ---
@@ -112,64 +89,6 @@ def model(data):
                              "stands for, and nodes are counted as lines."}
     words = shade.get(kind, "The whole body was computed." if kind else "") + " Totals are those of the whole body."
     return element("div", figures, "figures") + element("p", escape(words), "hint")
-
-
-def entry_table(section, entries, units):
-    rows = ""
-    for entry, value in entries.items():
-        unit = units.get(f"{section}/{entry}", "")
-        if not re.search(r"\d", value) or value.endswith(unit):  # a word, nothing, or a unit that is there
-            unit = ""
-        cell = escape(value) + (" " + element("span", escape(unit), "unit") if unit else "")
-        rows += element("tr", element("th", escape(entry), more=' scope="row"') + element("td", cell))
-    return element("table", element("tbody", rows), "entries")
-
-
-def parameters(data):
-    units = data.summary.get("units", {})
-    groups = "".join(element("div", element("h3", escape(section)) + entry_table(section, entries, units), "group")
-                     for section, entries in data.parameters.items() if data.has_lower or not section.startswith("Lower "))
-    given = next((data.path / name for name in ("input.prm", "input.json") if (data.path / name).is_file()), None)
-    details = ""
-    if given:
-        words = escape(text_of(given, errors="replace"))
-        details = element("details", element("summary", f"The file as given ({given.name})") + element("pre", words))
-    return element("div", groups, "groups") + details
-
-
-def ledger(data):
-    """Energies of the preload and of each cycle."""
-    energy = data.energy
-    if not energy:
-        return ""
-    blocks, note = data.blocks, ""
-    if len(blocks) > MOST_LEDGER_ROWS:
-        half = MOST_LEDGER_ROWS // 2
-        note = element("p", f"The first and the last {half} of {len(blocks)} rows.", "hint")
-        blocks = blocks[:half] + blocks[-half:]
-    rows = []
-    for block in blocks:
-        end = min(block.last, int(data.steps[-1]))
-        first, last = np.searchsorted(data.steps, (block.first, block.last + 1))
-        elastic = energy["elastic"]
-        change = elastic[last - 1] - (elastic[first - 1] if first else 0)
-        part = slice(first, last)
-        defect = energy["step_defect"][part].sum()
-        defect = 0 if abs(defect) < 1e-12 * energy["scale"] else defect  # rounding
-        dissipation = energy["step_dissipation"][part].sum()
-        absolute = (energy["step_work"][part].sum(), change, dissipation, defect)
-        relative = (abs(defect) / energy["scale"], abs(defect) / dissipation if dissipation > 0 else None)
-        rows.append((f"{block.name} (steps {block.first}\u2013{end})", *(f"{value:.5g}" for value in absolute),
-                     *(fallback(value, "{:.3%}") for value in relative)))
-    head = ("N mm", "work of the top", "change of elastic energy", "dissipation", "defect",
-            "defect / largest energy", "defect / dissipation")
-    source = ("recorded by the program" if len(data.checks.get("work", ())) == data.n_solved
-              else "trapezoidal rule for force and motion of the top")
-    if np.any(np.diff(data.steps, prepend=0) > 1):
-        source += "; cycles that were jumped are not among the rows"
-    hint = (f"Work: {source}. Defect = work \u2212 change of elastic energy \u2212 dissipation; it falls with smaller "
-            "steps, but for the work that leaves with worn material. Largest energy: stored or dissipated.")
-    return table(head, rows, "ledger") + note + element("p", hint, "hint")
 
 
 def phases(data):
@@ -188,7 +107,7 @@ def phases(data):
 
 def phase(name, seconds, total):
     bar = element("span", "", "bar", f' style="width:{100 * seconds / total:.2f}%"')
-    return element("tr", element("th", escape(name), more=' scope="row"') + element("td", bar, "bars")
+    return element("tr", element("th", escape(name.replace("_", " ")), more=' scope="row"') + element("td", bar, "bars")
                    + element("td", f"{seconds:.3g} s") + element("td", f"{seconds / total:.1%}"))
 
 
@@ -204,21 +123,21 @@ def run_list(runs):
         return ""
     items = "".join(element("li", element("span", "", "chip", f' style="background: var(--r{k + 1})"') + escape(name))
                     for k, name in enumerate(run_names(runs)))
-    hint = ("The charts of histories, loops and cycles show these runs, one colour each. Everything else on this page "
-            "is of the first.")
+    hint = ("Every chart shows these runs over each other, one colour each. Maps, tables and drawings are those of the "
+            "first one.")
     return element("ul", items, "runs", ' id="runs"') + element("p", hint, "hint")
 
 
 FRETTING = """<section id="fretting" aria-labelledby="fretting-title">
   <h2 id="fretting-title">Fretting loop</h2>
-  <p class="hint">Q and M: tangential force and moment of the top on the body, over its motion. The area of a loop is the
-    work of this one component in a cycle. It is what friction dissipates where no other component does work, the cycle
-    ends as it began, and nothing wears.</p>
+  <p class="hint">Q and M: tangential force and moment of the top on the body, over its motion. The area of a closed loop is
+    the work of this one component in a cycle; <a href="#energy">Energies</a> sets it beside the work of all components and
+    what friction dissipates.</p>
   <div class="grid" id="fretting-loops"></div>
 </section>"""
 WEAR = """<section id="wear" aria-labelledby="wear-title">
   <h2 id="wear-title">Wear</h2>
-  <p class="hint">The lines go through the middle of the worn volume. From one profile to the next about the same volume is
+  <p class="hint" id="profiles-hint">The lines go through the middle of the worn volume. From one profile to the next about the same volume is
     worn.</p>
   <p class="hint" id="no-profiles" hidden>No profile: nothing is worn in the contact fields of this run, or there are none
     (Output / Contact fields = 0).</p>
@@ -236,25 +155,41 @@ LINES = """<section id="lines" aria-labelledby="lines-title">
 def optional_sections(runs):
     """Sections that only some runs have, and their links."""
     found = {"fretting": (FRETTING, "Fretting", any(map(loops.is_fretting, runs)) and any(run.n_solved for run in runs)),
-             "wear": (WEAR, "Wear", worn.is_worn(runs[0]) and runs[0].n_solved),
-             "lines": (LINES, "Lines", bool(body_lines.lines_in(runs[0])))}
+             "wear": (WEAR, "Wear", any(run.wears and run.n_solved for run in runs)),
+             "lines": (LINES, "Lines", any(map(body_lines.lines_in, runs)))}
     sections = {name: section if is_there else "" for name, (section, _, is_there) in found.items()}
     links = {f"{name}_link": f'<a href="#{name}">{words}</a>' if is_there else ""
              for name, (_, words, is_there) in found.items()}
     return {**sections, **links}
 
 
-def make(runs):
-    """The page of the first run, with the others over it in the charts."""
+def make(runs, seconds=None):
+    """The page of the first run, with the others over it in the charts. `seconds`: the page shows itself anew after them."""
     data = runs[0]
     name = data.path.resolve().name
     # First: they note what the page leaves out.
     payload, drawn = payload_of(runs), data.read("parameters.prm", lambda: model(data))
-    parts = {"title": escape(name), "status": status(data), "tiles": tiles(data), "runs": run_list(runs),
+    refresh = f'<meta http-equiv="refresh" content="{math.ceil(seconds)}">' if seconds and data.is_running else ""
+    parts = {"title": escape(name), "refresh": refresh, "status": status(data, seconds),
+             "answers": data.read("history.csv", lambda: answers.answers(runs, run_names(runs))), "runs": run_list(runs),
              "facts": data.read("summary.json", lambda: facts(data)),
-             "warnings": warnings(data), "model": drawn, "parameters": parameters(data), "ledger": ledger(data),
+             "warnings": warnings(runs), "model": drawn, "parameters": entries.parameters(data),
+             "ledger": data.read("history.csv", lambda: energies.ledger(data)),
              **optional_sections(runs), "phases": phases(data), "data": data.read("history.csv", lambda: safe_json(payload)),
              "style": (HERE / "report.css").read_text(),
              "script": "\n".join((HERE / script).read_text() for script in SCRIPTS)}
     template = (HERE / "template.html").read_text()
     return re.sub(r"\{\{(\w+)\}\}", lambda match: parts[match[1]], template)
+
+
+def said_of(runs):
+    """What is on the page, in a line."""
+    data = runs[0]
+    sections = [words for words, is_there in (
+        ("fretting loop", any(map(loops.is_fretting, runs))), ("histories", True),
+        (f"maps of {len(data.maps.steps)} steps", bool(data.maps.mesh)), ("loops", True),
+        ("lines", any(map(body_lines.lines_in, runs))), ("wear", any(run.wears for run in runs)),
+        ("cycles", any(len(run.cycles.get("cycle", ())) for run in runs)), ("energies", True), ("solver", True)) if is_there]
+    of_runs = f"{len(runs)} runs, " if len(runs) > 1 else ""
+    shown = ", ".join(sections) if any(run.n_solved for run in runs) else "no charts, because no step was finished"
+    return f"{of_runs}{data.n_solved} of {data.n_planned} steps; {shown}"

@@ -48,6 +48,7 @@ def loop_part(data, steps):
     """The loops without their elastic part; computed with all digits, for the part is small against the whole."""
     found = data.read("history.csv", lambda: loops.departures(data))
     for one in found.values():
+        one.pop("rows", None)
         one["values"] = table({"step": data.steps, "values": one["values"]}, ("values",), steps).get("values", [])
     return found
 
@@ -59,16 +60,23 @@ def cycle_part(data):
 
 
 def comparable_part(data, name, frames=()):
-    """What the charts show of every run. Forces on the held face are those of the plane with the other sign."""
+    """What the charts show of every run; `frames` are the steps of the maps of the first one. Forces on the held face are
+    those of the plane with the other sign."""
     names = [name for name, values in data.history.items()
              if isinstance(values, np.ndarray) and name not in ("step", "cycle", "phase") and not name.startswith("held_")]
-    steps = sorted({*chosen_steps(data, len(names), "Charts"), *frames})
+    steps = sorted({*chosen_steps(data, len(names), "Charts"), *data.maps.steps})
     blocks = [block for block in data.blocks if block.part_of(steps)]
     ledger = [name for name in data.energy if name not in ("step", "scale")]
     return {"name": name, "history": table(data.history, names, steps), "energy": table(data.energy, ledger, steps),
             "departures": loop_part(data, steps), "cycles": cycle_part(data),
             "jumps": data.read("cycles.csv", lambda: cycle_table.jumps(data)), "area": data.area,
-            "blocks": [[block.name, block.first, block.last, block.cycle] for block in blocks]}
+            "blocks": [[block.name, block.first, block.last, block.cycle] for block in blocks],
+            "checks": table(data.checks, CHECKS, steps) if data.checks else None,
+            "timing": table(data.timing, ("seconds",), steps), "probes": probes(data),
+            "lines": body_lines.lines(data, numbers), "along": data.maps.line_payload(frames),
+            "wear": (data.read("history.csv", lambda: worn.profiles(data, numbers))
+                     if data.wears and data.n_solved else None),
+            "mu": data.mu, "angle": data.angle}
 
 
 def run_names(runs):
@@ -82,19 +90,12 @@ def run_names(runs):
 
 
 def payload_of(runs):
-    """The first run as a whole, and of the others what is shown over it."""
-    data, names = runs[0], run_names(runs)
-    frames = data.maps.steps()
-    first = comparable_part(data, names[0], frames)
-    steps = first["history"]["step"]
+    """What the charts show of all runs, and the maps of the first one."""
+    data, frames = runs[0], runs[0].maps.steps
     thresholds = {name: data.number("Load program", f"{name.capitalize()} when periodic", 0)
                   for name in ("stop", "jump")}
-    return {"runs": [first, *(comparable_part(other, name) for other, name in zip(runs[1:], names[1:]))],
-            "checks": table(data.checks, CHECKS, steps) if data.checks else None,
-            "timing": table(data.timing, ("seconds",), steps),
-            "probes": probes(data), "lines": body_lines.lines(data, numbers), "maps": data.maps.payload(frames), "plane": data.is_plane, "periodic": thresholds,
-            "wear": (data.read("history.csv", lambda: worn.profiles(data, numbers))
-                     if worn.is_worn(data) and data.n_solved else None),
+    return {"runs": [comparable_part(run, name, frames) for run, name in zip(runs, run_names(runs))],
+            "maps": data.maps.payload(), "plane": data.is_plane, "periodic": thresholds,
             "radius": data.radius, "centre": numbers(data.centre),
             "outline": [[numbers(point) for point in polygon] for polygon in data.outline], "mu": data.mu, "angle": data.angle,
             "tolerance": data.number("Contact solver", "Tolerance", 0)}

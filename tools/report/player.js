@@ -6,19 +6,19 @@
 const MAP_SIZE = 660, MAP_MARGIN = 34, THUMB_SIZE = 150, MOST_LETTERS = 28;
 
 class Player {
-  constructor({maps, runs: [{history, blocks}], probes, radius, centre, outline}) {
+  constructor({maps, runs: [{history, blocks, probes}], radius, centre, outline}) {
     this.history = history;
     this.blocks = blocks;
     this.lines = new LineCharts(maps);
     this.mesh = new ContactMesh(maps, radius, centre);
     this.frames = maps.frames.map(packed => new MapFrame(packed));
-    this.raster = new Raster(this.mesh, MAP_SIZE, MAP_MARGIN);
-    this.small = new Raster(this.mesh, THUMB_SIZE, 1);
+    Object.assign(this, {outline, probes});
+    this.view = this.mesh.viewOfContact(this.frames);
     this.field = "status";
     this.timer = null;
     for (const [field, {name}] of Object.entries(FIELDS).filter(([key]) => key in this.frames[0]))
       htmlElement(byId("field"), "option", {value: field}, name);
-    this.drawOverlay(outline, probes);
+    this.look();
     this.addThumbs(maps.small);
     addMapSaving(this);
     this.listen();
@@ -36,18 +36,34 @@ class Player {
     return mixtures.indexOf(Math.max(...mixtures));
   }
 
-  // --- fixed things ---
+  // --- what does not change with the step ---
 
-  drawOverlay(outline, probes) {
+  get showsOpen() {
+    return byId("whole").checked;
+  }
+
+  /** At the contact, or at the whole surface. */
+  look() {
+    const view = this.showsOpen ? this.mesh : this.view;
+    this.raster = new Raster(this.mesh, MAP_SIZE, MAP_MARGIN, view);
+    this.small = new Raster(this.mesh, THUMB_SIZE, 1, view);
+    this.drawOverlay();
+  }
+
+  drawOverlay() {
     const overlay = byId("map-overlay"), middle = MAP_SIZE / 2;
-    const d = outline.map(polygon => `M${polygon.map(point => this.raster.place(point).join(" ")).join("L")}Z`).join("");
+    overlay.replaceChildren();
+    const d = this.outline.map(polygon => `M${polygon.map(point => this.raster.place(point).join(" ")).join("L")}Z`).join("");
     svgElement(overlay, "path", {class: "disc", d});
-    svgElement(overlay, "text", {x: MAP_SIZE - 16, y: middle + 6, "text-anchor": "middle"}, "x");
-    svgElement(overlay, "text", {x: middle, y: 24, "text-anchor": "middle"}, "y");
-    for (const {name, place} of probes) if (place) this.drawProbe(overlay, name, this.raster.place(place));
-    const bar = 2 * 10 ** Math.floor(Math.log10(this.mesh.radius / 2)), length = bar * this.raster.scale;
+    svgElement(overlay, "text", {class: "halo", x: MAP_SIZE - 16, y: middle + 6, "text-anchor": "middle"}, "x");
+    svgElement(overlay, "text", {class: "halo", x: middle, y: 24, "text-anchor": "middle"}, "y");
+    const inside = ([x, y]) => Math.min(x, y) > 10 && Math.max(x, y) < MAP_SIZE - 10;
+    for (const {name, place} of this.probes)
+      if (place && inside(this.raster.place(place))) this.drawProbe(overlay, name, this.raster.place(place));
+    const bar = 2 * 10 ** Math.floor(Math.log10(this.raster.radius / 2)), length = bar * this.raster.scale;
     svgElement(overlay, "line", {class: "plate", x1: 14, x2: 14 + length, y1: MAP_SIZE - 12, y2: MAP_SIZE - 12});
-    svgElement(overlay, "text", {x: 14, y: MAP_SIZE - 20}, `${numberText(bar)} mm`);
+    const {factor, name} = unitOf([bar], "mm");
+    svgElement(overlay, "text", {class: "halo", x: 14, y: MAP_SIZE - 20}, `${numberText(bar * factor)} ${name}`);
   }
 
   /** The name stands on the side of the centre, where there is room for it. */
@@ -77,7 +93,7 @@ class Player {
 
   drawThumbs() {
     for (const {index, canvas} of this.thumbs)
-      this.small.draw(canvas, this.frames[index], this.field, this.range(index));
+      this.small.draw(canvas, this.frames[index], this.field, this.range(index), this.showsOpen);
   }
 
   listen() {
@@ -92,6 +108,10 @@ class Player {
       this.refresh();
     });
     byId("own-scale").addEventListener("change", () => this.refresh());
+    byId("whole").addEventListener("change", () => {
+      this.look();
+      this.refresh();
+    });
     byId("map").addEventListener("pointermove", event => this.probe(event));
     byId("map").addEventListener("keydown", event => {
       const move = {ArrowRight: 1, ArrowLeft: -1}[event.key];
@@ -126,7 +146,7 @@ class Player {
       thumb.button.setAttribute("aria-current", String(thumb.index === this.index));
     this.describe(frame);
     this.drawMap();
-    this.lines.show(this.index, frame.step);
+    this.lines.show(frame.step);
   }
 
   /** A new field or scale: the small maps change, too. */
@@ -142,7 +162,7 @@ class Player {
 
   range(index) {
     if (this.field === "status") return null;
-    return colourRange(this.frames, this.field, byId("own-scale").checked ? this.frames[index] : null);
+    return colourRange(this.frames, this.field, byId("own-scale").checked ? this.frames[index] : null, this.showsOpen);
   }
 
   describe(frame) {
@@ -157,38 +177,44 @@ class Player {
 
   drawMap() {
     const frame = this.frames[this.index], range = this.range(this.index);
-    this.raster.draw(byId("map"), frame, this.field, range);
+    this.raster.draw(byId("map"), frame, this.field, range, this.showsOpen);
     const legend = byId("map-legend");
     legend.replaceChildren();
     if (this.field === "status") this.drawStates(legend);
-    else this.drawColourBar(legend, range, frame[this.field]);
+    else this.drawColourBar(legend, range, frame);
     byId("map").setAttribute("aria-label", `Map of ${FIELDS[this.field].name}, step ${frame.step}`);
   }
 
   drawStates(legend) {
-    STATES.forEach(({name, colour}, state) => {
-      const line = htmlElement(legend, "span", {class: "state"});
-      htmlElement(line, "span", {class: "chip", style: `background: rgb(${colour.join(" ")})`});
-      line.append(this.counts ? `${name}: ${this.counts[state]} nodes` : name);
-    });
+    STATES.forEach((state, k) => this.drawState(legend, state, this.counts ? `: ${this.counts[k]} nodes` : ""));
   }
 
-  drawColourBar(legend, range, {low, high}) {
-    const stops = VIRIDIS.map(colour => `rgb(${colour.join(" ")})`).join(", ");
+  drawState(legend, {name, colour}, more) {
+    const line = htmlElement(legend, "span", {class: "state"});
+    htmlElement(line, "span", {class: "chip", style: `background: rgb(${colour.join(" ")})`});
+    line.append(`${name}${more}`);
+  }
+
+  drawColourBar(legend, range, frame) {
+    const stops = VIRIDIS.map(colour => `rgb(${colour.join(" ")})`).join(", "), {unit, lasts} = FIELDS[this.field];
     htmlElement(legend, "div", {class: "colour-bar", style: `background: linear-gradient(to right, ${stops})`});
-    const ends = htmlElement(legend, "div", {class: "colour-ends"}), unit = FIELDS[this.field].unit;
+    const ends = htmlElement(legend, "div", {class: "colour-ends"}), mine = frame.range(this.field, this.showsOpen);
     for (const value of range) htmlElement(ends, "span", {}, `${numberText(value, 4)} ${unit}`);
-    const text = `In this step from ${numberText(low, 4)} to ${numberText(high, 4)} ${unit}`;
+    const text = mine ? `In this step from ${numberText(mine[0], 4)} to ${numberText(mine[1], 4)} ${unit}`
+                      : "In this step no node is in contact";
     htmlElement(legend, "p", {class: "hint"}, text.trim());
+    if (!this.showsOpen && frame.bare(this.field).some(Boolean))
+      this.drawState(legend, STATES[OPEN], lasts ? ", and so far untouched" : ": no value");
   }
 
   probe(event) {
-    const box = byId("map").getBoundingClientRect(), scale = MAP_SIZE / box.width;
+    const box = byId("map").getBoundingClientRect(), scale = MAP_SIZE / box.width, {centre, radius} = this.raster;
     const right = ((event.clientX - box.left) * scale - MAP_SIZE / 2) / this.raster.scale;
     const up = (MAP_SIZE / 2 - (event.clientY - box.top) * scale) / this.raster.scale;
-    if (Math.hypot(right, up) > 1.02 * this.mesh.radius) return;
-    const node = this.mesh.nearest(this.mesh.centre[0] + right, this.mesh.centre[1] + up), frame = this.frames[this.index];
-    const value = this.field === "status" ? STATES[frame.status[node]].name
+    if (Math.hypot(right, up) > 1.02 * radius) return;
+    const node = this.mesh.nearest(centre[0] + right, centre[1] + up), frame = this.frames[this.index];
+    const isOpen = this.field !== "status" && !this.showsOpen && frame.bare(this.field)[node];
+    const value = this.field === "status" || isOpen ? STATES[frame.status[node]].name
       : `≈ ${numberText(frame.value(this.field, node), 3)} ${FIELDS[this.field].unit}`;
     const place = [this.mesh.x[node], this.mesh.y[node]].map(x => numberText(x, 4)).join(", ");
     byId("map-probe").textContent = `Node at (${place}) mm: ${value}`;

@@ -67,17 +67,17 @@ class ChartReader {
   }
 
   walk(jump) {
-    const {svg, spec, scales} = this.chart, [series] = spec.series;
+    const {svg, spec, scales, box: room} = this.chart, [series] = spec.series;
     const index = Math.max(0, Math.min(series.x.length - 1, this.index + jump));
     const box = svg.getBoundingClientRect();
-    this.showAt([0, index], box.left + scales.px(series.x[index]) * box.width / BOX.width, box.top + box.height / 3);
+    this.showAt([0, index], box.left + scales.px(series.x[index]) * box.width / room.width, box.top + box.height / 3);
     this.index = index;
   }
 
   /** Number of the series and of its point; over a shared x the height of the pointer does not matter. */
   nearest(event) {
     const {svg, spec, scales} = this.chart, box = svg.getBoundingClientRect();
-    const scale = BOX.width / box.width;
+    const scale = this.chart.box.width / box.width;
     const x = (event.clientX - box.left) * scale, y = (event.clientY - box.top) * scale;
     let best = [0, 0], least = Infinity;
     spec.series.forEach((series, k) => series.x.forEach((value, i) => {
@@ -90,11 +90,11 @@ class ChartReader {
   }
 
   showAt([k, i], clientX, clientY) {
-    const {spec, scales, hover} = this.chart, chosen = spec.series[k];
+    const {spec, scales, hover, box} = this.chart, chosen = spec.series[k];
     if (!chosen || !chosen.x.length) return;
     this.unshow();
     const x = scales.px(chosen.x[i]);
-    if (spec.shared) svgElement(hover, "line", {class: "hover", x1: x, x2: x, y1: BOX.top, y2: BOX.bottom});
+    if (spec.shared) svgElement(hover, "line", {class: "hover", x1: x, x2: x, y1: box.top, y2: box.bottom});
     const lines = [spec.head ? spec.head(chosen, i) : this.head(chosen, i)];
     if (!spec.shared) lines.push(this.line(spec.x.name, chosen.x[i], spec.x.unit));
     for (const series of spec.shared ? spec.series : [chosen]) {

@@ -47,33 +47,29 @@ function fillHistoryTable(h) {
 }
 
 function drawEnergy() {
-  const e = data.runs[0].energy;
-  const grid = byId("energy-charts");
-  overStepsOfFirst(grid, "Energies since the start", e, "N mm",
-                   [["work", "work of the top"], ["elastic", "elastic energy"], ["dissipation", "dissipation"]]);
-  overStepsOfFirst(grid, "Balance: work − elastic energy − dissipation", e, "N mm",
-                   [["balance", "since the start"], ["step_defect", "in the step"]]);
-  overStepsOfFirst(grid, "Defect of a step / largest energy", e, "", [["relative_defect", "defect"]], {log: true});
+  const grid = byId("energy-charts"), table = run => run.energy;
+  overSteps(grid, "Energies since the start", table, "N mm",
+            [["work", "work of all components"], ["elastic", "elastic energy"], ["dissipation", "dissipated by friction"]]);
+  overSteps(grid, "Rest: work − elastic energy − dissipated", table, "N mm",
+            [["balance", "since the start"], ["step_defect", "in the step"]]);
+  overSteps(grid, "Rest of a step / largest energy", table, "", [["relative_defect", "rest"]], {log: true});
 }
 
 function drawSolver() {
-  const h = data.runs[0].history;
-  const grid = byId("solver-charts");
-  overStepsOfFirst(grid, "Iterations", h, "", [["iterations", "iterations"]], {name: "iterations of the step"});
-  overStepsOfFirst(grid, "Residual", h, "", [["residual", "residual"]],
-                   {log: true, level: data.tolerance > 0 ? {value: data.tolerance, name: "tolerance"} : undefined});
-  byId("no-checks").hidden = data.checks !== null;
-  if (!data.checks) return;
-  overStepsOfFirst(grid, "Checks of equilibrium and contact", data.checks, "",
-                   [["equilibrium", "equilibrium"], ["penetration", "penetration"],
-                    ["complementarity", "complementarity"]], {log: true});
-  overStepsOfFirst(grid, "Checks of friction and energy", data.checks, "",
-                   [["friction_cone", "friction cone"], ["slip_rule", "slip rule"], ["energy_defect", "energy"]],
-                   {log: true});
+  const grid = byId("solver-charts"), history = run => run.history, checks = run => run.checks;
+  overSteps(grid, "Iterations", history, "", [["iterations", "iterations"]], {name: "iterations of the step"});
+  overSteps(grid, "Residual", history, "", [["residual", "residual"]],
+            {log: true, level: data.tolerance > 0 ? {value: data.tolerance, name: "tolerance"} : undefined});
+  byId("no-checks").hidden = data.runs.some(checks);
+  overSteps(grid, "Checks of equilibrium and contact", checks, "",
+            [["equilibrium", "equilibrium"], ["penetration", "penetration"], ["complementarity", "complementarity"]],
+            {log: true});
+  overSteps(grid, "Checks of friction and energy", checks, "",
+            [["friction_cone", "friction cone"], ["slip_rule", "slip rule"], ["energy_defect", "energy"]], {log: true});
 }
 
 function drawAll() {
-  const h = data.runs[0].history;
+  const h = data.runs[0].history, probes = [...new Set(data.runs.flatMap(run => run.probes.map(({name}) => name)))];
   if (!h.step.length) {
     for (const id of ["histories", "loops", "cycles", "energy", "solver"])
       htmlElement(byId(id), "p", {}, "No step was finished, so there is nothing to show.");
@@ -83,14 +79,14 @@ function drawAll() {
   drawHistories();
   fillHistoryTable(h);
   drawBodyLoops();
-  data.probes.forEach(drawProbeLoops);
-  if (!data.probes.length) htmlElement(byId("probe-loops"), "p", {class: "hint"}, "This run has no probes.");
+  probes.forEach(drawProbeLoops);
+  if (!probes.length) htmlElement(byId("probe-loops"), "p", {class: "hint"}, "This run has no probes.");
   drawBodyLines();
   drawWear();
   drawCycles();
   drawEnergy();
   drawSolver();
-  overStepsOfFirst(byId("time-charts"), "Contact solution of a step", data.timing, "s", [["seconds", "seconds"]]);
+  overSteps(byId("time-charts"), "Contact solution of a step", run => run.timing, "s", [["seconds", "seconds"]]);
 }
 
 /** One cycle of many: the whole run would be a block of ink. */
@@ -118,8 +114,8 @@ function listenToTheme() {
   };
   const current = () => chosen || (dark.matches ? "dark" : "light");
   dark.addEventListener("change", () => apply(current()));
-  addEventListener("beforeprint", () => apply("light"));
-  addEventListener("afterprint", () => apply(current()));
+  addEventListener("beforeprint", () => { apply("light"); fitAll(BOX.width); });
+  addEventListener("afterprint", () => { apply(current()); fitAll(); });
   byId("theme").addEventListener("click", () => {
     chosen = current() === "dark" ? "light" : "dark";
     apply(chosen);
@@ -139,6 +135,7 @@ listenToMenus();
 drawAll();
 listenToWindow();
 if (data.maps) player = new Player(data);
+LeftOut.say();
 byId("map-panel").hidden = byId("mark-hint").hidden = !player;
 byId("no-maps").hidden = Boolean(player);
 byId("line-panel").hidden = !player;
@@ -146,4 +143,7 @@ if (data.plane) {  // nothing changes along y: profiles over x say it all
   byId("maps").classList.add("plane");
   byId("maps-title").textContent = "Profiles over x";
 }
-byId("separator-hint").hidden = several;  // their cycles may differ
+byId("separator-hint").hidden = several || data.runs[0].blocks.length < 2;  // their cycles may differ
+byId("gap-hint").hidden = data.runs.every(run => !run.jumps.length);
+fitAll();
+addEventListener("resize", () => fitAll());

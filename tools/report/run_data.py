@@ -8,6 +8,7 @@ import checked
 import numpy as np
 import outline
 from cycle_table import jumped_energy
+from following import is_running
 from imported_body import ImportedBody
 from load_program import LoadProgram, SignalProgram
 from maps import Maps
@@ -23,6 +24,7 @@ class RunData:
     def __init__(self, path):
         self.path = path
         self.notes = []
+        self.is_running = is_running(path)  # before its tables are read: the end would be missed else
         self.run = RunFolder(path)
         self.history = self.read("history.csv", lambda: checked.columns(self.run.history, NEEDED))
         self.steps = np.asarray(self.history.get("step", ()), dtype=int)
@@ -163,15 +165,27 @@ class RunData:
         return self.summary.get("steps", {}).get("planned", self.program.n_steps)
 
     def status(self):
-        """Kind (good, bad) and text."""
+        """Kind (good, warned, bad, running) and text."""
+        steps = f"{self.n_solved} of {self.n_planned} steps"
+        if self.is_running:
+            return "running", f"Still running: {steps} are solved"
         if not self.summary:
-            return "bad", (f"Interrupted, or still running: summary.json is missing. {self.n_solved} of "
-                           f"{self.n_planned} steps are in history.csv.")
-        if self.summary.get("status") == "complete":
-            return "good", "Complete"
-        return "bad", f"Not complete, {self.n_solved} of {self.n_planned} steps: {self.summary.get('status', '')}"
+            return "bad", f"Interrupted: summary.json is missing. {steps} are in history.csv."
+        if self.summary.get("status") != "complete":
+            return "bad", f"Not complete, {steps}: {self.summary.get('status', '')}"
+        n = len(self.summary.get("warnings", ()))
+        return ("warned", f"Complete, with {n} warning{'s' if n > 1 else ''}") if n else ("good", "Complete")
 
     # --- energies ---
+
+    @property
+    def wears(self):
+        return self.parameters.get("Wear", {}).get("Law", "none") != "none"
+
+    @functools.cached_property
+    def starts_unknown(self):
+        """Steps behind a jump that wears: the energy that was stored at its end is not written."""
+        return np.diff(self.steps, prepend=0) > 1 if self.wears else np.zeros(self.n_solved, dtype=bool)
 
     def energy_ledger(self):
         """Work of the top, by the trapezoidal rule unless the program recorded it, against what became of it."""
@@ -187,7 +201,7 @@ class RunData:
         if len(self.checks.get("work", ())) == self.n_solved:
             work = self.checks["work"]
         elastic, dissipation = h["elastic_energy"], h["dissipation"]
-        step_defect = work - np.diff(elastic, prepend=0) - dissipation
+        step_defect = np.where(self.starts_unknown, np.nan, work - np.diff(elastic, prepend=0) - dissipation)
         scale = max(np.max(elastic), np.sum(dissipation), np.finfo(float).tiny)
         whole_work = np.cumsum(work) + jumped_energy(self, "work")
         whole_dissipation = np.cumsum(dissipation) + jumped_energy(self, "dissipation")

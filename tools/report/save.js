@@ -156,9 +156,11 @@ function pictureOf(spec, keys, body) {
 
 function chartPicture(chart) {
   return pictureOf(chart.spec, keysOf(chart.spec), (draft, top) => {
-    const place = svgElement(draft, "g", {class: "chart", transform: `translate(0 ${top})`});
+    const place = svgElement(draft, "g", {class: "chart", transform: `translate(0 ${top})`}), {box} = chart;
+    chart.drawIn(BOX);
     for (const child of chart.svg.children)
       if (!["marks", "hovering"].includes(child.getAttribute("class"))) place.append(child.cloneNode(true));
+    chart.drawIn(box);
     return BOX.height;
   });
 }

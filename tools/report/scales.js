@@ -3,12 +3,18 @@
 "use strict";
 // From values to places in a chart.
 
-const BOX = {left: 62, right: 380, top: 10, bottom: 192, width: 400, height: 232};
+/** A chart of a width in pixels, with room for its frame: letters keep their size, whatever the width. */
+function boxOf(width) {
+  const height = Math.round(Math.max(216, Math.min(330, 64 + 0.42 * width)));
+  return {left: 62, right: width - 20, top: 10, bottom: height - 40, width, height};
+}
+
+const BOX = boxOf(400);  // of saved pictures, and of what has no place yet
 
 /** Ranges, units and places of a chart (see Chart for the spec). What is smaller than `least` is rounding. */
 class Scales {
-  constructor(spec) {
-    this.spec = spec;
+  constructor(spec, box) {
+    [this.spec, this.box] = [spec, box];
     const x = spec.series.flatMap(series => series.x), y = spec.series.flatMap(series => series.y);
     const extra = spec.outline || [];
     this.xUnit = spec.x.whole ? {factor: 1, name: ""} : unitOf([...x, spec.x.least], spec.x.unit);
@@ -43,23 +49,23 @@ class Scales {
   }
 
   equalize() {
-    const size = Math.max((this.xRange[1] - this.xRange[0]) / (BOX.right - BOX.left),
-                          (this.yRange[1] - this.yRange[0]) / (BOX.bottom - BOX.top));
+    const size = Math.max((this.xRange[1] - this.xRange[0]) / (this.box.right - this.box.left),
+                          (this.yRange[1] - this.yRange[0]) / (this.box.bottom - this.box.top));
     const widen = ([low, high], pixels) => [(low + high - size * pixels) / 2, (low + high + size * pixels) / 2];
-    this.xRange = widen(this.xRange, BOX.right - BOX.left);
-    this.yRange = widen(this.yRange, BOX.bottom - BOX.top);
+    this.xRange = widen(this.xRange, this.box.right - this.box.left);
+    this.yRange = widen(this.yRange, this.box.bottom - this.box.top);
     this.yUnit = this.xUnit = unitOf([...this.xRange, ...this.yRange], this.spec.y.unit);
   }
 
   px(value) {
-    return BOX.left + (value - this.xRange[0]) / (this.xRange[1] - this.xRange[0]) * (BOX.right - BOX.left);
+    return this.box.left + (value - this.xRange[0]) / (this.xRange[1] - this.xRange[0]) * (this.box.right - this.box.left);
   }
 
   py(value) {
     const [low, high] = this.yRange;
     const share = this.spec.y.log ? Math.log10(Math.max(value, low) / low) / Math.log10(high / low)
                                   : (value - low) / (high - low);
-    return BOX.bottom - share * (BOX.bottom - BOX.top);
+    return this.box.bottom - share * (this.box.bottom - this.box.top);
   }
 
   /** The place of a point of a series; null where it has no value. */
@@ -71,7 +77,8 @@ class Scales {
   ticks() {
     const scaled = (range, {factor}) => range.map(value => value * factor);
     const whole = this.spec.x.whole ? tick => Number.isInteger(tick) : () => true;
-    return {x: linearTicks(...scaled(this.xRange, this.xUnit), 6).filter(whole),
+    const across = Math.max(5, Math.round((this.box.right - this.box.left) / 60));
+    return {x: linearTicks(...scaled(this.xRange, this.xUnit), across).filter(whole),
             y: this.spec.y.log ? decadeTicks(...this.yRange) : linearTicks(...scaled(this.yRange, this.yUnit), 5)};
   }
 }

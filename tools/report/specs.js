@@ -14,6 +14,43 @@ function addChart(parent, spec) {
   return chart;
 }
 
+/** Quantities that are zero or have no value throughout are in no chart; a line below the charts names them. */
+class LeftOut {
+  static of = new Map();  // of each place of charts, in the order in which they came
+
+  static note(parent, words) {
+    if (!LeftOut.of.has(parent)) LeftOut.of.set(parent, []);
+    LeftOut.of.get(parent).push(words);
+  }
+
+  static say() {
+    for (const [parent, names] of LeftOut.of) {
+      const line = htmlElement(parent, "p", {class: "hint left-out"});
+      line.textContent = `Zero throughout, and so not drawn: ${names.join("; ")}.`;
+    }
+    LeftOut.of.clear();
+  }
+}
+
+/** A title within a sentence; names such as Q_x stay as they are. */
+function inSentence(title) {
+  return /^[A-Z][a-z]/.test(title) ? title[0].toLowerCase() + title.slice(1) : title;
+}
+
+function isZero(values, least = 0) {
+  return values.every(value => value === null || value === undefined || Math.abs(value) <= least);
+}
+
+/** The series of quantities that are more than zero in any run. */
+function withContent(parent, title, series, least) {
+  const names = [...new Set(series.map(one => one.name))].filter(name =>
+    series.filter(one => one.name === name).every(one => isZero(one.y, least)));
+  const kept = series.filter(one => !names.includes(one.name));
+  if (!kept.length) LeftOut.note(parent, inSentence(title));
+  else for (const name of names) LeftOut.note(parent, `${name} (${inSentence(title)})`);
+  return kept;
+}
+
 /** A curve for each run and column; colours distinguish the quantities of one run, or the runs, and dashes then the
  *  quantities. `tableOf` gives the table of a run. */
 function curves(runs, tableOf, columns, x) {
@@ -31,26 +68,26 @@ function curves(runs, tableOf, columns, x) {
 
 function addCurves(parent, title, series, x, unit, {log = false, name = "", least = 0, range, fit, ...more} = {}) {
   if (!series.some(one => one.x.length)) return null;
-  return addChart(parent, {title, shared: true, series, x, y: {unit, log, name, least, range, fit}, ...more});
+  const kept = withContent(parent, title, series, least);
+  if (!kept.length) return null;
+  return addChart(parent, {title, shared: true, series: kept, x, y: {unit, log, name, least, range, fit}, ...more});
 }
 
 /** Curves over the steps, of all runs; `tableOf` gives the table of a run. */
-function overSteps(parent, title, tableOf, unit, columns, more = {}, runs = data.runs) {
+function overSteps(parent, title, tableOf, unit, columns, more = {}) {
   const separators = several ? [] : data.runs[0].blocks.map(block => block[1] - 0.5);
   const x = {name: "step", unit: "", whole: true};
-  addCurves(parent, title, curves(runs, tableOf, columns, {column: "step"}), x, unit, {separators, ...more});
-}
-
-/** The same of something that only the first run has on this page. */
-function overStepsOfFirst(parent, title, table, unit, columns, more = {}) {
-  overSteps(parent, title, () => table, unit, columns, more, [data.runs[0]]);
+  addCurves(parent, title, curves(data.runs, tableOf, columns, {column: "step"}), x, unit, {separators, ...more});
 }
 
 /** Paths of y over x, one a run; the cycles of a single one have their colours. */
 function addPaths(parent, title, x, y, series, more = {}) {
   const {blocks} = data.runs[0], single = series.length === 1 && !series[0].run;
   const cycles = single && blocks.length > 1 ? blocks : undefined;
-  if (series.length) addChart(parent, {title, x, y, series, cycles, ...more});
+  if (!series.length) return;
+  const rests = ["x", "y"].filter(axis => series.every(one => isZero(one[axis], (axis === "x" ? x : y).least)));
+  if (rests.length === 2 || rests[0] === "y" && !more.equal) LeftOut.note(parent, inSentence(title));
+  else addChart(parent, {title, x, y, series, cycles, ...more});
 }
 
 function largest(values) {

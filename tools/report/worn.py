@@ -9,10 +9,6 @@ MOST_PROFILES = 6
 BEYOND = 0.15  # of the length that is worn: how far the lines reach on both sides of it
 
 
-def is_worn(data):
-    return data.parameters.get("Wear", {}).get("Law", "none") != "none"
-
-
 def profile_steps(data):
     """Steps with contact fields between which about the same volume is worn."""
     steps = np.array(data.maps.all_steps)

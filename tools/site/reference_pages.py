@@ -1,8 +1,10 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 """docs/parameters.md and docs/results.md: every entry of a parameter file, and every column and field of the results, as
-`orthocone --defaults` and `orthocone --columns` have them; docs/python.md: the docstrings of the Python module."""
+`orthocone --defaults` and `orthocone --columns` have them; docs/python.md: the docstrings of the Python module.
+tools/report/defaults.json: the defaults alone, which a report needs to tell changed entries from the others."""
 import argparse
+import json
 import pathlib
 import re
 import subprocess
@@ -64,6 +66,11 @@ def parameters_page(text):
     return out
 
 
+def defaults_file(text):
+    return json.dumps({f"{section}/{entry}": default for section, entries in sections(text)
+                       for entry, default, _, _ in entries}, indent=0) + "\n"
+
+
 def results_page(text):
     out, last = RESULTS, None
     for line in text.splitlines():
@@ -79,14 +86,16 @@ def results_page(text):
 def main():
     parser = argparse.ArgumentParser(prog="tools/reference_pages", description=__doc__)
     parser.add_argument("--program", type=pathlib.Path, default=ROOT / "build/orthocone")
-    parser.add_argument("--output", metavar="DIR", type=pathlib.Path, default=ROOT / "docs")
+    parser.add_argument("--output", metavar="DIR", type=pathlib.Path, help="of all files (docs, and tools/report)")
     options = parser.parse_args()
+    docs, report = options.output or ROOT / "docs", options.output or ROOT / "tools/report"
     try:
-        for name, option, page in (("parameters.md", "--defaults", parameters_page),
-                                   ("results.md", "--columns", results_page)):
+        for path, option, page in ((docs / "parameters.md", "--defaults", parameters_page),
+                                   (docs / "results.md", "--columns", results_page),
+                                   (report / "defaults.json", "--defaults", defaults_file)):
             text = subprocess.run([options.program, option], capture_output=True, text=True, check=True).stdout
-            (options.output / name).write_text(page(text), encoding="utf-8")
-        (options.output / "python.md").write_text(python_page(ROOT / "python/orthocone"), encoding="utf-8")
+            path.write_text(page(text), encoding="utf-8")
+        (docs / "python.md").write_text(python_page(ROOT / "python/orthocone"), encoding="utf-8")
     except (OSError, subprocess.CalledProcessError) as error:
         sys.exit(f"reference_pages: {error}")
 
