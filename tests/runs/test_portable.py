@@ -75,6 +75,13 @@ class PortableTest(unittest.TestCase):
     def test_all_libraries_are_in_it(self):
         self.assertEqual(self.strangers("orthocone"), set())
 
+    def test_mpirun_is_its_own(self):
+        """Two processes that wait for each other would take both cores; tools/package_check runs them."""
+        started = self.installed("orthocone-mpirun", "--allow-run-as-root", "-n", "1", self.root / "bin/orthocone", "--version")
+        self.assertEqual((started.returncode, started.stderr), (0, ""))
+        self.assertIn("orthocone ", started.stdout)
+        self.assertEqual(self.strangers("mpi/bin/orterun"), set())
+
     def test_report_by_its_own_python(self):
         result = self.installed("orthocone-report", "output/case_b")
         self.assertEqual((result.returncode, result.stderr), (0, ""))

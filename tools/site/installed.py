@@ -16,9 +16,9 @@ MODULE = re.compile(r'^export PYTHONPATH="\$PWD/build/python".*\n', re.M)
 PACKAGES = {
     "deb": {"FOLDER": "/usr", "PYTHON": "/usr/bin/python3", "MPIRUN": "mpirun",
             "WHERE": "The package `orthocone` of this system brought these pages."},
-    "portable": {"FOLDER": "$ORTHOCONE", "PYTHON": "orthocone-python", "MPIRUN": "orthocone-mpirun",
-                 "WHERE": "These pages are of the folder that was unpacked. `$ORTHOCONE` stands for its path, and its `bin` is in the "
-                          "`PATH`: `export ORTHOCONE=FOLDER PATH=\"FOLDER/bin:$PATH\"`."},
+    "portable": {"FOLDER": "$ORTHOCONE_HOME", "PYTHON": "orthocone-python", "MPIRUN": "orthocone-mpirun",
+                 "WHERE": "These pages are of the folder that was unpacked. `$ORTHOCONE_HOME` stands for its path, and its `bin` is in the "
+                          "`PATH`: `export ORTHOCONE_HOME=FOLDER PATH=\"FOLDER/bin:$PATH\"`."},
 }
 COMMANDS = (
     (r"\./run (?=\S)", "orthocone "),
