@@ -12,8 +12,11 @@ install(DIRECTORY tools/sweeps tools/meshes tools/runs DESTINATION ${share}/tool
   PATTERN "__pycache__" EXCLUDE)
 install(DIRECTORY python/orthocone DESTINATION ${share}/python COMPONENT program FILES_MATCHING PATTERN "*.py"
   PATTERN "__pycache__" EXCLUDE)
-install(DIRECTORY docs examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program PATTERN "data" EXCLUDE)
-install(FILES README.md CHANGELOG.md CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+install(DIRECTORY examples DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program PATTERN "__pycache__" EXCLUDE)
+install(FILES CITATION.cff DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
+# The pages as tools/package has made them by Sphinx. Other installations do without.
+install(DIRECTORY ${CMAKE_BINARY_DIR}/package/html DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program OPTIONAL
+  PATTERN ".buildinfo" EXCLUDE)
 install(FILES cmake/package/copyright DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT program)
 install(FILES cmake/package/orthocone.bash DESTINATION ${CMAKE_INSTALL_DATADIR}/bash-completion/completions
   RENAME orthocone COMPONENT program)
@@ -31,7 +34,6 @@ orthocone_tool(orthocone-import numpy,meshio meshes/import_mesh.py)
 
 # Debian wants man pages and the changelog compressed. -n: the same bytes each time.
 function(orthocone_compressed file folder)
-  configure_file(cmake/package/${file}.in ${CMAKE_BINARY_DIR}/package/${file} @ONLY)
   add_custom_command(OUTPUT package/${file}.gz COMMAND gzip -9nc package/${file} > package/${file}.gz
     DEPENDS ${CMAKE_BINARY_DIR}/package/${file})
   add_custom_target(orthocone_${file} DEPENDS package/${file}.gz)
@@ -39,13 +41,26 @@ function(orthocone_compressed file folder)
   install(FILES ${CMAKE_BINARY_DIR}/package/${file}.gz DESTINATION ${folder} COMPONENT program)
 endfunction()
 foreach(page orthocone.1 orthocone-solve.1 orthocone-report.1)
+  configure_file(cmake/package/${page}.in ${CMAKE_BINARY_DIR}/package/${page} @ONLY)
   orthocone_compressed(${page} ${CMAKE_INSTALL_MANDIR}/man1)
 endforeach()
-orthocone_compressed(changelog ${CMAKE_INSTALL_DOCDIR})
+foreach(tool sweep wear-profile import) # orthocone-report.1 describes them, too
+  file(CREATE_LINK orthocone-report.1.gz ${CMAKE_BINARY_DIR}/package/orthocone-${tool}.1.gz SYMBOLIC)
+  install(FILES ${CMAKE_BINARY_DIR}/package/orthocone-${tool}.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
+endforeach()
+
+set(CPACK_PACKAGE_CONTACT "the orthocone authors <orthocone@users.noreply.github.com>" CACHE STRING "Maintainer of the package")
+if(Python_Interpreter_FOUND)
+  set(script ${PROJECT_SOURCE_DIR}/tools/packaging/debian_changelog.py)
+  add_custom_command(OUTPUT ${CMAKE_BINARY_DIR}/package/changelog
+    COMMAND ${Python_EXECUTABLE} -B ${script} ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${PROJECT_VERSION}
+      "${CPACK_PACKAGE_CONTACT}" > ${CMAKE_BINARY_DIR}/package/changelog
+    DEPENDS ${script} ${PROJECT_SOURCE_DIR}/CHANGELOG.md VERBATIM)
+  orthocone_compressed(changelog ${CMAKE_INSTALL_DOCDIR})
+endif()
 
 set(CMAKE_SKIP_INSTALL_ALL_DEPENDENCY ON) # what is packed is built before; the tests are not part of it
 set(CPACK_PACKAGE_NAME orthocone)
-set(CPACK_PACKAGE_CONTACT "the orthocone authors <orthocone@users.noreply.github.com>" CACHE STRING "Maintainer of the package")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "elastic bodies in contact with orthotropic friction")
 set(CPACK_DEBIAN_PACKAGE_DESCRIPTION
   "An elastic body is pressed on another one and released again, cycle
@@ -64,7 +79,7 @@ if(pybind11_FOUND)
   set(python "python3 (>= 3.${Python_VERSION_MINOR}), python3 (<< 3.${next})")
 endif()
 set(CPACK_DEBIAN_PACKAGE_DEPENDS
-  "libopenblas0-pthread, ${python}, python3-numpy, python3-matplotlib, python3-meshio")
+  "libopenblas0-pthread, ${python}, python3-numpy, python3-matplotlib, python3-meshio, libjs-sphinxdoc")
 set(CPACK_DEBIAN_PACKAGE_SUGGESTS "paraview")
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)

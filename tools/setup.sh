@@ -20,7 +20,7 @@ packages="g++ cmake ninja-build git mold
   python3-meshio"
 benchmark_packages="libbenchmark-dev"
 problems_packages="libfclib-dev"
-package_packages="$problems_packages dpkg-dev lintian"
+package_packages="$problems_packages dpkg-dev lintian patchelf openmpi-bin"
 docs_packages="python3 python3-sphinx python3-myst-parser furo python3-breathe doxygen"
 # ParaView's Python brings the vtk modules, and takes the place of the package python3-vtk9 where that is installed.
 tests_packages="$benchmark_packages $package_packages $docs_packages paraview python3-paraview xvfb xauth chromium

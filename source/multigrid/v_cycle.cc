@@ -75,6 +75,9 @@ void start_mpi()
   MPI_Initialized(&is_started);
   if (is_started != 0)
     return;
+  // Else Open MPI 4 starts a daemon beside a single process, and first looks for ssh, which a bare system
+  // lacks.
+  ::setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
   MPI_Init(nullptr, nullptr);
   std::atexit([] { MPI_Finalize(); });
 }

@@ -16,6 +16,9 @@ import unittest
 sys.dont_write_bytecode = True  # the source tree stays clean
 from program import PROGRAM, ROOT, SMALL, main  # noqa: E402
 
+sys.path.insert(0, str(ROOT / "tools/site"))
+import installed  # noqa: E402
+
 
 def run(*words, **options):
     return subprocess.run([str(word) for word in words], capture_output=True, text=True, check=False, **options)
@@ -100,17 +103,51 @@ printf '%s\\n' "${{COMPREPLY[@]}}" """
                    for name in self.completed("--set", section) if name.replace("\\", "").startswith("Geometry/R")]
         self.assertEqual(entries, ["Geometry/Radius="] * 2)
 
-    def test_lintian_finds_no_error(self):
+    def test_lintian_finds_nothing(self):
         if not shutil.which("lintian"):
             self.skipTest("no lintian here")
-        result = run("lintian", "--fail-on", "error", self.package)
-        self.assertEqual(result.returncode, 0, result.stdout)
+        result = run("lintian", "--fail-on", "error,warning", self.package)
+        self.assertEqual((result.returncode, result.stdout), (0, ""))
+
+    def test_every_command_has_a_man_page(self):
+        pages = {file.name for file in (self.root / "usr/share/man/man1").iterdir()}
+        self.assertEqual({f"{file.name}.1.gz" for file in self.bin.iterdir()} - pages, set())
+
+    def test_changelog_is_that_of_the_project(self):
+        text = gzip.open(self.root / "usr/share/doc/orthocone/changelog.gz", "rt", encoding="utf-8").read()
+        parsed = run("dpkg-parsechangelog", "--all", "-l", "-", "-S", "Version", input=text)
+        self.assertEqual((parsed.returncode, parsed.stderr), (0, ""))
+        ours = (ROOT / "CHANGELOG.md").read_text(encoding="utf-8")
+        released = re.findall(r"^## \[([\d.]+)\]", ours, re.MULTILINE)
+        self.assertEqual(re.findall(r"^orthocone \(([\d.]+)\)", text, re.MULTILINE), released)
+        self.assertGreaterEqual(len(re.findall(r"^  \* ", text, re.MULTILINE)), len(re.findall(r"^- ", ours, re.MULTILINE)))
 
     def test_what_it_depends_on(self):
         fields = run("dpkg-deb", "-f", self.package, "Depends", "Version").stdout
         for needed in ("libopenblas0-pthread", "libdeal.ii-", "python3 ", "python3-numpy", "python3-matplotlib", "python3-meshio"):
             self.assertIn(needed, fields)
         self.assertIn(f"Version: {self.installed('orthocone', '--version').stdout.split()[1]}\n", fields)
+
+
+class PagesTest(unittest.TestCase):
+    """The pages as packages have them; test_site.py makes a site of them."""
+
+    def test_commands_are_those_of_the_package(self):
+        for package in installed.PACKAGES:
+            for path in [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]:
+                name = "README" if path.stem == "README" else f"docs/{path.stem}"
+                if name in installed.OF_SOURCES:
+                    continue
+                text = installed.page(name, path.read_text(encoding="utf-8"), package)
+                with self.subTest(page=name, package=package):
+                    self.assertEqual(re.findall(r"\./run [\w-]|build/orthocone|tools/report\.py|@\w+@|source tree -->|build/python", text), [])
+                    for block in re.findall(r"^```\n(.*?)^```", text, re.MULTILINE | re.DOTALL):
+                        self.assertNotRegex(block, r"(?m)^(\./|tools/(?!study|docs|verification|setup))")
+
+    def test_first_page_tells_how_to_begin(self):
+        text = installed.page("README", (ROOT / "README.md").read_text(encoding="utf-8"), "deb")
+        self.assertIn("cp -r /usr/share/orthocone/prm .\north", text)
+        self.assertNotIn("Two commands", text)
 
 
 if __name__ == "__main__":

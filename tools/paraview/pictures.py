@@ -1,4 +1,3 @@
-#!/usr/bin/env pvbatch
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 """Pictures of a run folder, unattended: the views of contact.py.

@@ -14,6 +14,7 @@ sys.dont_write_bytecode = True  # the source tree stays clean
 from sphinx.cmd.build import build_main  # noqa: E402
 
 import headers  # noqa: E402
+import installed  # noqa: E402
 import interface  # noqa: E402
 import pages  # noqa: E402
 import theme  # noqa: E402
@@ -51,10 +52,11 @@ def publish(html, output):
     shutil.copytree(html, output)
 
 
-def make(scratch):
+def make(scratch, package):
     """The site, in a folder for all that is needed on the way. Returns its own folder."""
     source, xml, html = scratch / "source", scratch / "xml", scratch / "html"
-    pages.write(ROOT, source, (HERE / "contents.md").read_text(encoding="utf-8"))
+    changed = (lambda name, text: installed.page(name, text, package)) if package else (lambda name, text: text)
+    pages.write(ROOT, source, (HERE / "contents.md").read_text(encoding="utf-8"), changed)
     headers.write(ROOT, scratch / "include")
     run_doxygen(scratch)
     interface.write(ROOT, xml, source / "api")
@@ -66,11 +68,12 @@ def make(scratch):
 def main():
     parser = argparse.ArgumentParser(prog="tools/docs", description=__doc__)
     parser.add_argument("--output", type=pathlib.Path, default=ROOT / "output/site")
+    parser.add_argument("--package", choices=installed.PACKAGES, help="with the commands of this package of tools/package")
     options = parser.parse_args()
     try:
         check(options.output)
         with tempfile.TemporaryDirectory() as scratch:
-            publish(make(pathlib.Path(scratch)), options.output)
+            publish(make(pathlib.Path(scratch), options.package), options.output)
     except OSError as error:
         sys.exit(f"docs: {error}")
     print(f"docs: {options.output}/index.html", file=sys.stderr)

@@ -81,10 +81,10 @@ def gallery(root, names):
     return out
 
 
-def write(root, target, contents):
-    """Writes all of it to the folder `target`."""
+def write(root, target, contents, changed=lambda name, text: text):
+    """Writes all of it to the folder `target`, each page of the repository as `changed` gives it."""
     names = page_names(contents)
-    staged = {name: read(root, name) for name in ["README", *names]}
+    staged = {name: changed(name, read(root, name)) for name in ["README", *names]}
     others = set()
     staged = {name: with_links(root, text, posixpath.dirname(name), names, others) for name, text in staged.items()}
     shown = sorted(path for path in others if not path.endswith(DATA))
