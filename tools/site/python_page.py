@@ -21,12 +21,15 @@ export PYTHONPATH="$PWD/build/python"
 ```python
 import orthocone
 
-scene = orthocone.Scene.rig("sphere_on_flat")      # or Scene.from_file("my.prm"), Scene.from_text("...")
+scene = orthocone.Scene.rig("sphere_on_flat")  # or Scene.from_file("my.prm")
 scene["Friction/Coefficients"] = 0.3, 0.15
-scene["Load program/Preload"]                      # 'Fz -250 Fx 0 : 3', as in the file
-print(scene.check())                               # model, memory, time and warnings; computes nothing
+scene["Load program/Preload"]                  # 'Fz -250 Fx 0 : 3', as in the file
+print(scene.check())                           # model, memory, time, warnings
+
 run = scene.run()
-run.history["held_force_x"], run.cycles["dissipation"], run.contact()["pressure"], run.summary["warnings"]
+run.history["held_force_x"]                    # a row for each load step
+run.contact()["pressure"]                      # fields at the last step
+run.summary["warnings"]
 ```
 With pandas (Debian's `python3-pandas`), the tables of a run are DataFrames, so that `run.history.plot(x="ux", y="force_x")`
 draws a loop. Without it they are dictionaries of NumPy arrays with the same columns; `Run(folder, pandas=False)` gives these
@@ -37,7 +40,7 @@ in any case, for scripts that must run on every machine.
 nearest one:
 ```python
 >>> scene["Friction/Coeficients"] = 0.3, 0.15
-UnknownEntry: Friction/Coeficients is not an entry; is Friction/Coefficients meant? 'orthocone --defaults' lists all of them
+UnknownEntry: Friction/Coeficients is not an entry; is Friction/Coefficients meant? ...
 ```
 
 **A study** is a list comprehension, because `with_()` makes a copy with other entries, and each copy has a run folder of its
