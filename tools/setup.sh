@@ -24,7 +24,8 @@ package_packages="$problems_packages dpkg-dev lintian patchelf openmpi-bin"
 docs_packages="python3 python3-sphinx python3-myst-parser furo python3-breathe doxygen"
 # ParaView's Python brings the vtk modules, and takes the place of the package python3-vtk9 where that is installed.
 tests_packages="$benchmark_packages $package_packages $docs_packages paraview python3-paraview xvfb xauth chromium
-  chromium-driver python3-selenium python3-hypothesis python3-pandas clang-format clang-tidy"
+  chromium-driver python3-selenium python3-hypothesis python3-pandas python3-nbclient python3-nbformat
+  python3-ipykernel clang-format clang-tidy"
 fuzz_packages="clang libclang-rt-dev"
 peers_packages="calculix-ccx python3-getfem libsiconos-numerics-dev" # not every Debian has them all
 

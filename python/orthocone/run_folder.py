@@ -110,22 +110,37 @@ def _lattice(degree):
 class Run:
     """The files of one run, read when they are asked for.
 
-    path: the run folder.
+    path: the run folder. pandas: whether tables are DataFrames of pandas; None takes pandas if it is there.
 
-    Tables are {column: (rows,) array, or list of words}, as pandas.DataFrame takes them, and {} before their first row;
-    docs/results.md has the units of their columns: mm, N, MPa, N mm or s. Raises FileNotFoundError for files that the run has
-    not written, and where there is no such folder; ValueError, in one line, for damaged files, files that are no text, pipes,
-    devices and tables of more than 1 GB."""
+    Without pandas, tables are {column: (rows,) array, or list of words}, with the same columns. They are empty before their
+    first row: len(table) is 0. docs/results.md has the units of their columns: mm, N, MPa, N mm or s. Raises
+    FileNotFoundError for files that the run has not written, and where there is no such folder; ValueError, in one line, for
+    damaged files, files that are no text, pipes, devices and tables of more than 1 GB."""
 
-    def __init__(self, path):
-        self.path = pathlib.Path(path)
+    def __init__(self, path, *, pandas=None):
+        self.path, self.pandas = pathlib.Path(path), pandas
         if not self.path.is_dir():
             raise FileNotFoundError(f"{path}: no such folder")
+
+    def __repr__(self):
+        return f"Run({str(self.path)!r})"
+
+    def _table(self, name, may_lack=False):
+        file = self.path / f"{name}.csv"
+        columns = {} if may_lack and not file.exists() else read_csv(file)
+        if self.pandas or self.pandas is None:
+            try:
+                from pandas import DataFrame
+                return DataFrame(columns)
+            except (ImportError, ValueError, AttributeError):  # it is not there, or was made for another NumPy
+                if self.pandas:
+                    raise
+        return columns
 
     @functools.cached_property
     def history(self):
         """The table of all steps, one row a step."""
-        return read_csv(self.path / "history.csv")
+        return self._table("history")
 
     @property
     def has_history(self):
@@ -138,7 +153,7 @@ class Run:
 
     def probe(self, name):
         """The table of a probe, one row a step."""
-        return read_csv(self.path / f"probe-{name}.csv")
+        return self._table(f"probe-{name}")
 
     def line_names(self):
         """Names of the lines whose files are in the folder, sorted."""
@@ -152,24 +167,23 @@ class Run:
     def line(self, name, step):
         """The table of a line after a step, one row a point: displacement and stress, and what acts on the contact surface,
         which is nan at points inside of the body."""
-        return read_csv(self.path / f"line-{name}-{step:04d}.csv")
+        return self._table(f"line-{name}-{step:04d}")
 
     @functools.cached_property
     def timing(self):
         """The table of wall times, s, one row a step."""
-        return read_csv(self.path / "timing.csv")
+        return self._table("timing")
 
     @functools.cached_property
     def checks(self):
-        """The table of independent checks, one row a step; {} if the run wrote none."""
-        file = self.path / "checks.csv"
-        return read_csv(file) if file.exists() else {}
+        """The table of independent checks, one row a step; empty if the run wrote none."""
+        return self._table("checks", may_lack=True)
 
     @functools.cached_property
     def cycles(self):
-        """The table of cycles, one row a cycle, or one row for several that were jumped; {} before the first cycle has ended."""
-        file = self.path / "cycles.csv"
-        return read_csv(file) if file.exists() else {}
+        """The table of cycles, one row a cycle, or one row for several that were jumped; empty before the first cycle has
+        ended."""
+        return self._table("cycles", may_lack=True)
 
     @functools.cached_property
     def summary(self):
@@ -202,6 +216,8 @@ class Run:
         names = (file.stem[len(kind) + 1:] for file in self.path.glob(f"{kind}-*.{ending}"))
         return sorted(int(name) for name in names if re.fullmatch("[0-9]{4}|[1-9][0-9]{4,8}", name))
 
-    def contact(self, step, kind="contact"):
-        """The fields of a step, a ContactFile."""
+    def contact(self, step=None, kind="contact"):
+        """The fields of a step, a ContactFile; None is the last step that has such a file."""
+        if step is None:
+            step = max(self.contact_steps(kind), default=0)
         return ContactFile(self.path / f"{kind}-{step:04d}.vtu")

@@ -3,6 +3,7 @@
 """The reader of run folders of the Python module, against the files as others read them.
 
 Usage: test_reader.py PROGRAM [unittest options]"""
+import functools
 import os
 import pathlib
 import re
@@ -19,8 +20,9 @@ from program import ROOT, SMALL, RunTest, main  # noqa: E402
 
 sys.path.insert(0, str(ROOT / "python"))
 sys.modules["meshio"] = None  # the module does without it
-from orthocone import Run  # noqa: E402
+import orthocone  # noqa: E402
 
+Run = functools.partial(orthocone.Run, pandas=False)  # test_scene.py has the tables of pandas
 STEP = 5
 # What else can stand under the name of a file, and what is said of it.
 SPECIAL = (("a pipe", os.mkfifo), ("a folder", os.mkdir), ("a device", lambda path: os.symlink("/dev/zero", path)),

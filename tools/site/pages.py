@@ -1,7 +1,8 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
 """The pages as Sphinx takes them: README.md is index.md, and what they link to is there. The data files that they link to
-are downloads. Other files and folders are pages that show them."""
+are downloads. Other files and folders are pages that show them, notebooks as prose and code."""
+import json
 import posixpath
 import re
 import shutil
@@ -36,6 +37,16 @@ def with_links(root, text, folder, pages, others):
     return "".join(part if part.startswith("```") else LINK.sub(target, part) for part in FENCE.split(text))
 
 
+def shown_file(path):
+    """Markdown of a file. Headings of a notebook go two levels down, below the heading of the file."""
+    text = path.read_text(encoding="utf-8")
+    if path.suffix != ".ipynb":
+        return f"```{LANGUAGES.get(path.suffix, 'none')}\n{text}```\n"
+    cells = [(cell["cell_type"], "".join(cell["source"])) for cell in json.loads(text)["cells"]]
+    return "\n".join(re.sub("^#", "###", source, flags=re.M) + "\n" if kind == "markdown" else f"```python\n{source}\n```\n"
+                     for kind, source in cells)
+
+
 def code_page(root, path):
     """A page that shows a file, or all files of a folder."""
     place = root / path
@@ -44,7 +55,7 @@ def code_page(root, path):
     for file in files:
         if place.is_dir():
             out += f"\n## {file.name}\n"
-        out += f"\n```{LANGUAGES.get(file.suffix, 'none')}\n{file.read_text(encoding='utf-8')}```\n"
+        out += f"\n{shown_file(file)}"
     return out
 
 

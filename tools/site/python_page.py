@@ -5,17 +5,81 @@ import ast
 import re
 
 HEAD = """# The Python module
-The module `orthocone` solves contact problems that you give as arrays (`solve`), applies the law of a node to arrays of nodes
-(`project` and the functions behind it), and reads run folders (`Run`, `ContactFile`). [manual.md](manual.md), *From Python and
-C++*, has a first example, and says how Python finds the module.
+The module `orthocone` drives the program from Python: a scene is read, changed and run, and its results are tables and arrays
+(`Scene`, `Run`). It also solves contact problems that you give as arrays (`solve`), and applies the law of a node to arrays of
+nodes (`project` and the functions behind it).
 
+## How to begin
+After `./run`, the module lies in the build folder. It is for Debian's Python with NumPy, and the Debian package brings it, too:
+```
+export PYTHONPATH="$PWD/build/python"
+/usr/bin/python3
+```
+
+**A run.** A `Scene` is a parameter file, one of the rigs ([rigs.md](rigs.md)), or a text. Its entries have the names of
+[parameters.md](parameters.md), and `run()` starts the program in a process of its own:
+```python
+import orthocone
+
+scene = orthocone.Scene.rig("sphere_on_flat")  # or Scene.from_file("my.prm")
+scene["Friction/Coefficients"] = 0.3, 0.15
+scene["Load program/Preload"]                  # 'Fz -250 Fx 0 : 3', as in the file
+print(scene.check())                           # model, memory, time, warnings
+
+run = scene.run()
+run.history["held_force_x"]                    # a row for each load step
+run.contact()["pressure"]                      # fields at the last step
+run.summary["warnings"]
+```
+With pandas (Debian's `python3-pandas`), the tables of a run are DataFrames, so that `run.history.plot(x="ux", y="force_x")`
+draws a loop. Without it they are dictionaries of NumPy arrays with the same columns; `Run(folder, pandas=False)` gives these
+in any case, for scripts that must run on every machine.
+
+**Errors.** What the program refuses raises an error with the one line that the program says, and each exit code has a class:
+`WrongInput`, `UnsolvedStep`, `FileError`. The name of an entry is checked when it is set, and `UnknownEntry` suggests the
+nearest one:
+```python
+>>> scene["Friction/Coeficients"] = 0.3, 0.15
+UnknownEntry: Friction/Coeficients is not an entry; is Friction/Coefficients meant? ...
+```
+
+**A study** is a list comprehension, because `with_()` makes a copy with other entries, and each copy has a run folder of its
+own:
+```python
+runs = [scene.with_({"Friction/Coefficients": (mu, mu)}).run() for mu in (0.4, 0.5, 0.6)]
+energies = [run.cycles["dissipation"].sum() for run in runs]
+```
+`with_(**{"Friction/Coefficients": (mu, mu)})` does the same. Several runs go on at a time with `concurrent.futures`. Threads
+are enough for that, because each run is a process:
+```python
+from concurrent.futures import ThreadPoolExecutor
+
+scenes = [scene.with_({"Friction/Coefficients": (mu, mu)}) for mu in (0.4, 0.5, 0.6)]
+with ThreadPoolExecutor(2) as pool:
+    runs = list(pool.map(lambda scene: scene.run(threads=1), scenes))
+```
+`tools/sweep` is the same from the command line, with a table and a page of pictures ([manual.md](manual.md)).
+
+**Long runs.** `run(progress=...)` takes a function that is called after each load step. Ctrl-C lets the program finish its
+iteration and write its checkpoint before Python goes on, and `run(resume=True)` continues from there. A second Ctrl-C ends the
+program at once.
+
+**Notebooks.** [examples/notebooks](../examples/notebooks) has three that run in seconds and begin from nothing: *first_loop*
+runs a rig and draws its fretting loop beside the theory, *study* varies friction and compares the dissipated energy with
+Mindlin and Deresiewicz, and *own_compliance* solves the contact of two spheres with a compliance made in NumPy. Jupyter opens
+them, and `ctest -R run_notebooks` runs them.
+
+## Conventions
 Lengths are in mm and forces in N, as in the program; laws and solvers also work in other consistent units. A node has local
 axes: the normal, then x and y, the axes of both ellipses. Forces act from the counterface on the body. Arrays that do not hold
 numbers, or have another shape than stated, raise ValueError.
 
-This page is made of the docstrings of the module: `tools/reference_pages` writes it, and `ctest -R run_reference_pages` checks
-that it is current.
+What follows is made of the docstrings of the module: `tools/reference_pages` writes it, and `ctest -R run_reference_pages`
+checks that it is current.
 """
+# The files of the module, in the order of the page; the first names stand before the others of their file.
+FILES = ("scene.py", "run_folder.py", "program.py", "contact.py")
+FIRST = ("Scene", "Run", "solve")
 # A word and a colon, behind a stop, are an argument or a field; these begin a sentence.
 ENTRY = re.compile(r"(?:^|(?<=\. ))(?=(?:[A-Za-z]\w*(?:, [a-z]\w*)*: |Returns |Raises ))")
 
@@ -49,7 +113,7 @@ def members(cls):
     """A line for each public function and property of a class."""
     out = ""
     for node in filter(is_public, cls.body):
-        arguments = re.sub(r"^self(, )?", "", ast.unparse(node.args))
+        arguments = re.sub(r"^(self|cls)(, )?", "", ast.unparse(node.args))
         name = node.name if is_property(node) else f"{node.name}({arguments})"
         out += f"- `{name}`: {escaped(' '.join(ast.get_docstring(node).split()))}\n"
     return f"\n{out}" if out else ""
@@ -73,8 +137,7 @@ def section(node):
 def python_page(package):
     """`package`: the folder of the module."""
     names = re.findall(r'"(\w+)"', (package / "__init__.py").read_text(encoding="utf-8").partition("def ")[0])
-    nodes = [node for name in ("contact.py", "run_folder.py")
-             for node in ast.parse((package / name).read_text(encoding="utf-8")).body if is_public(node)]
-    solve_first = sorted((node for node in nodes if node.name in {*names, "Report"} or node.name in ("Run", "ContactFile")),
-                         key=lambda node: node.name != "solve")
-    return HEAD + "".join(map(section, solve_first))
+    nodes = [node for name in FILES
+             for node in sorted(ast.parse((package / name).read_text(encoding="utf-8")).body,
+                                key=lambda node: getattr(node, "name", "") not in FIRST)]
+    return HEAD + "".join(section(node) for node in nodes if is_public(node) and node.name in names)
