@@ -5,7 +5,7 @@
 # Debian package that `cpack -G DEB` makes of the components `program` and `python`.
 set(share ${CMAKE_INSTALL_DATADIR}/orthocone)
 install(DIRECTORY prm DESTINATION ${share} COMPONENT program)
-install(DIRECTORY tools/report tools/paraview DESTINATION ${share}/tools COMPONENT program
+install(DIRECTORY tools/report tools/scene tools/paraview DESTINATION ${share}/tools COMPONENT program
   PATTERN "__pycache__" EXCLUDE)
 install(PROGRAMS tools/report.py tools/python DESTINATION ${share}/tools COMPONENT program)
 install(DIRECTORY tools/sweeps tools/meshes tools/runs DESTINATION ${share}/tools COMPONENT program

@@ -32,6 +32,10 @@ _orthocone() {
       compopt -o filenames 2>/dev/null
       mapfile -t COMPREPLY < <(compgen -d -- "$word")
       return ;;
+    --picture)
+      compopt -o filenames 2>/dev/null
+      mapfile -t COMPREPLY < <(compgen -d -- "$word"; compgen -f -X '!*.@(svg|png)' -- "$word")
+      return ;;
     --threads) return ;;
   esac
   if [ "${word#-}" != "$word" ]; then

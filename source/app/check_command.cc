@@ -3,12 +3,15 @@
 #include "check_command.h"
 
 #include "commands.h"
+#include "scene_picture.h"
 
 #include <orthocone/accuracy/backend_choice.h>
 #include <orthocone/accuracy/cost_model.h>
+#include <orthocone/base/ranks.h>
 #include <orthocone/base/text.h>
 #include <orthocone/body/backends/stiffness_factor.h>
 #include <orthocone/body/shapes/shape_kind.h>
+#include <orthocone/output/scene_description.h>
 #include <orthocone/output/summary.h>
 #include <orthocone/scene/computed_steps.h>
 #include <orthocone/scene/expected_contact.h>
@@ -39,8 +42,8 @@ void print_unknown_mesh(const Parameters &parameters, const ModelChoice &model)
 {
   std::cout << describe_model(model) << "mesh           is chosen by the run, for errors of "
             << to_text(parameters.mesh.accuracy) << " %\n"
-            << describe_friction(parameters) << describe_obstacle(parameters)
-            << describe_steps(parameters.load);
+            << describe_materials(parameters) << describe_friction(parameters)
+            << describe_obstacle(parameters) << describe_held(parameters) << describe_steps(parameters.load);
   print_warnings(parameters, "");
 }
 
@@ -72,8 +75,8 @@ void print_large_model(const Parameters &parameters, const ModelChoice &model, c
   const bool is_condensed = parameters.mesh.backend != BodyBackend::multigrid;
   const Estimate cost = is_condensed ? costs.least() : costs.multigrid();
   std::cout << describe_model(model) << describe(costs.size()) << "\n"
-            << describe_friction(parameters) << describe_obstacle(parameters)
-            << describe_steps(parameters.load)
+            << describe_materials(parameters) << describe_friction(parameters)
+            << describe_obstacle(parameters) << describe_held(parameters) << describe_steps(parameters.load)
             << describe(cost, computed_steps(parameters), limit, is_condensed) << "\n";
   const std::string lack = lack_of_memory(cost.gigabytes, limit);
   print_warnings(parameters, is_condensed ? why_too_large(costs, lack) : lack);
@@ -126,11 +129,26 @@ void print_model(const Parameters &parameters, const ModelChoice &model, const C
     print_warnings(parameters, error.what());
   }
 }
+void require_one_process(const CommandLine &line)
+{
+  if (!line.picture.empty() && n_ranks() > 1)
+    throw InputError("command line: --picture = " + shown_path(line.picture) + " with " +
+                     std::to_string(n_ranks()) + " processes: allowed is one process");
+}
+
+/// Draws the scene, after what is printed of it.
+void draw(const CommandLine &line, const Parameters &parameters, const ModelChoice &model,
+          const bool has_mesh)
+{
+  draw_scene(scene_description(parameters, model, has_mesh), line.parameter_file, line.picture);
+  std::cout << "picture        " << shown_path(line.picture) << "\n" << std::flush;
+}
 } // namespace
 
 int check(const CommandLine &line, const Parameters &given)
 {
   constexpr double largest_meshed = 1e6; // unknowns
+  require_one_process(line);
   const ModelChoice model = resolve(line, given);
   Parameters parameters = given;
   if (given.mesh.accuracy == 0)
@@ -154,6 +172,8 @@ int check(const CommandLine &line, const Parameters &given)
     print_large_model(parameters, model, costs);
   else
     print_model(parameters, model, costs);
+  if (!line.picture.empty())
+    draw(line, parameters, model, given.mesh.accuracy == 0 && costs.size().dofs <= largest_meshed);
   return static_cast<int>(ExitCode::done);
 }
 } // namespace orthocone

@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include "command_line.h"
 
+#include "scene_picture.h"
+
 #include <orthocone/base/errors.h>
 #include <orthocone/base/text.h>
 
@@ -36,6 +38,8 @@ po::options_description options_of(CommandLine &line)
   add("set", po::value(&line.overrides), "\"Section/Entry=value\": overrides one entry; may be repeated");
   add("output,o", po::value(&line.output_folder), "run folder (default: output/<parameter file's stem>)");
   add_switch("check", line.check, "read all input, print the model as it would be computed, and stop");
+  add("picture", po::value(&line.picture),
+      "with --check: draw the scene with its mesh, loads and gap to this file, a .svg or .png");
   add_switch("resume", line.resume, "continue from the checkpoint in the run folder");
   add("threads",
       po::value<std::string>()->notifier([&](const std::string &text) { line.threads = threads_from(text); }),
@@ -65,6 +69,18 @@ static bool is_followed_by_option(const std::string &option, const int argc, con
     if (argv[i] == option && argv[i + 1][0] == '-')
       return true;
   return false;
+}
+
+/// Throws InputError where the option --picture has no name of a picture, or no --check.
+static void check_picture(const CommandLine &line)
+{
+  const std::string given = "command line: --picture = '" + shown(line.picture) + "'";
+  if (!is_name_of_picture(line.picture) || line.picture[0] == '-')
+    throw InputError(given + ": allowed is the name of a file that ends in .svg or .png, as in 'orthocone "
+                             "--check --picture scene.svg my.prm'");
+  if (!line.check)
+    throw InputError(given + " without --check: allowed is 'orthocone --check --picture scene.svg my.prm', "
+                             "which draws the scene and computes nothing");
 }
 
 CommandLine parse_command_line(const int argc, const char *const *const argv)
@@ -98,6 +114,8 @@ CommandLine parse_command_line(const int argc, const char *const *const argv)
   if (values.count("new") != 0 && line.rig.empty())
     throw InputError("command line: --new = '': allowed is the name of a rig, as in 'orthocone --new "
                      "sphere_on_flat my.prm'");
+  if (values.count("picture") != 0)
+    check_picture(line);
   if (line.batch && argc > 2)
     throw InputError("command line: --batch stands alone; files and options come from standard input");
   if (line.parameter_file.empty() && line.rig.empty() && !line.batch && !line.prints())

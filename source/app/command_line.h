@@ -16,6 +16,7 @@ struct CommandLine
   unsigned int threads = 0;  ///< 0: the program chooses
   bool batch = false;        ///< command lines come from standard input
   bool check = false;
+  std::string picture; ///< file that --check draws the scene to; empty: none
   bool resume = false;
   bool insist = false; ///< runs even if memory is not likely to suffice
   bool quiet = false;

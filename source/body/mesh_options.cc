@@ -125,11 +125,13 @@ void declare_mesh_choice(MeshOptions &mesh, Section &section)
                    "of its planes of symmetry; axisymmetric: its section (r, z), with the cells along the x "
                    "axis; auto: the smallest part that is exact for the scene.");
   section
-      .add_word("Resolution", mesh.resolution,
-                "Fineness of the mesh. coarse, medium, fine: elements of degree 3 (4 in the axisymmetric "
-                "model) that shrink towards the rim, the base and the top, with the errors and costs that "
-                "docs/accuracy.md lists; paper: the mesh of the paper's figures; custom: the mesh of the "
-                "entries below, which stay at their defaults with any other word.")
+      .add_word(
+          "Resolution", mesh.resolution,
+          "Fineness of the mesh. coarse, medium, fine: elements of degree 3 (4 in the axisymmetric "
+          "model) that shrink towards the rim, the base and the top, or, below a curved gap, towards the "
+          "contact that Hertz' theory lets expect, with the errors and costs that docs/accuracy.md lists; "
+          "paper: the mesh of the paper's figures; custom: the mesh of the "
+          "entries below, which stay at their defaults with any other word.")
       .also_called({"refinement"});
   section
       .add("Accuracy", mesh.accuracy, percentage_codec(NumberRange{0.01, 50, true, true}),

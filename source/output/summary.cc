@@ -9,6 +9,7 @@
 #include <orthocone/body/shapes/shape_kind.h>
 #include <orthocone/contact/problem/law_errors.h>
 #include <orthocone/march/implicit_wear.h>
+#include <orthocone/output/scene_description.h>
 #include <orthocone/scene/load_program.h>
 #include <orthocone/scene/options.h>
 #include <orthocone/scene/parameters.h>
@@ -184,18 +185,12 @@ std::string describe_energy(const RunRecord &record, const bool has_loads)
 /// The line on an obstacle that deforms; empty for a rigid one.
 static std::string describe_counterbody(const Parameters &parameters)
 {
-  const auto constants = [](const MaterialOptions &material)
-  {
-    return material.is_isotropic()
-               ? "E " + to_text(material.young_modulus) + " MPa, nu " + to_text(material.poisson_ratio)
-               : material.law.word();
-  };
   const auto &kind = parameters.obstacle.kind;
   if (const auto material = kind.chosen().material())
-    return "elastic " + kind.word() + ", " + constants(*material);
+    return "elastic " + kind.word() + ", " + material_text(*material);
   if (kind.chosen().is_body())
     return "elastic body (" + kind_of(parameters.lower.geometry).describe(parameters.lower.geometry) + "), " +
-           constants(parameters.lower.material);
+           material_text(parameters.lower.material);
   return kind == ObstacleKind::rigid ? "" : kind.word();
 }
 
@@ -233,10 +228,7 @@ std::string describe_steps(const LoadOptions &load)
   if (load.accuracy != 0)
     line += ", divided by the run for errors of " + to_text(load.accuracy) + " %";
   line += "\n";
-  for (const Load &declared : load.loads)
-    line += (&declared == load.loads.data() ? "loads          " : "               ") + declared.text() +
-            ", " + declared.kind->unit() + "\n";
-  return line;
+  return line + describe_drive(load);
 }
 
 std::string describe_model(const ModelChoice &model)
@@ -273,9 +265,9 @@ std::string describe_model(const Parameters &parameters, const ModelChoice &mode
 {
   const ContactSolverOptions &solver = parameters.contact_solver;
   std::ostringstream text;
-  text << describe_model(model) << "mesh           " << unknowns.size().cells
-       << (model.symmetry.is_section() ? " quadrilaterals" : " hexahedra") << " of degree "
-       << parameters.mesh.degree << ", " << parameters.mesh.n_quadrature_points()
+  text << describe_model(model) << describe_materials(parameters) << "mesh           "
+       << unknowns.size().cells << (model.symmetry.is_section() ? " quadrilaterals" : " hexahedra")
+       << " of degree " << parameters.mesh.degree << ", " << parameters.mesh.n_quadrature_points()
        << " Gauss points per direction"
        << (parameters.mesh.resolved_volumetric_quadrature() == VolumetricQuadrature::projected
                ? ", divergence projected\n"
@@ -287,7 +279,7 @@ std::string describe_model(const Parameters &parameters, const ModelChoice &mode
            : model.symmetry.is_plane_strain() ? " (lines)"
                                               : "")
        << "\n"
-       << describe_friction(parameters) << describe_steps(parameters.load)
+       << describe_held(parameters) << describe_friction(parameters) << describe_steps(parameters.load)
        << (parameters.mesh.backend == BodyBackend::multigrid ? "elastic body   multigrid\n" : "")
        << "contact solver " << solver.method << ", tolerance " << to_text(solver.tolerance);
   return text.str();

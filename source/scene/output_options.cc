@@ -139,8 +139,7 @@ void declare_checks(CheckOptions &checks, Section &section)
       "checks judge the final state of each load step, and a state that exceeds a bound stops the run (exit "
       "code 3).");
   add("Penetration", checks.penetration,
-      "Bound of the penetration, which is the largest negative gap relative to the largest displacement or "
-      "motion "
+      "Bound of the penetration: the largest negative gap, relative to the largest displacement or motion "
       "along z, whichever is smaller." +
           times)
       ->unit(of_tolerance);

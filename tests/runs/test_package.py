@@ -50,10 +50,12 @@ class PackageTest(unittest.TestCase):
         self.assertTrue(scene.startswith(str(self.root.resolve())), scene)
         before = {file for file in self.root.rglob("*")}
         settings = [f"--set={setting}" for setting in (*SMALL, "Load program/Cycles=1")]
-        for command in (("orthocone", scene, *settings), ("orthocone-report", "output/case_b")):
+        for command in (("orthocone", scene, *settings), ("orthocone-report", "output/case_b"),
+                        ("orthocone", scene, *settings, "--check", "--picture", "output/scene.svg")):
             result = self.installed(*command)
             self.assertEqual((result.returncode, result.stderr), (0, ""), command)
         self.assertIn("</html>", (self.work / "output/case_b/report.html").read_text(encoding="utf-8")[-100:])
+        self.assertIn("top: held face", (self.work / "output/scene.svg").read_text(encoding="utf-8"))
         self.assertEqual([file.name for file in self.work.iterdir()], ["output"])
         self.assertEqual({file for file in self.root.rglob("*")}, before)
 

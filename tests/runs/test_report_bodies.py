@@ -206,6 +206,15 @@ class BodiesTest(Page):
         self.assertGreater(ground[2] - 30, body[2])
         self.assertIn("elastic half-space", self.text("#model"))
 
+    def test_supports_and_loads(self):
+        """Arrows at their faces, and a line for each, also where legs begin with the name of a load."""
+        folder = run("pushed", ROOT / "prm/verification/pushed_block.prm", "Mesh/Cells=4, 1, 4")
+        (body,) = self.from_the_side(folder, "rect.disc")
+        heads = self.from_the_side(folder, "polygon.load")
+        self.assertEqual((int(np.sum(heads[:, 3] < body[1])), int(np.sum(heads[:, 2] < body[0]))), (3, 3))
+        for words in ("support x+: x", "load top: pressure on top, 50 MPa", "load side: pressure on x-, 150 MPa", "top face free"):
+            self.assertIn(words, self.text("#model"))
+
     def test_border_encloses_the_body(self):
         """Faces look outwards, and with their mirror images leave no hole: Gauss' theorem gives the volume."""
         for name, volume, surfaces in (("cylinder", 4 * 780.361, ("base", "top", "x0, y0")),

@@ -6,6 +6,7 @@ import svg
 from load_program import UNITS
 
 WIDTH, HEIGHT = 360, 330
+LETTER = 6.8  # width of a letter of a label, about
 
 
 class Frame:
@@ -39,6 +40,24 @@ def hatched(start, end, css, down=True):
     strokes = "".join(svg.line((x, start[1]), (x - 7, start[1] + depth), "hatch")
                       for x in np.arange(start[0] + 7, end[0] + 1, step))
     return svg.line(start, end, css) + strokes
+
+
+def fits(words):
+    return LETTER * len(words) <= WIDTH
+
+
+def inside(place, words, css, anchor="middle"):
+    """A text that is moved sideways as far as it would be cut off at the border of the picture."""
+    width, (x, y) = LETTER * len(words), place
+    left = x - {"start": 0, "middle": width / 2, "end": width}[anchor]
+    return svg.text((x - max(0, left + width - WIDTH) + max(0, -left), y), words, css, anchor)
+
+
+def two_parts(x, y, first, second):
+    """Two parts of a label: in one line, or in two where one would be too long."""
+    if fits(f"{first}; {second}"):
+        return inside((x, y), f"{first}; {second}", "label")
+    return inside((x, y), first, "label") + inside((x, y + 14), second, "label")
 
 
 def load_words(largest):

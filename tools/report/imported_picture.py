@@ -3,8 +3,9 @@
 """Drawing of an imported body from the side: its cells, the contact surface, what it rests on, and how it is driven."""
 import numpy as np
 import svg
-from drawing import HEIGHT, WIDTH, Frame, counterface, ground, load_words
+from drawing import HEIGHT, WIDTH, Frame, counterface, ground, load_words, two_parts
 from imported_body import border_of
+from surface_picture import list_below
 
 MOST_FACES = 3000
 LENGTH = 38  # of an arrow
@@ -68,6 +69,7 @@ def imported_view(data, body, below):
     out += path_of(frame, lines_of(body, body.contact), "touching", closed=True)
     out += path_of(frame, lines_of(body, border_of(body.held)), "plate", closed=True)
     out += drive(data, body, frame)
-    out += svg.text((WIDTH / 2, HEIGHT - 20), f"{size}; {counterface(data)}", "label")
+    out += two_parts(WIDTH / 2, HEIGHT - 34, size, counterface(data))
     out += svg.text((WIDTH / 2, HEIGHT - 4), "blue: contact surface; dark: held surface; arrows: the largest", "small")
-    return svg.picture(WIDTH, HEIGHT, out, "The body from the side, with mesh, contact surface, plane and motion of the top")
+    listed, height = list_below(data, HEIGHT - 4)
+    return svg.picture(WIDTH, height + 4, out + listed, "The body from the side, with mesh, contact surface, plane and motion of the top")

@@ -30,10 +30,12 @@ UNITS = dict(zip(COMPONENTS, 3 * ["mm"] + 3 * ["degrees"] + 3 * ["N"] + 3 * ["N 
 
 
 def parse_target(words):
-    """{component: value} of "ux uy uz" or of named components."""
-    if words[0] in UNITS:
+    """{component: value} of "ux uy uz", or of components and loads by their names, which are never numbers."""
+    try:
+        values = [float(word) for word in words]
+    except ValueError:
         return {name: float(value) for name, value in zip(words[::2], words[1::2])}
-    ux, uy, uz = map(float, words)
+    ux, uy, uz = values
     return {"ux": ux, "uy": uy, "uz": uz}
 
 
@@ -81,6 +83,12 @@ class LoadProgram:
         largest = {name: max((target.get(name, 0) for target in targets), key=abs, default=0) for name in COMPONENTS}
         return {name: value for name, value in largest.items() if value}
 
+    def largest_loads(self):
+        """Largest value of each load, with its sign."""
+        targets = [target for target, _ in self.preload + self.legs]
+        names = {name for target in targets for name in target} - set(COMPONENTS)
+        return {name: max((target.get(name, 0) for target in targets), key=abs) for name in sorted(names)}
+
 
 class SignalProgram:
     """The program of a program file, as far as the history has come: the page needs no file but the run folder's. Cycles
@@ -103,6 +111,11 @@ class SignalProgram:
                   for name in driven}
         largest = {name: max(self.history[column[name]], key=abs, default=0) for name in driven}
         return {name: float(value) for name, value in largest.items() if value}
+
+    def largest_loads(self):
+        """Largest value so far of each column, of which some are loads."""
+        return {name: float(max(values, key=abs, default=0)) for name, values in self.history.items()
+                if np.issubdtype(np.asarray(values).dtype, np.number)}
 
 
 def choose_steps(steps, limit, blocks):

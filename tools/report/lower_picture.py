@@ -3,7 +3,7 @@
 """Drawing of the second elastic body from the side: as the mirror image about z = 0 of the body that its sections give."""
 import numpy as np
 import svg
-from drawing import hatched
+from drawing import hatched, inside
 from imported_body import border_of
 from imported_picture import cells, lines_of, path_of
 
@@ -20,8 +20,8 @@ class Below:
 
     def height_beside(self, frame, x):
         """In words, to the right of x (pixels)."""
-        y = frame(0, (self.low[1] + self.high[1]) / 2)[1]
-        return svg.text((x, y + 4), f"H = {self.high[1] - self.low[1]:.5g} mm", "label", "start")
+        y = frame(0, 0.62 * self.low[1] + 0.38 * self.high[1])[1]  # between arrows of loads
+        return inside((x, y + 4), f"H = {self.high[1] - self.low[1]:.5g} mm", "label", "start")
 
 
 class Block(Below):

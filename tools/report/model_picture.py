@@ -5,10 +5,11 @@ import math
 
 import checked
 import numpy as np
+import surface_picture
 import svg
-from drawing import HEIGHT, WIDTH, Frame, area_of, counterface, ground, hatched, load_words
+from drawing import HEIGHT, WIDTH, Frame, area_of, counterface, ground, hatched, inside, load_words, two_parts
 from imported_picture import imported_view
-from lower_picture import lower_of
+from lower_picture import Block, lower_of
 from outline import clipped
 
 MOST_DRAWN_CELLS = 5000
@@ -95,7 +96,7 @@ def probes(data, frame):
         out += svg.element("circle", cx=x, cy=y, r=4, css="probe")
         # On the side of the centre there is room for it.
         side, anchor = (-7, "end") if x > WIDTH / 2 else (7, "start")
-        out += svg.text((x + side, y - 6), shortened(name), "label halo", anchor)
+        out += inside((x + side, y - 6), shortened(name), "label halo", anchor)
     return out
 
 
@@ -175,7 +176,7 @@ def load_arrows(data, left, right, y):
     if normal:
         ends = ((middle, y - 44), (middle, y - 11))
         out += svg.arrow(*(ends if largest[normal[0]] < 0 else ends[::-1]), "load", head=11)
-        out += svg.text((middle + 9, y - 28), ", ".join(words.pop(name) for name in normal), "label", "start")
+        out += inside((middle + 9, y - 28), ", ".join(words.pop(name) for name in normal), "label", "start")
     sideways = list(words.values())
     if sideways:
         forward = largest[next(iter(words))] > 0
@@ -206,19 +207,24 @@ def side_view(data, below):
     middle, bottom = (left + right) / 2, frame(0, least[1])[1]
     lines, layers = layer_lines(data, frame, width)
     out = svg.element("rect", x=left, y=top, width=right - left, height=base - top, css="disc") + lines
-    guided = data.parameters.get("Geometry", {}).get("Top face") == "guided"
-    out += hatched((left - 3, top), (right + 3, top), "plate", down=False)
+    guided, is_free = (data.parameters.get("Geometry", {}).get("Top face") == kind for kind in ("guided", "free"))
+    if not is_free:
+        out += hatched((left - 3, top), (right + 3, top), "plate", down=False)
     if below:
         out += below.drawing(frame) + below.height_beside(frame, max(right, frame(below.high[0], 0)[0]) + 8)
     else:
         out += ground(data, (left - 40, base), (right + 40, base))
     out += load_arrows(data, left, right, top - 8)
+    out += surface_picture.marks(data, surface_picture.Sides((left, base), (right, top)))
+    if isinstance(below, Block):
+        out += surface_picture.marks(data, surface_picture.Sides(frame(*below.low), frame(*below.high), -1), is_lower=True)
     out += svg.text((middle, (base + top) / 2 + 4), f"{layers} layers", "label halo")
-    out += svg.text((right + 8, (base + top) / 2 + 4), f"H = {data.height:.5g} mm", "label", "start")
-    out += svg.text((WIDTH / 2 - 12, bottom + 24), f"{'l_x' if data.box else '2R'} = {width:g} mm; {counterface(data)}", "label")
-    top_face = "guided: free sideways" if guided else "clamped: a rigid plate"
-    out += svg.text((WIDTH / 2 - 12, HEIGHT - 4), f"top face {top_face}; arrows: the largest", "small")
-    return svg.picture(WIDTH, HEIGHT, out, "The body from the side, with layers, plane and motion of the top")
+    out += inside((right + 8, 0.62 * base + 0.38 * top + 4), f"H = {data.height:.5g} mm", "label", "start")
+    out += two_parts(WIDTH / 2, bottom + 24, f"{'l_x' if data.box else '2R'} = {width:g} mm", counterface(data))
+    top_face = ("free" if is_free else "guided: free sideways" if guided else "clamped: a rigid plate")
+    out += svg.text((WIDTH / 2, HEIGHT - 4), f"top face {top_face}; arrows: the largest", "small")
+    listed, height = surface_picture.list_below(data, HEIGHT - 4)
+    return svg.picture(WIDTH, height + 4, out + listed, "The body from the side, with layers, plane and motion of the top")
 
 
 def views_from_the_side(data):
