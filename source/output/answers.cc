@@ -34,7 +34,8 @@ void add_energies(const Summary &summary, std::vector<Answer> &answers)
   if (totals.total_dissipation > 0)
     answers.push_back({"dissipation", "energy dissipated by friction", totals.total_dissipation, "N mm", 0});
   if (summary.cycles.n_completed > 0 && row.cycle == summary.cycles.n_completed && row.dissipation > 0)
-    answers.push_back({"last_cycle_energy", "part of it in the last cycle (" + std::to_string(row.cycle) + ")",
+    answers.push_back({"last_cycle_energy",
+                       "part of it in the last cycle (" + std::to_string(row.cycle) + ")",
                        row.dissipation / row.n_cycles, "N mm", row.last_step});
   if (totals.max_dissipated_energy > 0)
     answers.push_back(
