@@ -9,6 +9,7 @@ import shutil
 
 LINK = re.compile(r"(?<=\]\()([^)#:\s]+)(?=(?:#[^)]*)?\))")
 FENCE = re.compile(r"(^```.*?^```$)", re.M | re.S)
+FILE_AS_TEXT = re.compile(r"\[(?:[\w./]*/)?[\w]+\.md\]\(([^)#:\s]+\.md)(?=[#)])")
 PICTURE = re.compile(r"!\[([^\]]*)\]\(([^)]+)\)")
 DATA = (".csv", ".json", ".png", ".svg")
 LANGUAGES = {".cc": "cpp", ".py": "python", ".cff": "yaml", ".txt": "cmake"}
@@ -35,6 +36,17 @@ def with_links(root, text, folder, pages, others):
         others.add(path)
         return match[1] if path.endswith(DATA) else f"{match[1]}.md"
     return "".join(part if part.startswith("```") else LINK.sub(target, part) for part in FENCE.split(text))
+
+
+def with_titles(root, text, folder):
+    """The text with the titles of pages, up to a colon, in the place of links' texts that are names of files."""
+    def titled(match):
+        path = root / folder / match[1]
+        if not path.is_file():
+            return match[0]
+        title = path.read_text(encoding="utf-8").split("\n", 1)[0].removeprefix("# ").split(":")[0]
+        return f"[{title}]({match[1]}"
+    return "".join(part if part.startswith("```") else FILE_AS_TEXT.sub(titled, part) for part in FENCE.split(text))
 
 
 def shown_file(path):
@@ -97,6 +109,7 @@ def write(root, target, contents, changed=lambda name, text: text):
     names = page_names(contents)
     staged = {name: changed(name, read(root, name)) for name in ["README", *names]}
     others = set()
+    staged = {name: with_titles(root, text, posixpath.dirname(name)) for name, text in staged.items()}
     staged = {name: with_links(root, text, posixpath.dirname(name), names, others) for name, text in staged.items()}
     shown = sorted(path for path in others if not path.endswith(DATA))
     staged["index"] = staged.pop("README") + "\n" + contents + sources(shown)
