@@ -243,11 +243,10 @@ def draw_values(name, unit, preset, column, within, run, view, surface, focus, l
 def draw_slip(run, view, surface, focus):
     upper = draw_values("slip_magnitude", "mm", "Viridis (matplotlib)", "max_slip", 1, run, view, surface, focus)
     (x, y), radius = focus.centre, focus.radius
-    # Towards open nodes slip falls to zero at once: lines would pile up there.
-    inside = surface if focus.shows_open else simple.Clip(Input=surface, ClipType="Scalar", Scalars=["POINTS", "opens"],
-                                                          Value=0.02, Invert=1)
-    lines = simple.Contour(Input=inside, ContourBy=["POINTS", "slip_magnitude"],
+    lines = simple.Contour(Input=surface, ContourBy=["POINTS", "slip_magnitude"],
                            Isosurfaces=[upper * k / 10 for k in range(1, 10)])
+    if not focus.shows_open:  # towards open nodes slip falls to zero at once, and lines would pile up
+        lines = simple.Clip(Input=lines, ClipType="Scalar", Scalars=["POINTS", "opens"], Value=0.02, Invert=1)
     show_plain(lines, view, WHITE, [0, 0, 0.01 * radius], LineWidth=2)
     # Arrows stand on a grid of their own, symmetric whatever the mesh; at its places off the disc the slip is zero.
     s = 0.93 * radius
