@@ -186,7 +186,7 @@ def main():
     parser = argparse.ArgumentParser(prog="tools/package --portable", description=__doc__)
     parser.add_argument("build", type=pathlib.Path)
     parser.add_argument("output", type=pathlib.Path)
-    parser.add_argument("--level", type=int, default=9, help="of compression, 1 to 9")
+    parser.add_argument("--level", type=int, default=6, help="of compression, 1 to 9")
     options = parser.parse_args()
     version = run(options.build / "orthocone", "--version").split()[1]
     name = f"orthocone-{version}-linux-{os.uname().machine}"
