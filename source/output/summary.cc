@@ -211,7 +211,8 @@ std::string describe_obstacle(const Parameters &parameters)
 
 std::string describe_lower_mesh(const Parameters &parameters, const BodyUnknowns &unknowns)
 {
-  return "lower mesh     " + std::to_string(unknowns.size().cells) + " hexahedra of degree " +
+  return "lower mesh     " + std::to_string(unknowns.size().cells) +
+         (parameters.lower.geometry.is_plane_strain() ? " quadrilaterals" : " hexahedra") + " of degree " +
          std::to_string(parameters.lower.mesh.degree) + ", " + std::to_string(unknowns.size().free_dofs) +
          " unknowns, " + std::to_string(unknowns.contact_surface().nodes.size()) + " contact nodes";
 }

@@ -47,7 +47,7 @@ double friction_norm(const OrthotropicFriction &law, double r_x, double r_y);
 /// ||v_t||*_m = sqrt((mu_x v_x)^2 + (mu_y v_y)^2), dual to friction_norm(), in the unit of v.
 double dual_norm(const OrthotropicFriction &law, double v_x, double v_y);
 
-/// Nearest point of the cone K = { r : ||r_t||_m <= r_n }, N: docs/theory.md, section 1, "Projection".
+/// Nearest point of the cone K = { r : ||r_t||_m <= r_n }, N: docs/theory.md, section 1, "The elliptic cone".
 Eigen::Vector3d project(const OrthotropicFriction &law, const Eigen::Vector3d &tau);
 
 /// The nearest point of the cone (N) and the derivative of the projection there. On the surface, where a node
