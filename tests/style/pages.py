@@ -57,7 +57,7 @@ class PagesTest(unittest.TestCase):
         for _, identifiers in rows:
             for identifier in re.findall(r"`(\w+)`", identifiers):
                 with self.subTest(identifier):
-                    self.assertRegex(code, rf"\b{identifier}\b")
+                    self.assertTrue(re.search(rf"\b{identifier}\b", code))
 
     def test_theory_draws_the_ladder(self):
         """What `newton` tries, in the order of source/contact/solvers/rescue/ladder.cc."""
