@@ -165,8 +165,8 @@ class Run:
         return self._steps_of(f"line-{name}", "csv")
 
     def line(self, name, step):
-        """The table of a line after a step, one row a point: displacement and stress, and what acts on the contact surface,
-        which is nan at points inside of the body."""
+        """The table of a line after a step, one row a point: displacement and stress, and pressure, friction traction
+        and slip, which are nan at points off the contact surface."""
         return self._table(f"line-{name}-{step:04d}")
 
     @functools.cached_property

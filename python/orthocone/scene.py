@@ -22,7 +22,7 @@ _LONGEST_NAME = 100  # of a run folder, in letters
 
 @dataclasses.dataclass(frozen=True, repr=False)
 class Check:
-    """What the program makes of a scene; print() shows its text.
+    """The resolved model of a scene, as the program reports it without a run; print() shows its text.
 
     text: the resolved model, with its memory and time. warnings: the warnings in it, sentences without the word `warning`."""
     text: str
@@ -39,7 +39,7 @@ class Scene(collections.abc.Mapping):
 
     `scene["Section/Entry"]` is the text of an entry: as it was set here, or as in the file, or the default. Setting an entry
     takes a text, a number, or several numbers in a tuple, list or array, which become a list with commas; `del` brings back
-    what the file has. `dict(scene)` has all entries. Names are checked at once, and one that the program does not know raises
+    the text of the file. `dict(scene)` has all entries. Names are checked at once, and one that the program does not know raises
     UnknownEntry with the program's suggestion. Values are judged together by check() and run(), because one entry decides
     what another may be.
 

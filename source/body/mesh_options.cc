@@ -129,7 +129,7 @@ void declare_mesh_choice(MeshOptions &mesh, Section &section)
           "Resolution", mesh.resolution,
           "Fineness of the mesh. coarse, medium, fine: elements of degree 3 (4 in the axisymmetric "
           "model) that shrink towards the rim, the base and the top, or, below a curved gap, towards the "
-          "contact that Hertz' theory lets expect, with the errors and costs that docs/accuracy.md lists; "
+          "contact that Hertz' theory predicts, with the errors and costs that docs/accuracy.md lists; "
           "paper: the mesh of the paper's figures; custom: the mesh of the "
           "entries below, which stay at their defaults with any other word.")
       .also_called({"refinement"});

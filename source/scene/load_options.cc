@@ -118,7 +118,7 @@ static void declare_loads(LoadOptions &load, Section &section)
       .add("Loads", load.loads, loads_codec(),
            "Loads beside the motion and force of the held face: 'NAME: KIND on SURFACE along x ; ...'. Legs "
            "drive them by their names, as in 'Fz -500 bulk 100 : 10', and history.csv lists each load and "
-           "its work-conjugate. Kinds: " +
+           "its conjugate. Kinds: " +
                help_of_load_kinds() +
                ". Surfaces are those of Supports, and may be several with spaces between; with 'lower' in "
                "front they are those of the lower body.")

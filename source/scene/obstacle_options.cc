@@ -46,7 +46,7 @@ void declare_obstacle(ObstacleOptions &obstacle, Section &section)
   section
       .add("Gap file", obstacle.gap_file, path_codec(),
            "Text file with a gap on a regular grid, such as a measured surface, which is added to Gap: the "
-           "line 'x0 dx nx y0 dy ny', then ny lines of nx numbers, all lengths as mm. The path is relative "
+           "line 'x0 dx nx y0 dy ny', then ny lines of nx numbers, all lengths in mm. The path is relative "
            "to the folder of the parameter file.")
       .path(obstacle.gap_file);
   obstacle.kind.declare(

@@ -1,18 +1,24 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""What README and docs name is there: files, the targets of links, tests."""
+"""What README and docs name is there: files, the targets of links, tests, and the answers that readers look for."""
 import pathlib
 import re
 import unittest
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-PAGES = [ROOT / "README.md", *sorted((ROOT / "docs").glob("*.md"))]
+PAGES = [*sorted(ROOT.glob("*.md")), *sorted((ROOT / "docs").glob("*.md")),
+         *(ROOT / name for name in ("tools/packaging/README.md", "examples/dealii_gallery/README.md"))]
 OF_A_RUN = {"input.prm", "parameters.prm"}
 
 
 def sources():
-    folders = [ROOT / name for name in ("source", "include", "tests", "tools", "cmake", "prm")]
+    folders = [ROOT / name for name in ("source", "include", "tests", "tools", "cmake", "prm", "examples")]
     return ["/" + str(path.relative_to(ROOT)) for folder in folders for path in folder.rglob("*")]
+
+
+def flat(text):
+    """Without line breaks and marks of emphasis."""
+    return " ".join(text.replace("*", " ").split())
 
 
 def gtests():
@@ -57,7 +63,19 @@ class PagesTest(unittest.TestCase):
         for _, identifiers in rows:
             for identifier in re.findall(r"`(\w+)`", identifiers):
                 with self.subTest(identifier):
-                    self.assertRegex(code, rf"\b{identifier}\b")
+                    self.assertTrue(re.search(rf"\b{identifier}\b", code))
+
+    def test_answers_of_the_questions_stand_on_their_pages(self):
+        """Every page has five questions, and the sentences that questions.md quotes; three dots leave words out."""
+        parts = re.split(r"^## (.+)\n", (ROOT / "tests/style/questions.md").read_text(encoding="utf-8"), flags=re.MULTILINE)
+        self.assertEqual(sorted(parts[1::2]), sorted(str(page.relative_to(ROOT)) for page in PAGES))
+        for name, table in zip(parts[1::2], parts[2::2]):
+            text = flat((ROOT / name).read_text(encoding="utf-8"))
+            self.assertGreaterEqual(len(re.findall(r"^\| .* \| .* \|$", table, re.MULTILINE)), 1 + 5, name)
+            for quoted in re.findall(r'"([^"]+)"', table):
+                for part in quoted.split("..."):
+                    with self.subTest(page=name, answer=part):
+                        self.assertTrue(flat(part) in text)
 
     def test_theory_draws_the_ladder(self):
         """What `newton` tries, in the order of source/contact/solvers/rescue/ladder.cc."""

@@ -98,7 +98,7 @@ def rig(name, radius, mu, **loads):
         Row(f"{name}.p0", scene, "largest pressure (MPa)", largest_pressure, pad.largest_pressure, 0.005, "Hertz", HALF_PLANE),
         Row(f"{name}.c", scene, "half width that sticks (mm)", lambda runs, scene: sticking(mu)(runs, scene)[1],
             pad.stick(pad.shear), 0.005, SOURCE, HALF_PLANE),
-        Row(f"{name}.e", scene, "shift of what sticks (mm)", lambda runs, scene: sticking(mu)(runs, scene)[0], pad.shift, 0.03,
+        Row(f"{name}.e", scene, "shift of the stick zone (mm)", lambda runs, scene: sticking(mu)(runs, scene)[0], pad.shift, 0.03,
             SOURCE, "half-planes: Q/(2 t H) adds to the bulk stress"),
         Row(f"{name}.stress", edge, "largest stress of the specimen along x (MPa)", stress_at_edge,
             pad.edge_stress + pad.stress_of_height(HEIGHT), 0.01, SOURCE,

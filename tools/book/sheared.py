@@ -102,7 +102,7 @@ TORSION = (
     Row("torsion.small", twice(0.8), "dissipation of a cycle, c/a = 0.8 (N mm)", dissipation(7, 38),
         SPHERE.loop_of_torsion(0.8), 0.01, "Deresiewicz 1954, by Masing's rule", "half-space: (a/R)²"),
     Row("torsion.stuck", TWISTED.set("Friction/Coefficients=100, 100", "Load program/Legs=Mz 10 : 1"),
-        "stiffness of what sticks (N mm)", stiffness, 16 / 3 * G * A**3, 0.03, "Reissner and Sagoci 1944",
+        "stiffness of the stuck contact (N mm)", stiffness, 16 / 3 * G * A**3, 0.03, "Reissner and Sagoci 1944",
         "contact radius to a node: 5 %"),
     Row("torsion.sliding", TWISTED.set("Load program/Legs=rz 0.5 : 6"), "moment of full slip (N mm)",
         of_history("moment_z", -1, -1), 3 * math.pi / 16 * MU * FORCE * A, 0.001, "Lubkin 1951", "half-space: (a/R)²"),

@@ -7,10 +7,11 @@ import re
 HEAD = """# The Python module
 The module `orthocone` drives the program from Python: a scene is read, changed and run, and its results are tables and arrays
 (`Scene`, `Run`). It also solves contact problems that you give as arrays (`solve`), and applies the law of a node to arrays of
-nodes (`project` and the functions behind it).
+nodes (`project` and the functions behind it). This page is for those who run scenes from a script or a notebook, or who need the
+contact solvers for problems of their own. It begins with examples, and then describes every class and function.
 
 ## How to begin
-After `./run`, the module lies in the build folder. It is for Debian's Python with NumPy, and the Debian package brings it, too:
+After `./run`, the module lies in the build folder. It is for Debian's Python with NumPy, and packages contain it, too:
 ```
 export PYTHONPATH="$PWD/build/python"
 /usr/bin/python3
@@ -32,12 +33,17 @@ run.contact()["pressure"]                      # fields at the last step
 run.summary["warnings"]
 ```
 With pandas (Debian's `python3-pandas`), the tables of a run are DataFrames, so that `run.history.plot(x="ux", y="force_x")`
-draws a loop. Without it they are dictionaries of NumPy arrays with the same columns; `Run(folder, pandas=False)` gives these
-in any case, for scripts that must run on every machine.
+draws a loop. Without pandas they are dictionaries of NumPy arrays with the same columns; `Run(folder, pandas=False)` gives such
+dictionaries in any case, for scripts that must run on every machine.
 
-**Errors.** What the program refuses raises an error with the one line that the program says, and each exit code has a class:
-`WrongInput`, `UnsolvedStep`, `FileError`. The name of an entry is checked when it is set, and `UnknownEntry` suggests the
-nearest one:
+Fields are arrays with a row for each contact node, so that you can lay them over a closed form, as the
+[tutorial](tutorial.md) does with the pressure under a sphere:
+
+![Pressure over the radius, and largest pressure over the force, on Hertz](images/tutorial_4_sphere.png)
+
+**Errors.** Where the program refuses something or fails, the module raises an error with the message of the program. Each exit
+code has a class: `WrongInput`, `UnsolvedStep`, `FileError`. The name of an entry is checked when it is set, and `UnknownEntry`
+suggests the nearest one:
 ```python
 >>> scene["Friction/Coeficients"] = 0.3, 0.15
 UnknownEntry: Friction/Coeficients is not an entry; is Friction/Coefficients meant? ...
@@ -58,24 +64,24 @@ scenes = [scene.with_({"Friction/Coefficients": (mu, mu)}) for mu in (0.4, 0.5, 
 with ThreadPoolExecutor(2) as pool:
     runs = list(pool.map(lambda scene: scene.run(threads=1), scenes))
 ```
-`tools/sweep` is the same from the command line, with a table and a page of pictures ([manual.md](manual.md)).
+From the command line `tools/sweep` runs such a study, with a table and a page of pictures ([manual.md](manual.md)).
 
 **Long runs.** `run(progress=...)` takes a function that is called after each load step. Ctrl-C lets the program finish its
 iteration and write its checkpoint before Python goes on, and `run(resume=True)` continues from there. A second Ctrl-C ends the
 program at once.
 
-**Notebooks.** [examples/notebooks](../examples/notebooks) has three that run in seconds and begin from nothing: *first_loop*
-runs a rig and draws its fretting loop beside the theory, *study* varies friction and compares the dissipated energy with
-Mindlin and Deresiewicz, and *own_compliance* solves the contact of two spheres with a compliance made in NumPy. Jupyter opens
-them, and `ctest -R run_notebooks` runs them.
+**Notebooks.** [examples/notebooks](../examples/notebooks) contains three notebooks that run in seconds and need no earlier
+run: *first_loop* runs a rig and draws its fretting loop beside the theory, *study* varies friction and compares the
+dissipated energy with Mindlin and Deresiewicz, and *own_compliance* solves the contact of two spheres with a compliance made
+in NumPy. Jupyter opens them, and `ctest -R run_notebooks` runs them.
 
 ## Conventions
 Lengths are in mm and forces in N, as in the program; laws and solvers also work in other consistent units. A node has local
 axes: the normal, then x and y, the axes of both ellipses. Forces act from the counterface on the body. Arrays that do not hold
 numbers, or have another shape than stated, raise ValueError.
 
-What follows is made of the docstrings of the module: `tools/reference_pages` writes it, and `ctest -R run_reference_pages`
-checks that it is current.
+The descriptions below are the docstrings of the module: `tools/reference_pages` writes this page, and
+`ctest -R run_reference_pages` checks that it is current.
 """
 # The files of the module, in the order of the page; the first names stand before the others of their file.
 FILES = ("scene.py", "run_folder.py", "program.py", "contact.py")

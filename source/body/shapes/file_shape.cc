@@ -200,7 +200,7 @@ public:
   {
     section
         .add("Mesh file", geometry.mesh_file, path_codec(),
-             "Mesh by Gmsh for Shape = file (format 2.1, 2.2 or 4.1, ASCII, lengths as mm); its path is "
+             "Mesh by Gmsh for Shape = file (format 2.1, 2.2 or 4.1, ASCII, lengths in mm); its path is "
              "relative to the folder of the parameter file. The mesh consists of hexahedra, or in plane "
              "strain of quadrangles in the plane y = 0, whose surfaces are physical lines. It covers the "
              "modelled part of the body, and its contact surface lies at z >= 0, because the height of a "
