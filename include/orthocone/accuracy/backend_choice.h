@@ -22,7 +22,7 @@ bool multigrid_can(const Parameters &parameters, const ModelSymmetry &symmetry);
 
 /// The backend of Mesh/Backend = auto: the faster one by estimates that know only the memory of this machine,
 /// into which the factorization must fit. Where multigrid cannot compute a solid (it needs one isotropic
-/// material, full quadrature, Newton's method and a Poisson ratio below 0.495), the reason names the entry.
+/// material, a rigid obstacle and Newton's method), the reason names the entry.
 /// Nothing is compared for a section, nor where no cell is halved and the factorization fits and takes
 /// seconds, nor where neither fits.
 /// `parameters` have the resolved mesh.
