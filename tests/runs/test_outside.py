@@ -116,7 +116,7 @@ class OutsideTest(unittest.TestCase):
         log = (self.folder / "described/log.txt").read_text(encoding="utf-8")
         self.assertIn("friction       Law = superellipse; First friction = 0.2; Second friction = 0.15; Exponent = 5; "
                       "Orthotropy angle = 0\n", log)
-        self.assertRegex(log, "critical friction not known, because .* friction ellipses\n")
+        self.assertRegex(log, "critical friction not known, because .* friction ellipses only\n")
 
     def test_superellipse_has_the_mirrors_that_its_forces_have(self):
         """About the axes of a pressed body, unless its own are turned."""
