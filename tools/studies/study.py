@@ -21,7 +21,7 @@ STUDIES = ("discretization", "adaptive", "solvers", "load_stepping", "slip_integ
            "wear_flicker", "counterbodies", "imported", "contact_examples")
 # Words that stand before all others, and the modules that have their main().
 OTHERS = {"figures": "paper_figures", "verification": "verification", "tutorial": "tutorial", "rigs": "rigs",
-          "report": "report_picture", "benchmark": "benchmark", "peers": "peers"}
+          "report": "report_picture", "law": "law_picture", "benchmark": "benchmark", "peers": "peers"}
 
 
 class Context:
