@@ -148,11 +148,12 @@ inline std::vector<Row> broken_sections()
        "which contains more than it announces"},
       {"a word in the elements", replaced(good, "\n1 5 2 ", "\n1 hex 2 "),
        "section $Elements has 'hex': allowed is a whole number"},
-      {"a name without quotes", replaced(good, "\"y0\"", "y0"), "section $PhysicalNames has"},
+      {"a name without quotes", replaced(good, "\"y0\"", "y0"), "section $PhysicalNames contains less"},
       {"nodes twice", good + "$Nodes\n0\n$EndNodes\n", "has section $Nodes twice: allowed is once"},
       {"4.1: entity without end", replaced(good_41, "2 1 2\n$EndEntities", "2 1\n$EndEntities"),
        "section $Entities contains less than it announces"},
-      {"4.1: block too short", replaced(good_41, "2 2 3 1\n", "2 2 3 2\n"), "section $Elements has"},
+      {"4.1: block too short", replaced(good_41, "2 2 3 1\n", "2 2 3 2\n"),
+       "section $Elements contains less"},
       {"4.1: node too few", replaced(good_41, "3 1 0 8", "3 1 0 9"), "section $Nodes has '0': allowed is"},
   };
 }
