@@ -24,7 +24,8 @@ ROWS = [
     row("young_moduli_two", "Material", "Young moduli", "14000, 900", "three numbers > 0 separated by commas"),
     row("poisson_ratios_four", "Material", "Poisson ratios", "0.3, 0.3, 0.3, 0.3", "three numbers separated by commas"),
     row("shear_moduli_zero", "Material", "Shear moduli", "800, 700, 0", "three numbers > 0 separated by commas"),
-    row("thermal_expansion_with_unit", "Material", "Thermal expansion", "1.2e-5 1/K", "a number > -0.01 and < 0.01"),
+    row("thermal_expansion_with_unit", "Material", "Thermal expansion", "1.2e-5 K", "a number > -0.01 and < 0.01; K is a unit of temperature, "
+        "and this entry has 1/K, /K, ppm/K, um/(m K)"),
     row("regions_without_poisson_ratio", "Material", "Regions", "core: 70000", REGIONS),
     row("regions_incompressible", "Material", "Regions", "core: 70000, 0.5", REGIONS),
     row("regions_twice", "Material", "Regions", "core: 70000, 0.3 ; core: 1000, 0.3", REGIONS),

@@ -47,12 +47,12 @@ ROWS = [
     ("legs_list", '{"Load program": {"Legs": ["0 0 -0.1 : 5", "0 0 0 : 10"]}}\n',
      '{file}: Load program/Legs = ["0 0 -0.1 : 5","0 0 0 : 10"]: allowed is legs "ux uy uz : steps" (numbers in '
      'mm, at least one step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in '
-     "N, Mx, My, Mz in N mm), separated by ';'; "
+     "N, Mx, My, Mz in N mm, or with a unit as in \"ux 10 um\"), separated by ';'; "
      '"steps * parts" solves each step in so many parts'),
     ("legs_of_lines", '{"Load program": {"Legs": "0 0 -0.1\\n0 0 -0.2\\n0 0 0"}}\n',
      '{file}: Load program/Legs = 0 0 -0.1\\n0 0 -0.2\\n0 0 0: allowed is legs "ux uy uz : steps" (numbers in mm, '
      'at least one step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, '
-     "Mx, My, Mz in N mm), separated by ';'; "
+     "Mx, My, Mz in N mm, or with a unit as in \"ux 10 um\"), separated by ';'; "
      '"steps * parts" solves each step in so many parts'),
     ("line_break_in_string", '{"Mesh": {"Model": "half\n"}}\n',
      '{file}:1: is not valid JSON at column 25; allowed is {"Section": {"Entry": value}}'),

@@ -46,12 +46,12 @@ ROWS = [
      "end\n",
      '{file}:3: Load program/Legs = 0 0 -0.1 : 5 ; 0 0 -0.2 : 5 ; 0 0 0: allowed is legs "ux uy uz : steps" '
      '(numbers in mm, at least one step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, '
-     "Fy, Fz in N, Mx, My, Mz in N mm), separated by ';'; "
+     "Fy, Fz in N, Mx, My, Mz in N mm, or with a unit as in \"ux 10 um\"), separated by ';'; "
      '"steps * parts" solves each step in so many parts'),
     ("continued_into_end", "subsection Load program\n  set Legs = 0 0 -0.1 : 5 ; \\\nend\n",
      '{file}:3: Load program/Legs = 0 0 -0.1 : 5 ; end: allowed is legs "ux uy uz : steps" (numbers in mm, at '
      'least one step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, '
-     "My, Mz in N mm), separated by ';'; "
+     "My, Mz in N mm, or with a unit as in \"ux 10 um\"), separated by ';'; "
      '"steps * parts" solves each step in so many parts'),
     ("cycles_exponent", "subsection Load program\n  set Legs = 0 0 -0.1 : 5 ; 0 0 0 : 10\n  set Cycles = 1e3\nend\n",
      "{file}:4: Load program/Cycles = 1e3: allowed is a whole number from 0 to 1000000"),
@@ -78,12 +78,12 @@ ROWS = [
     ("legs_comma_between", "subsection Load program\n  set Cycles = 3\n  set Legs = 0 0 -0.1 : 5, 0 0 0 : 10\nend\n",
      '{file}:4: Load program/Legs = 0 0 -0.1 : 5, 0 0 0 : 10: allowed is legs "ux uy uz : steps" (numbers in mm, '
      'at least one step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, '
-     "Mx, My, Mz in N mm), separated by ';'; "
+     "Mx, My, Mz in N mm, or with a unit as in \"ux 10 um\"), separated by ';'; "
      '"steps * parts" solves each step in so many parts'),
     ("legs_commas", "subsection Load program\n  set Cycles = 3\n  set Legs = 0, 0, -0.1 : 5\nend\n",
      '{file}:4: Load program/Legs = 0, 0, -0.1 : 5: allowed is legs "ux uy uz : steps" (numbers in mm, at least '
      'one step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz '
-     "in N mm), separated by ';'; "
+     "in N mm, or with a unit as in \"ux 10 um\"), separated by ';'; "
      '"steps * parts" solves each step in so many parts'),
     ("legs_decimal_comma", "subsection Load program\n  set Cycles = 3\n  set Legs = 0 0 -0,1 : 5\nend\n",
      '{file}:4: Load program/Legs = 0 0 -0,1 : 5: allowed is legs "ux uy uz : steps" (numbers in mm, at least one '
@@ -98,23 +98,23 @@ ROWS = [
     ("legs_nothing_between", "subsection Load program\n  set Cycles = 3\n  set Legs = 0 0 -0.1 : 5 0 0 0 : 10\nend\n",
      '{file}:4: Load program/Legs = 0 0 -0.1 : 5 0 0 0 : 10: allowed is legs "ux uy uz : steps" (numbers in mm, at '
      'least one step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, '
-     "My, Mz in N mm), separated by ';'; "
+     "My, Mz in N mm, or with a unit as in \"ux 10 um\"), separated by ';'; "
      '"steps * parts" solves each step in so many parts'),
     ("legs_second", "subsection Load program\n  set Cycles = 3\n  set Legs = 0 0 -0.1 : 5 ; 0 0 : 10\nend\n",
      '{file}:4: Load program/Legs = 0 0 -0.1 : 5 ; 0 0 : 10: allowed is legs "ux uy uz : steps" (numbers in mm, at '
      'least one step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, '
-     "My, Mz in N mm), separated by ';'; "
+     "My, Mz in N mm, or with a unit as in \"ux 10 um\"), separated by ';'; "
      '"steps * parts" solves each step in so many parts'),
     ("legs_semicolon_in_front", "subsection Load program\n  set Cycles = 3\n  set Legs = ; 0 0 -0.1 : 5\nend\n",
      '{file}:4: Load program/Legs = ; 0 0 -0.1 : 5: allowed is legs "ux uy uz : steps" (numbers in mm, at least '
      'one step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz '
-     "in N mm), separated by ';'; "
+     "in N mm, or with a unit as in \"ux 10 um\"), separated by ';'; "
      '"steps * parts" solves each step in so many parts'),
     ("legs_third",
      "subsection Load program\n  set Cycles = 3\n  set Legs = 0 0 -0.1 : 5 ; 0.01 0 -0.1 : 5 ; 0 0 0 : ten\nend\n",
      '{file}:4: Load program/Legs = 0 0 -0.1 : 5 ; 0.01 0 -0.1 : 5 ; 0 0 0 : ten: allowed is legs "ux uy uz : '
      'steps" (numbers in mm, at least one step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in '
-     "degrees, Fx, Fy, Fz in N, Mx, My, Mz in N mm), separated by ';'; "
+     "degrees, Fx, Fy, Fz in N, Mx, My, Mz in N mm, or with a unit as in \"ux 10 um\"), separated by ';'; "
      '"steps * parts" solves each step in so many parts'),
     ("legs_two_coordinates", "subsection Load program\n  set Cycles = 3\n  set Legs = 0 -0.1 : 5\nend\n",
      '{file}:4: Load program/Legs = 0 -0.1 : 5: allowed is legs "ux uy uz : steps" (numbers in mm, at least one '
@@ -124,7 +124,7 @@ ROWS = [
     ("legs_unit", "subsection Load program\n  set Cycles = 3\n  set Legs = 0 0 -0.1 mm : 5\nend\n",
      '{file}:4: Load program/Legs = 0 0 -0.1 mm : 5: allowed is legs "ux uy uz : steps" (numbers in mm, at least '
      'one step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz '
-     "in N mm), separated by ';'; "
+     "in N mm, or with a unit as in \"ux 10 um\"), separated by ';'; "
      '"steps * parts" solves each step in so many parts'),
     ("legs_without_steps", "subsection Load program\n  set Cycles = 3\n  set Legs = 0 0 -0.1\nend\n",
      '{file}:4: Load program/Legs = 0 0 -0.1: allowed is legs "ux uy uz : steps" (numbers in mm, at least one '
@@ -216,9 +216,9 @@ ROWS = [
      "{file}:4: Friction/Orthotropy angle = -inf: allowed is a number >= -360 and <= 360, or an expression of x "
      "and y; 'inf' is not known"),
     ("orthotropy_angle_unit",
-     "subsection Friction\n  set Coefficients = 0.30, 0.15\n  set Orthotropy angle = 30 deg\nend\n",
-     "{file}:4: Friction/Orthotropy angle = 30 deg: allowed is a number >= -360 and <= 360, or an expression of x "
-     "and y; 'deg' is not known"),
+     "subsection Friction\n  set Coefficients = 0.30, 0.15\n  set Orthotropy angle = 30 mm\nend\n",
+     "{file}:4: Friction/Orthotropy angle = 30 mm: allowed is a number >= -360 and <= 360, or an expression of x "
+     "and y; 'mm' is not known; mm is a unit of length, and this entry has degrees, degree, deg, \u00b0, rad, mrad"),
     ("preload_none", "subsection Load program\n  set Legs = 0 0 -0.1 : 5 ; 0 0 0 : 10\n  set Preload = none\nend\n",
      '{file}:4: Load program/Preload = none: allowed is legs "ux uy uz : steps" (numbers in mm, at least one step) '
      'or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N mm), '
