@@ -333,7 +333,7 @@ bool QuasiStaticProblem::accepts(const MarchedStep &marched)
   const LoadStep reported = marched.step.resolved(next.leg_begin);
   if (const auto which = checker_.violation(checks))
   {
-    outcome_ = {ExitCode::unsolved_step, wrong_step_text(reported, steps_, *which)};
+    outcome_ = {ExitCode::unsolved_step, wrong_step_text(reported, steps_, *which, parameters_.mesh.backend)};
     return false;
   }
   const SolvedStep solved{next,

@@ -79,11 +79,15 @@ std::string too_few_jumps_text(const std::size_t n_computed, const std::size_t n
          "jumps (Load program/Jump when periodic, Wear/Largest depth of a jump), or fewer Cycles";
 }
 
-std::string wrong_step_text(const LoadStep &step, const LoadSteps &steps, const std::string &which)
+std::string wrong_step_text(const LoadStep &step, const LoadSteps &steps, const std::string &which,
+                            const BodyBackend backend)
 {
+  const std::string remedy = backend == BodyBackend::multigrid
+                                 ? ", and Mesh/Backend = condensed solves hard steps more exactly."
+                                 : ".";
   return name_of(step, steps) + " is solved, but fails a check: " + which +
          ".\nThe files of earlier steps are kept" +
-         (which.rfind("Checks/", 0) == 0 ? "; section Checks sets the bounds." : ".");
+         (which.rfind("Checks/", 0) == 0 ? "; section Checks sets the bounds" + remedy : ".");
 }
 
 void report_versions_and_warnings(const Parameters &parameters, Log &log)

@@ -27,7 +27,8 @@ std::string no_equilibrium_text(const LoadStep &step, const LoadSteps &steps, do
 std::string too_few_jumps_text(std::size_t n_computed, std::size_t n_left);
 
 /// Text for a step that is solved, but does not pass the check that `which` names.
-std::string wrong_step_text(const LoadStep &step, const LoadSteps &steps, const std::string &which);
+std::string wrong_step_text(const LoadStep &step, const LoadSteps &steps, const std::string &which,
+                            BodyBackend backend);
 
 /// Text for a step that cannot be solved because the body cannot; `why` says why.
 std::string broken_step_text(const LoadStep &step, const LoadSteps &steps, const std::string &why);

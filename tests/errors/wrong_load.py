@@ -63,7 +63,7 @@ ROWS = [
     ("legs_of_no_parts", "subsection Load program\n  set Cycles = 1\n  set Legs = 0 0 -0.1 : 5 * 0\nend\n",
      '{file}:4: Load program/Legs = 0 0 -0.1 : 5 * 0: allowed is legs "ux uy uz : steps" (numbers in mm, at least one '
      'step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N '
-     "mm), separated by ';'; "
+     "mm, or with a unit as in \"ux 10 um\"), separated by ';'; "
      '"steps * parts" solves each step in so many parts'),
     ("steps_per_row_zero", "subsection Load program\n  set Cycles = 1\n  set Steps per row = 0\nend\n",
      "{file}:4: Load program/Steps per row = 0: allowed is a whole number from 1 to 1000"),
@@ -88,12 +88,12 @@ ROWS = [
     ("legs_decimal_comma", "subsection Load program\n  set Cycles = 3\n  set Legs = 0 0 -0,1 : 5\nend\n",
      '{file}:4: Load program/Legs = 0 0 -0,1 : 5: allowed is legs "ux uy uz : steps" (numbers in mm, at least one '
      'step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N '
-     "mm), separated by ';'; "
+     "mm, or with a unit as in \"ux 10 um\"), separated by ';'; "
      '"steps * parts" solves each step in so many parts'),
     ("legs_negative_steps", "subsection Load program\n  set Cycles = 3\n  set Legs = 0 0 -0.1 : -5\nend\n",
      '{file}:4: Load program/Legs = 0 0 -0.1 : -5: allowed is legs "ux uy uz : steps" (numbers in mm, at least one '
      'step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N '
-     "mm), separated by ';'; "
+     "mm, or with a unit as in \"ux 10 um\"), separated by ';'; "
      '"steps * parts" solves each step in so many parts'),
     ("legs_nothing_between", "subsection Load program\n  set Cycles = 3\n  set Legs = 0 0 -0.1 : 5 0 0 0 : 10\nend\n",
      '{file}:4: Load program/Legs = 0 0 -0.1 : 5 0 0 0 : 10: allowed is legs "ux uy uz : steps" (numbers in mm, at '
@@ -119,7 +119,7 @@ ROWS = [
     ("legs_two_coordinates", "subsection Load program\n  set Cycles = 3\n  set Legs = 0 -0.1 : 5\nend\n",
      '{file}:4: Load program/Legs = 0 -0.1 : 5: allowed is legs "ux uy uz : steps" (numbers in mm, at least one '
      'step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N '
-     "mm), separated by ';'; "
+     "mm, or with a unit as in \"ux 10 um\"), separated by ';'; "
      '"steps * parts" solves each step in so many parts'),
     ("legs_unit", "subsection Load program\n  set Cycles = 3\n  set Legs = 0 0 -0.1 mm : 5\nend\n",
      '{file}:4: Load program/Legs = 0 0 -0.1 mm : 5: allowed is legs "ux uy uz : steps" (numbers in mm, at least '
@@ -129,12 +129,12 @@ ROWS = [
     ("legs_without_steps", "subsection Load program\n  set Cycles = 3\n  set Legs = 0 0 -0.1\nend\n",
      '{file}:4: Load program/Legs = 0 0 -0.1: allowed is legs "ux uy uz : steps" (numbers in mm, at least one '
      'step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N '
-     "mm), separated by ';'; "
+     "mm, or with a unit as in \"ux 10 um\"), separated by ';'; "
      '"steps * parts" solves each step in so many parts'),
     ("legs_zero_steps", "subsection Load program\n  set Cycles = 3\n  set Legs = 0 0 -0.1 : 0\nend\n",
      '{file}:4: Load program/Legs = 0 0 -0.1 : 0: allowed is legs "ux uy uz : steps" (numbers in mm, at least one '
      'step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N '
-     "mm), separated by ';'; "
+     "mm, or with a unit as in \"ux 10 um\"), separated by ';'; "
      '"steps * parts" solves each step in so many parts'),
     ("line_fields_negative", "subsection Output\n  set Lines = L: 0 0 0 to 0 0 1, 5\n  set Line fields = -1\nend\n",
      "{file}:4: Output/Line fields = -1: allowed is a whole number from 0 to 1000000"),
@@ -221,14 +221,14 @@ ROWS = [
      "and y; 'mm' is not known; mm is a unit of length, and this entry has degrees, degree, deg, \u00b0, rad, mrad"),
     ("preload_none", "subsection Load program\n  set Legs = 0 0 -0.1 : 5 ; 0 0 0 : 10\n  set Preload = none\nend\n",
      '{file}:4: Load program/Preload = none: allowed is legs "ux uy uz : steps" (numbers in mm, at least one step) '
-     'or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N mm), '
+     'or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N mm, or with a unit as in \"ux 10 um\"), '
      "separated by ';'; "
      '"steps * parts" solves each step in so many parts'),
     ("preload_without_steps",
      "subsection Load program\n  set Legs = 0 0 -0.1 : 5 ; 0 0 0 : 10\n  set Preload = 0 0 -0.05\nend\n",
      '{file}:4: Load program/Preload = 0 0 -0.05: allowed is legs "ux uy uz : steps" (numbers in mm, at least one '
      'step) or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N '
-     "mm), separated by ';'; "
+     "mm, or with a unit as in \"ux 10 um\"), separated by ';'; "
      '"steps * parts" solves each step in so many parts'),
     ("probes_blank_in_name", "subsection Output\n  set Contact fields = 1\n  set Probes = near rim: 9 0\nend\n",
      '{file}:4: Output/Probes = near rim: 9 0: allowed is probes "name: x y" (numbers in mm; name of up to 100 '
