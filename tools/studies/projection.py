@@ -26,7 +26,8 @@ FORMULAS = {  # name of the experiment: what it is
     "circular": "closed form of the circle",
 }
 CLASSES = ("generic", "an axis", "no pressure", "near the cone", "near the polar")
-LAWS = {"usual": "usual laws: µ from 0.1 to 0.9,\nratio of the axes up to 4", "wide": "wide laws: µ from 0.001 to 1000,\nratio of the axes up to 1000"}
+LAWS = {"usual": "usual laws: µ from 0.1 to 0.9,\nratio of the axes up to 4",
+        "wide": "wide laws: µ from 0.001 to 1000,\nratio of the axes up to 1000"}
 PALETTE = (*style.COLOURS, "#7f3c8d", "#888888", "#a05a2c")
 MARKERS = "osDv^P*Xd<"
 

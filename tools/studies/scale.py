@@ -90,7 +90,8 @@ def figures(rows):
     for n, colour in zip(PROCESSES, style.COLOURS):
         dofs = [of(rows, size, n, lambda row: number(row, "dofs")) for size in sizes]
         looks = {"color": colour, "label": f"{n} process{'es' if n > 1 else ''}" + (" on two cores" if n > 2 else "")}
-        time.plot(dofs, [1e6 * of(rows, size, n, per_cycle("contact_seconds")) / dof for size, dof in zip(sizes, dofs)], "o-", **looks)
+        time.plot(dofs, [1e6 * of(rows, size, n, per_cycle("contact_seconds")) / dof for size, dof in zip(sizes, dofs)], "o-",
+                  **looks)
         memory.plot(dofs, [of(rows, size, n, lambda row: number(row, "gigabytes")) for size in sizes], "o-", **looks)
     time.set_title("time per unknown and V-cycle (µs)")
     memory.set_title("memory of the largest process (GB)")

@@ -60,7 +60,8 @@ def draw_errors(axes, rows):
 def draw_flicker(axes, rows):
     shown = rows[1:-1]
     lengths = [int(row["jump"]) for row in shown]
-    for number, (name, mark, label) in enumerate((("change", "o-", "change of the rate"), ("flattening", "s--", "depth / flattening"))):
+    for number, (name, mark, label) in enumerate((("change", "o-", "change of the rate"),
+                                                  ("flattening", "s--", "depth / flattening"))):
         axes.plot(lengths, [float(row[name]) for row in shown], mark, color=style.COLOURS[1 + 2 * number], label=label)
     axes.set(title="share, mean of all jumps", ylim=(0, None))
     axes.legend(loc="upper left")
@@ -68,7 +69,8 @@ def draw_flicker(axes, rows):
 
 def worn_nodes(rows):
     """{jump: depths, nm} of the nodes that wear in the reference, by their distance from the centre."""
-    of = {row["jump"]: np.array([place.split(":") for place in row["profile"].split()], dtype=float) for row in rows if row["profile"]}
+    of = {row["jump"]: np.array([place.split(":") for place in row["profile"].split()], dtype=float)
+          for row in rows if row["profile"]}
     radius, depth = of[REFERENCE].T
     chosen = np.flatnonzero(depth > 0.01 * depth.max())
     chosen = chosen[np.lexsort((-depth[chosen], radius[chosen].round(3)))]
