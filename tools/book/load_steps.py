@@ -26,27 +26,23 @@ def table(runs):
 
 
 def chart(runs):
-    """Friction by its limit over the radius."""
-    import matplotlib.pyplot as plt
-    from panels import BLUE, GREEN, GREY, RED
-    figure, axes = plt.subplots(1, 2, figsize=(10, 4), layout="constrained")
+    """Friction by its limit over the radius, and the radius that sticks."""
+    import docs_page
+    from panels import BLUE, GREEN, GREY, RED, entries
+    figure, axes = docs_page.plt.subplots(1, 2, figsize=(docs_page.WIDTH, 3.4))
     for steps, colour in zip(STEPS, (GREY, GREEN, BLUE, RED)):
         run = runs(scene(steps))
         radius, criterion = on_surface(run, steps, "friction_criterion")
-        pressure = on_surface(run, steps, "pressure")[1]
-        touching = pressure > 0
-        rim = radius[touching].max()
-        axes[0].plot(radius[touching] / rim, 1 + criterion[touching], color=colour, linewidth=1.3,
-                     label=f"{steps} load step" + "s" * (steps > 1))
-    axes[0].axvline(0.5, color="0.4", linewidth=1, linestyle="--", label="c/a = 0.5 (Spence)")
-    axes[0].set(title="Friction by its limit", xlabel="r/a", ylabel="friction / (µ pressure)")
-    sticks = [spence_stick(steps)(runs, scene(steps)) for steps in STEPS]
-    axes[1].semilogx(STEPS, sticks, "o-", color=BLUE, label="orthocone")
-    axes[1].axhline(0.5, color="0.4", linewidth=1, linestyle="--", label="Spence")
-    axes[1].set(title="Radius that sticks", xlabel="load steps", ylabel="c/a", ylim=(0.2, 0.55), xticks=STEPS,
-                xticklabels=[str(steps) for steps in STEPS])
+        touching = on_surface(run, steps, "pressure")[1] > 0
+        axes[0].plot(radius[touching] / radius[touching].max(), 1 + criterion[touching], color=colour,
+                     linestyle="--" if steps == STEPS[-1] else "-", label=f"{steps} load step" + "s" * (steps > 1))
+    axes[0].axvline(0.5, color="0.4", linewidth=1, linestyle=":", label="c/a = 0.5 (Spence)")
+    axes[0].set(title="friction / (μ pressure)", xlabel="radius / radius of contact")
+    axes[1].plot(STEPS, [spence_stick(steps)(runs, scene(steps)) for steps in STEPS], "o-", color="black", label="orthocone")
+    axes[1].axhline(0.5, color="0.4", linewidth=1, linestyle=":")
+    axes[1].set(title="radius that sticks / radius of contact", xlabel="load steps", ylim=(0, 0.55), xscale="log")
     axes[1].minorticks_off()
-    for ax in axes:
-        ax.grid(color="0.9", linewidth=0.6)
-        ax.legend(fontsize=8, loc="lower right")
+    axes[1].set_xticks(STEPS, STEPS)
+    docs_page.legend_below(figure, *entries(axes), 3)
+    docs_page.headline(figure, "A single load step halves the zone that sticks; 35 are enough for 1 %")
     return figure

@@ -72,15 +72,17 @@ def differences(rows):
 
 
 def figures(rows):
-    figure, axes = plt.subplots(figsize=(6, 3.6))
+    figure, axes = plt.subplots(figsize=(style.WIDTH, 3.6))
     for colour, (example, errors) in zip(style.COLOURS, differences(rows).items()):
         _, label, printed, _ = EXAMPLES[example]
-        axes.loglog(*zip(*[(seconds, 100 * error) for seconds, error in errors]), "o-", color=colour, label=label)
+        axes.plot(*zip(*[(seconds, 100 * error) for seconds, error in errors]), "o-", color=colour, label=label)
         if printed:
             axes.axhline(100 * abs(printed / row_of(example).reference - 1), color=colour, linewidth=1, linestyle="--",
                          label="the same, printed by CONTACT")
-    axes.set(xlabel="processor time (s)", ylabel="difference from theory (%)", ylim=(0.03, 30))
-    axes.xaxis.set_major_formatter("{x:g}")
-    axes.yaxis.set_major_formatter("{x:g}")
-    axes.legend(fontsize=8, loc="upper right")
+    axes.set(xscale="log", yscale="log", xlabel="processor time (s)", ylabel="difference from theory (%)", ylim=(0.03, 5))
+    axes.minorticks_off()
+    style.plain_ticks(axes.xaxis, (0.5, 1, 2, 5, 10))
+    style.plain_ticks(axes.yaxis, (0.05, 0.1, 0.2, 0.5, 1, 2, 5))
+    style.legend_below(figure, *axes.get_legend_handles_labels(), 2)
+    style.headline(figure, "A few seconds are enough for a difference of about 1 %")
     return {"contact_examples": figure}

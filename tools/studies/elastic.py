@@ -17,7 +17,6 @@ EVEN, HALVED = "all halved", "some halved"
 # Degree, refinements and rounds of Mesh/Adaptive; the first is the base of the memory.
 BASE = (2, 0, 0)
 SIZES = [(1, 3, 0), (1, 4, 0), (1, 5, 0), (2, 2, 0), (2, 3, 0), (2, 4, 0), (3, 2, 0), (3, 3, 0), (1, 2, 5), (2, 1, 5), (3, 1, 4)]
-TICKS = (300, 500, 1000, 2000, 5000)  # bytes
 LARGE = [(1, 6, 0), (2, 5, 0), (3, 4, 0), (3, 1, 6)]
 
 
@@ -54,18 +53,22 @@ def series(rows):
 
 
 def figures(rows):
-    figure, (counts, memory) = plt.subplots(1, 2, figsize=(9, 3.2), layout="constrained")
+    figure, (counts, memory) = plt.subplots(1, 2, figsize=(style.WIDTH, 3.4))
     for colour, ((degree, cells), own) in zip(style.COLOURS, series(rows).items()):
         dofs = [int(row["dofs"]) for row in own]
-        label = f"degree {degree}, {cells}"
-        counts.semilogx(dofs, [int(row["iterations"]) for row in own], "o-", color=colour, label=label)
-        memory.loglog(dofs, [bytes_a_dof(row, rows[0]) for row in own], "o-", color=colour, label=label)
-    counts.set(ylabel="V-cycles for eight digits", ylim=(0, 14))
-    memory.set(ylabel="bytes a degree of freedom", yticks=TICKS, yticklabels=TICKS)
-    memory.minorticks_off()
+        looks = {"marker": "o" if cells == EVEN else "s", "linestyle": "-" if cells == EVEN else "--", "color": colour,
+                 "label": f"degree {degree}, {cells}"}
+        counts.plot(dofs, [int(row["iterations"]) for row in own], **looks)
+        memory.plot(dofs, [bytes_a_dof(row, rows[0]) for row in own], **looks)
+    counts.set(title="V-cycles for eight digits", ylim=(0, 9.5))
+    memory.set(title="bytes per degree of freedom", yscale="log")
     for axes in (counts, memory):
-        axes.set_xlabel("degrees of freedom")
-    counts.legend(fontsize=8)
+        axes.set(xlabel="degrees of freedom", xscale="log")
+        axes.minorticks_off()
+        axes.set_xticks((1e4, 1e5, 1e6), ("10 000", "100 000", "1 million"))
+    style.plain_ticks(memory.yaxis, (200, 500, 1000, 2000, 5000))
+    style.legend_below(figure, *counts.get_legend_handles_labels(), 3)
+    style.headline(figure, "V-cycles hardly grow with the mesh; some halved cells take more memory")
     return {"elastic": figure}
 
 

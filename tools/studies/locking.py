@@ -121,51 +121,44 @@ def errors(rows, case, label, quadrature, quantity):
 def style_of(degree, quadrature):
     is_full = quadrature == "full"
     return {"color": style.COLOURS[degree - 1], "linestyle": "-" if is_full else "--", "marker": "o",
-            "markersize": 4, "markerfacecolor": style.COLOURS[degree - 1] if is_full else "white", "linewidth": 1.2}
+            "markerfacecolor": style.COLOURS[degree - 1] if is_full else "white", "label": f"degree {degree}, {quadrature}"}
 
 
 def set_ratio_axis(axes):
     """Poisson's ratio as 1/2 - nu, logarithmic, incompressible to the right."""
-    ticks = (-0.5, 0, 0.3, 0.4, 0.45, 0.49, 0.499, 0.4999)
+    ticks = (-0.5, 0, 0.3, 0.45, 0.49, 0.499, 0.4999)
     axes.set_xscale("log")
     axes.set_xlim(1.4, 7e-5)
-    axes.set_xticks([0.5 - ratio for ratio in ticks], [f"{ratio:g}" for ratio in ticks], rotation=60)
+    axes.set_xticks([0.5 - ratio for ratio in ticks], [f"{ratio:g}" for ratio in ticks], rotation=90)
     axes.xaxis.set_minor_locator(plt.NullLocator())
-    axes.set_xlabel("Poisson's ratio")
 
 
-def draw_errors(axes, rows, case, quantity):
-    for degree in DEGREES:
-        for quadrature in QUADRATURES:
-            ratios, values = errors(rows, case, f"Q{degree}", quadrature, quantity)
-            axes.plot([0.5 - ratio for ratio in ratios], values, **style_of(degree, quadrature))
-    axes.set_yscale("log")
-    axes.set_title(f"{CASES[case]}: error of {QUANTITIES[quantity]}", fontsize=9)
-
-
-def draw_iterations(axes, rows, case):
-    for degree in DEGREES:
-        for quadrature in QUADRATURES:
-            curve = of_curve(rows, case, f"Q{degree}", quadrature)
-            ratios = sorted(curve)
-            axes.plot([0.5 - ratio for ratio in ratios], [int(curve[ratio]["iterations"]) for ratio in ratios],
-                      **style_of(degree, quadrature))
-    axes.set_yscale("log")
-    axes.set_title(f"{CASES[case]}: contact iterations of 15 steps", fontsize=9)
+def curve(rows, case, label, quadrature, quantity):
+    """Poisson's ratios, and errors or contact iterations."""
+    if quantity != "iterations":
+        return errors(rows, case, label, quadrature, quantity)
+    found = of_curve(rows, case, label, quadrature)
+    return sorted(found), [int(found[ratio]["iterations"]) for ratio in sorted(found)]
 
 
 def figures(rows):
-    figure, grid = plt.subplots(len(CASES), 3, figsize=(11, 7))
-    for line, case in zip(grid, CASES):
-        draw_errors(line[0], rows, case, "peak_force_N")
-        draw_errors(line[1], rows, case, "largest_slip_mm")
-        draw_iterations(line[2], rows, case)
-        for axes in line:
-            set_ratio_axis(axes)
-    for degree in DEGREES:
-        for quadrature in QUADRATURES:
-            grid[0, 2].plot([], [], label=f"Q{degree}, {quadrature}", **style_of(degree, quadrature))
-    grid[0, 2].legend(loc="lower right")  # auxetic bodies lie at the left
+    case, charts = "b", {"peak_force_N": ("error of the total force (%)", (0.01, 0.1, 1, 10, 100)),
+                         "largest_slip_mm": ("error of the largest slip (µm)", (0.1, 1, 10)),
+                         "iterations": ("contact iterations, 15 steps", (10, 20, 50, 100, 200))}
+    figure, grid = plt.subplots(1, len(charts), figsize=(style.WIDTH, 3.6))
+    for axes, (quantity, (title, ticks)) in zip(grid, charts.items()):
+        for degree in DEGREES:
+            for quadrature in QUADRATURES:
+                ratios, values = curve(rows, case, f"Q{degree}", quadrature, quantity)
+                axes.plot([0.5 - ratio for ratio in ratios], values, **style_of(degree, quadrature))
+        set_ratio_axis(axes)
+        axes.set(yscale="log")
+        axes.set_title(title, fontsize=8.5)
+        axes.minorticks_off()
+        style.plain_ticks(axes.yaxis, ticks)
+    grid[1].set_xlabel("Poisson's ratio")
+    style.legend_below(figure, *grid[0].get_legend_handles_labels(), 3)
+    style.headline(figure, "Case B: full elements of degree 1 lock, projected ones do not")
     return {"locking": figure}
 
 

@@ -26,7 +26,8 @@ FORMULAS = {  # name of the experiment: what it is
     "circular": "closed form of the circle",
 }
 CLASSES = ("generic", "an axis", "no pressure", "near the cone", "near the polar")
-LAWS = {"usual": "μ 0.1 … 0.9, μ_x/μ_y 1 … 4", "wide": "μ 10⁻³ … 10³, μ_x/μ_y 1 … 1000"}
+LAWS = {"usual": "usual laws: µ from 0.1 to 0.9,\nratio of the axes up to 4",
+        "wide": "wide laws: µ from 0.001 to 1000,\nratio of the axes up to 1000"}
 PALETTE = (*style.COLOURS, "#7f3c8d", "#888888", "#a05a2c")
 MARKERS = "osDv^P*Xd<"
 
@@ -64,29 +65,28 @@ def failure_share(row):
     return int(row["failures"]) / int(row["points"])
 
 
+def worst_digits(row):
+    """None where a point has no answer."""
+    return 0 if failure_share(row) > 0 else min(float(row[name]) for name in CLASSES)
+
+
 def figures(rows):
-    figure, axes = plt.subplots(1, 2, figsize=(9, 4.6), sharey=True, sharex=True)
+    figure, axes = plt.subplots(1, 2, figsize=(style.WIDTH, 4.6), sharey=True, sharex=True)
     for ax, (laws, title) in zip(axes, LAWS.items()):
         for number, (formula, label) in enumerate(FORMULAS.items()):
             if (row := chosen(rows, formula, laws)) is None:
                 continue
-            time, median = float(row["nanoseconds"]), float(row["median_digits"])
-            worst = min(float(row[name]) for name in CLASSES)
-            colour = PALETTE[number]
-            ax.plot([time, time], [worst, median], "-", color=colour, lw=1)
+            time, median, colour = float(row["nanoseconds"]), float(row["median_digits"]), PALETTE[number]
+            ax.plot([time, time], [worst_digits(row), median], "-", color=colour, lw=1)
             ax.plot(time, median, MARKERS[number], color=colour, mfc="white", ms=6)
-            ax.plot(time, worst, MARKERS[number], color=colour, ms=7, label=label, zorder=3 if number == 0 else 2)
-            if failure_share(row) > 0:
-                ax.annotate(f"{100 * failure_share(row):.2g} % fail", (time, worst), (0, -13), color=colour,
-                            textcoords="offset points", fontsize=7, ha="center")
-        ax.set_xscale("log")
-        ax.set_title(title, fontsize=9)
-        ax.set_xlabel("nanoseconds a call (median)")
-        ax.set_ylim(-1.5, 17)
-    axes[0].set_ylabel("correct digits (filled: worst, open: median)")
-    figure.get_layout_engine().set(rect=(0, 0.17, 1, 0.83))  # room for the legend
-    handles, labels = axes[0].get_legend_handles_labels()
-    figure.legend(handles, labels, loc="lower center", ncols=3, fontsize=8)
+            ax.plot(time, worst_digits(row), MARKERS[number], color=colour, ms=7, label=label, ls="",
+                    zorder=3 if number == 0 else 2)
+        ax.set(xscale="log", title=title, xlabel="time of a call (ns, median)", ylim=(-1, 17), yticks=(0, 5, 10, 15))
+        ax.minorticks_off()
+        style.plain_ticks(ax.xaxis, (10, 100, 1000))
+    axes[0].set_ylabel("correct digits\n(open: median, filled: worst point)")
+    style.legend_below(figure, *axes[0].get_legend_handles_labels(), 2)
+    style.headline(figure, "Only iterations in a bracket have 15 digits and an answer everywhere")
     return {"projection": figure}
 
 

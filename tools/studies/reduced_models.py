@@ -7,7 +7,6 @@ import statistics
 
 import matplotlib.pyplot as plt
 import style
-from matplotlib.ticker import FuncFormatter, NullFormatter
 from points import StudyError, program_point
 from run_folder import RunFolder
 
@@ -68,23 +67,21 @@ def difference(row, full, answers):
 
 def figures(rows):
     groups = medians(rows)
-    figure, grid = plt.subplots(2, len(MODELS), figsize=(9, 5.5), sharey="row")
+    figure, grid = plt.subplots(2, len(MODELS), figsize=(style.WIDTH, 5), sharey="row", sharex="col")
     for column, (case, models) in zip(grid.T, MODELS.items()):
         column[0].set_title(f"case {case.upper()}")
-        for axes, name, label in zip(column, ("seconds", "gigabytes"), ("seconds, one thread", "memory (GB)")):
+        for axes, name, ticks in zip(column, ("seconds", "gigabytes"), ((0.2, 0.5, 1, 2, 5, 10), (0.1, 0.2, 0.5, 1))):
             for colour, mesh in zip(style.COLOURS, MESHES):
                 if (case, mesh) in groups:
                     values = [groups[case, mesh][model][name] for model in models]
-                    axes.plot(models, values, "o-", color=colour, label=mesh)
-            axes.set_yscale("log")
-            axes.set(xlim=(-0.3, len(models) - 0.7))
-            low, high = axes.get_ylim()
-            axes.set_yticks([tick for tick in (0.1, 0.2, 0.5, 1, 2, 5, 10, 20) if low <= tick <= high])
-            axes.yaxis.set_major_formatter(FuncFormatter(lambda value, _: f"{value:g}"))
-            axes.yaxis.set_minor_formatter(NullFormatter())
-            if case == "a":
-                axes.set_ylabel(label)
-    grid[0, 0].legend()
+                    axes.plot(models, values, "o-", color=colour, label=f"mesh: {mesh}")
+            axes.set(xlim=(-0.3, len(models) - 0.7), yscale="log")
+            axes.minorticks_off()
+            style.plain_ticks(axes.yaxis, ticks)
+    for axes, label in zip(grid[:, 0], ("time of the run (s)", "memory (GB)")):
+        axes.set_ylabel(label)
+    style.legend_below(figure, *grid[0, 0].get_legend_handles_labels(), 3)
+    style.headline(figure, "Reduced models take a fraction of the time and memory")
     return {"reduced_models": figure}
 
 

@@ -6,6 +6,7 @@ import json
 
 import matplotlib.pyplot as plt
 
+import style
 from points import StudyError, tool_point
 from style import METHODS
 
@@ -37,21 +38,22 @@ def counts(row, kinds=("above", "below")):
 
 
 def figures(rows):
-    figure = plt.figure(figsize=(11, 3))
-    charts, legend = figure.subfigures(2, 1, height_ratios=(2.6, 0.4))
-    grid = charts.subplots(1, len(NODES), sharey=True)
-    grid[0].invert_yaxis()
-    for axes, nodes in zip(grid, NODES):
+    figure, grid = plt.subplots(2, 2, figsize=(style.WIDTH, 4.4), sharex=True, sharey=True)
+    grid[0, 0].invert_yaxis()
+    found = [verdict for verdict in VERDICTS if any(counts(row)[verdict] for row in rows)]
+    for axes, nodes in zip(grid.flat, NODES):
         own = {row["method"]: counts(row) for row in rows if int(row["nodes"]) == nodes}
         left = dict.fromkeys(own, 0.)
-        for verdict, colour in VERDICTS.items():
-            shares = {method: 100 * found[verdict] / sum(found.values()) for method, found in own.items()}
-            axes.barh(list(shares), list(shares.values()), left=list(left.values()), color=colour, label=verdict)
+        for verdict in found:
+            shares = {method: 100 * of[verdict] / sum(of.values()) for method, of in own.items()}
+            axes.barh(list(shares), list(shares.values()), left=list(left.values()), color=VERDICTS[verdict], label=verdict)
             left = {method: left[method] + share for method, share in shares.items()}
         axes.grid(False)
-        axes.set_title(f"{nodes} node{'s' if nodes > 1 else ''}", fontsize=9)
-        axes.set_xlabel("% of the problems")
-    legend.legend(*grid[0].get_legend_handles_labels(), fontsize=8, loc="center", ncols=len(VERDICTS))
+        axes.set_title(f"{nodes} node{'s' if nodes > 1 else ''}")
+    for axes in grid[-1]:
+        axes.set(xlabel="share of the problems (%)", xticks=(0, 20, 40, 60, 80, 100), xlim=(0, 101))
+    style.legend_below(figure, *grid[0, 0].get_legend_handles_labels(), len(found))
+    style.headline(figure, "newton alone solves all of the random problems")
     return {"small_problems": figure}
 
 

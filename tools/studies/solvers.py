@@ -6,6 +6,7 @@ import csv
 import matplotlib.pyplot as plt
 import numpy as np
 
+import style
 from points import StudyError, tool_point
 from style import METHOD_COLOURS, METHODS
 
@@ -74,55 +75,51 @@ def numbers(row, name):
 
 def traces(rows):
     titles = [title for title in STEPS if any(row["chart"] == title for row in rows)]
-    figure, grid = plt.subplots(1, len(titles), figsize=(3.6 * len(titles), 3.4), sharey=True, squeeze=False)
+    figure, grid = plt.subplots(1, len(titles), figsize=(style.WIDTH, 3.5), sharey=True, squeeze=False)
     for axes, title in zip(grid[0], titles):
-        for row in (row for row in rows if row["chart"] == title):
+        own = [row for row in rows if row["chart"] == title]
+        for row in own:
             seconds = 1e3 * numbers(row, "trace_seconds")
             residuals = np.clip(numbers(row, "trace_residuals"), 1e-17, 1e3)
-            axes.loglog(np.maximum(seconds, 1e-2), residuals, color=METHOD_COLOURS[row["method"]], lw=1.3,
-                        label=f"{row['method']}")
+            axes.plot(np.maximum(seconds, 1e-2), residuals, color=METHOD_COLOURS[row["method"]], label=row["method"])
             axes.plot(max(seconds[-1], 1e-2), residuals[-1], "o" if row["verdict"] == "converged" else "x",
-                      color=METHOD_COLOURS[row["method"]])
+                      color=METHOD_COLOURS[row["method"]], markersize=5)
         axes.axhline(1e-10, color="grey", lw=0.8, ls=":")
-        axes.set_title(f"{title}\n{[row for row in rows if row['chart'] == title][0]['contact_nodes']} contact nodes",
-                       fontsize=9)
-        axes.set_xlabel("milliseconds in the step")
+        ease, _, step = title.partition(": ")
+        axes.set(xscale="log", yscale="log", title=f"{ease}, {own[0]['contact_nodes']} nodes\n({step})")
+        axes.minorticks_off()
+        style.plain_ticks(axes.xaxis, (0.01, 1, 100))
+        axes.xaxis.set_minor_locator(plt.FixedLocator((0.1, 10, 1000)))
     grid[0][0].set_ylabel("residual")
-    grid[0][0].legend(fontsize=7, loc="lower left")
+    grid[0][len(titles) // 2].set_xlabel("time in the step (ms)")
+    style.legend_below(figure, *grid[0][0].get_legend_handles_labels(), 6)
+    style.headline(figure, "newton solves every step, and needs the least time")
     return figure
 
 
-def size_line(axes, rows, quantity, label, **style):
+def size_line(axes, rows, quantity, label, **looks):
     converged = [row for row in rows if row["verdict"] == "converged"]
-    axes.loglog([int(row["contact_nodes"]) for row in converged], [quantity(row) for row in converged], label=label,
-                ms=4, **style)
+    axes.plot([int(row["contact_nodes"]) for row in converged], [quantity(row) for row in converged], label=label, **looks)
 
 
 def sizes(rows):
     cases = [case for case in METHODS_OF_SIZES if any(row["chart"] == f"sizes {case}" for row in rows)]
-    figure, grid = plt.subplots(1, 3, figsize=(11, 3.4))
+    figure, grid = plt.subplots(1, 2, figsize=(style.WIDTH, 3.6))
     for case, marker in zip(cases, ("o-", "^--")):
         for method in COMPARED:
             own = [row for row in rows if row["chart"] == f"sizes {case}" and row["method"] == method]
-            if not own:
-                continue
-            style = {"color": METHOD_COLOURS[method], "marker": marker[0], "ls": marker[1:]}
-            size_line(grid[0], own, lambda row: int(row["iterations"]), f"{method}, {case}", **style)
-            size_line(grid[1], own, lambda row: float(row["seconds"]), f"{method}, {case}", **style)
-    own = [row for row in rows if row["chart"] == "sizes B" and row["method"] == "uzawa"]
-    size_line(grid[2], own, lambda row: float(row["seconds"]) / int(row["iterations"]), "condensed: dense product",
-              color="#0072b2", marker="o")
-    size_line(grid[2], [row for row in rows if row["chart"] == "condensed"],
-              lambda row: float(row["seconds"]) / int(row["iterations"]), "not condensed: solution with the sparse factor",
-              color="#d55e00", marker="s")
-    for axes, label in zip(grid, ("iterations in the step", "seconds in the step", "seconds per iteration of uzawa")):
-        axes.set_xlabel("contact nodes (quarter, Q2)")
-        axes.set_ylabel(label)
-    grid[1].legend(fontsize=6.5, loc="upper left")
-    grid[2].legend(fontsize=7)
-    for axes in grid:
-        axes.set_xticks([100, 200, 500, 1000], ["100", "200", "500", "1000"])
-        axes.set_xticks([], minor=True)
+            if own:
+                looks = {"color": METHOD_COLOURS[method], "marker": marker[0], "ls": marker[1:]}
+                size_line(grid[0], own, lambda row: int(row["iterations"]), f"{method}, case {case}", **looks)
+                size_line(grid[1], own, lambda row: 1e3 * float(row["seconds"]), f"{method}, case {case}", **looks)
+    for axes, title, ticks in zip(grid, ("iterations in the step", "time in the step (ms)"),
+                                  ((10, 100, 1000), (1, 10, 100, 1000, 10000))):
+        axes.set(xscale="log", yscale="log", title=title, xlabel="contact nodes (quarter, degree 2)")
+        axes.minorticks_off()
+        style.plain_ticks(axes.xaxis, (100, 200, 500, 1000))
+        style.plain_ticks(axes.yaxis, ticks)
+    style.legend_below(figure, *grid[0].get_legend_handles_labels(), 3)
+    style.headline(figure, "newton takes the fewest iterations, and they hardly grow with the mesh")
     return figure
 
 
@@ -130,7 +127,7 @@ def figures(rows):
     return {"solvers": traces(rows), "solver_sizes": sizes(rows)}
 
 
-def tables(rows):
+def table_of_steps(rows):
     text = "| step | " + " | ".join(f"`{method}`" for method in METHODS) + " |\n" + "|---" * (len(METHODS) + 1) + "|\n"
     for title in STEPS:
         own = {row["method"]: row for row in rows if row["chart"] == title}
@@ -138,4 +135,21 @@ def tables(rows):
             text += f"| {title} | " + " | ".join(
                 f"{own[method]['iterations']}, {1e3 * float(own[method]['seconds']):.0f} ms" if
                 own[method]["verdict"] == "converged" else f"{own[method]['verdict']}" for method in METHODS) + " |\n"
-    return {"solvers": text}
+    return text
+
+
+def table_of_condensing(rows):
+    """What an iteration of uzawa takes: a dense product, or a solution with the sparse factor."""
+    text = "| contact nodes | condensed: a dense product | not condensed: a solution with the sparse factor |\n|--:|--:|--:|\n"
+    times = {}
+    for row in rows:
+        if row["method"] == "uzawa" and row["chart"] in ("sizes B", "condensed"):
+            milliseconds = 1e3 * float(row["seconds"]) / int(row["iterations"])
+            times.setdefault(int(row["contact_nodes"]), {})[row["chart"]] = f"{milliseconds:.2g} ms"
+    for nodes, of in times.items():
+        text += f"| {nodes} | {of.get('sizes B', '')} | {of.get('condensed', '')} |\n"
+    return text
+
+
+def tables(rows):
+    return {"solvers": table_of_steps(rows), "condensing": table_of_condensing(rows)}

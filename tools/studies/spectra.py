@@ -7,6 +7,7 @@ import matplotlib.pyplot as plt
 import numpy as np
 
 import scenes
+import style
 from points import StudyError, tool_point
 from style import COLOURS, METHOD_COLOURS
 
@@ -83,52 +84,64 @@ def measured(context):
     return context.measure(spectra + points, extract, jobs=context.jobs, threads=1)
 
 
-MARKERS = {"converged": ("o", COLOURS[0]), "slow": ("^", COLOURS[4])}  # else a cross
+ENDS = {"converged": ("o", COLOURS[0], "converges"), "slow": ("^", COLOURS[4], "has not converged after 20 000 iterations"),
+        "": ("x", COLOURS[1], "cycles or diverges")}
 
 
 def draw_box3(axes, rows, title):
     names = list(dict.fromkeys(row["place"] for row in rows))
     for row in rows:
         if row["method"]:
-            marker, colour = MARKERS.get(row["verdict"], ("x", COLOURS[1]))
-            axes.plot(float(row["share"]), names.index(row["place"]), marker, color=colour)
-            if row["verdict"] == "converged" and not 0.7 < float(row["share"]) < 1.2:
-                axes.annotate(row["iterations"], (float(row["share"]), names.index(row["place"])), fontsize=5.5,
-                              xytext=(0, 5), textcoords="offset points", ha="center")
+            marker, colour, _ = ENDS.get(row["verdict"], ENDS[""])
+            axes.plot(float(row["share"]), names.index(row["place"]), marker, color=colour, markersize=5)
     limits = {row["place"]: 2 / float(row["box3_lambda"]) for row in rows if not row["method"]}
-    axes.set_yticks(range(len(names)), [f"{name}, limit {limits[name]:.2g}" for name in names], fontsize=7)
+    axes.set_yticks(range(len(names)), [f"case {name[0]}, degree {name[-1]} (limit {limits[name]:.2f})" for name in names])
     axes.axvline(1, color="grey", lw=0.8)
-    axes.set_xscale("log")
-    axes.set_xticks([0.3, 0.6, 1, 2, 4], ["0.3", "0.6", "1", "2", "4"])
-    axes.set_ylim(-0.6, len(names) - 0.3)
-    axes.set_xlabel("rho factor / (2/λ_max(ρ C W))")
-    axes.set_title(title, fontsize=9)
+    axes.set(xscale="log", xlim=(0.25, 4.8), ylim=(-0.6, len(names) - 0.4), title=title)
+    axes.minorticks_off()
+    style.plain_ticks(axes.xaxis, (0.3, 0.6, 1, 2, 4))
 
 
-def draw_slip_rule(axes, rows):
-    spectra = {row["place"]: float(row["symmetric_least"]) / float(row["symmetric_largest"])
-               for row in rows if not row["method"]}
+def box3(rows):
+    figure, (stick, slip) = plt.subplots(2, 1, figsize=(style.WIDTH, 4.2), sharex=True, height_ratios=(1, 2))
+    draw_box3(stick, [row for row in rows if row["chart"] == "box3 stick"], "ν = 0: all nodes stick")
+    draw_box3(slip, [row for row in rows if row["chart"] == "box3 slip"], "the paper's cases: some nodes slip")
+    slip.set_xlabel("rho factor, relative to the limit")
+    handles = [plt.Line2D([], [], marker=marker, color=colour, ls="") for marker, colour, _ in ENDS.values()]
+    style.legend_below(figure, handles, [name for _, _, name in ENDS.values()], 3)
+    style.headline(figure, "Box 3 for all nodes at once converges only if ρ is small")
+    return figure
+
+
+def draw_iterations(axes, rows):
     for method in METHODS:
         own = [row for row in rows if row["method"] == method]
         ratios = np.array([float(row["place"]) for row in own])
         iterations = np.array([max(1, int(row["iterations"])) for row in own])
         good = np.array([row["verdict"] == "converged" for row in own])
-        axes.loglog(ratios, iterations, "-", color=METHOD_COLOURS[method], lw=1, label=method)
-        axes.loglog(ratios[good], iterations[good], "o", color=METHOD_COLOURS[method], ms=4)
-        axes.loglog(ratios[~good], iterations[~good], "x", color=METHOD_COLOURS[method])
-    axes.set_xlabel("(p_x/p_y) / (μ_x/μ_y)")
-    axes.set_ylabel("iterations, first step up (x: not converged)")
-    axes.legend(fontsize=7)
-    other = axes.twinx()
-    other.semilogx([float(place) for place in spectra], list(spectra.values()), "--", color="grey", lw=1)
-    other.set_ylabel("least / largest eigenvalue of sym(D C W D)  (dashed)", fontsize=8)
-    other.spines["right"].set_visible(True)
-    other.grid(False)
+        axes.plot(ratios, iterations, "-", color=METHOD_COLOURS[method])
+        axes.plot(ratios[good], iterations[good], "o", color=METHOD_COLOURS[method], label=method)
+        axes.plot(ratios[~good], iterations[~good], "x", color=METHOD_COLOURS[method], markersize=6)
+    axes.plot([], [], "x", color="0.3", label="not converged")
+    axes.set(xscale="log", yscale="log", ylabel="iterations of the\nfirst step up")
+    style.plain_ticks(axes.yaxis, (10, 100, 1000, 10000))
+
+
+def slip_rules(rows):
+    figure, (counts, eigenvalues) = plt.subplots(2, 1, figsize=(style.WIDTH, 4.6), sharex=True, height_ratios=(1.6, 1))
+    draw_iterations(counts, rows)
+    spectra = {float(row["place"]): 1e3 * float(row["symmetric_least"]) / float(row["symmetric_largest"])
+               for row in rows if not row["method"]}
+    eigenvalues.plot(spectra.keys(), spectra.values(), "o-", color="0.3")
+    eigenvalues.set(ylabel="least / largest\neigenvalue, ‰", xlabel="ratio of the slip ellipse / ratio of the friction ellipse")
+    for axes in (counts, eigenvalues):
+        axes.minorticks_off()
+        style.plain_ticks(axes.xaxis, (0.02, 0.1, 0.5, 1, 2, 10, 50))
+        axes.axvline(1, color="grey", lw=0.8)
+    style.legend_below(figure, *counts.get_legend_handles_labels(), 5)
+    style.headline(figure, "Only newton and gauss-seidel converge for every slip rule")
+    return figure
 
 
 def figures(rows):
-    figure, (stick, slip, rule) = plt.subplots(1, 3, figsize=(13, 3.8), width_ratios=(1, 1, 1.4))
-    draw_box3(stick, [row for row in rows if row["chart"] == "box3 stick"], "box3, ν = 0: all nodes stick")
-    draw_box3(slip, [row for row in rows if row["chart"] == "box3 slip"], "box3, the paper's friction (triangle: slow)")
-    draw_slip_rule(rule, [row for row in rows if row["chart"] == "slip rule"])
-    return {"spectra": figure}
+    return {"spectra": box3(rows), "slip_rules": slip_rules([row for row in rows if row["chart"] == "slip rule"])}

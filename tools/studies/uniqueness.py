@@ -94,28 +94,21 @@ def draw_one_node(axes, rows):
     axes.pcolormesh(angles, factors, image, cmap=style.matplotlib.colors.ListedColormap(colours), vmin=-0.5, vmax=3.5,
                     shading="nearest", rasterized=True)
     axes.axhline(1, color="black", linestyle="--", linewidth=1)
-    handles = [style.matplotlib.patches.Patch(color=colour, label=name)
-               for colour, name in zip(colours, STATES.values())]
-    axes.legend(handles=handles, loc="upper left", frameon=True, fontsize=8)
-    axes.set(xlim=(40, 140), yscale="log", xlabel="direction of the load q, degrees from $q_n$ to $q_t$",
-             ylabel="$\\mu\\,|w_{nt}|/w_{nn}$", title="One node: states that solve the law")
-    plain_numbers(axes.yaxis, (0.25, 0.5, 1, 2, 4, 8))
-
-
-def plain_numbers(axis, ticks):
-    axis.set_major_locator(style.matplotlib.ticker.FixedLocator(ticks))
-    axis.set_major_formatter(style.matplotlib.ticker.FormatStrFormatter("%g"))
-    axis.set_minor_locator(style.matplotlib.ticker.NullLocator())
+    for (angle, factor), name in zip(((55, 1.5), (95, 0.35), (115, 2), (80.5, 5)), STATES.values()):
+        axes.text(angle, factor, name, ha="center", va="center", fontsize=9)
+    axes.set(xlim=(40, 140), yscale="log", xlabel="direction of the load (degrees, from normal to tangential)",
+             ylabel="friction / critical friction", title="one node: states that solve the law")
+    axes.minorticks_off()
+    style.plain_ticks(axes.yaxis, (0.25, 0.5, 1, 2, 4, 8))
 
 
 def draw_meshes(axes, rows, x_of, **labels):
     for colour, (case, (_, name)) in zip(style.COLOURS, CASES.items()):
         chosen = sorted((x_of(row), float(row["critical_factor"])) for row in rows if row["case"] == case)
         if chosen:
-            axes.plot(*zip(*chosen), "o-", color=colour, label=name)
-    axes.axhline(1, color="black", linestyle="--", linewidth=1)
-    axes.set(**labels, ylim=(0, 12), ylabel="critical factor")
-    axes.legend(ncols=3, loc="upper center", fontsize=8)
+            axes.plot(*zip(*chosen), "o-", color=colour, label=f"case {name}")
+    axes.axhline(1, color="black", linestyle="--", linewidth=1, label="1: several solutions below")
+    axes.set(**labels, ylim=(0, 11), yticks=(0, 2, 4, 6, 8, 10))
 
 
 def draw_starts(axes, rows, critical, name):
@@ -123,32 +116,46 @@ def draw_starts(axes, rows, critical, name):
     rows = sorted(rows, key=lambda row: float(row["friction"]))
     x = [float(row["friction"]) / critical for row in rows]
     for method in METHODS:
-        axes.plot(x, [100 * int(row[f"failed_{method}"]) / int(row["solves"]) for row in rows], "o-", markersize=4,
-                  color=style.METHOD_COLOURS[method], label=f"{method} fails")
+        axes.plot(x, [100 * int(row[f"failed_{method}"]) / int(row["solves"]) for row in rows], "o-",
+                  color=style.METHOD_COLOURS[method], label=f"starts from which {method} fails")
     axes.plot(x, [100 * int(row["loads_with_several"]) / int(row["loads"]) for row in rows], "s--", color="black",
-              markersize=5, label="loads with several solutions")
+              label="loads with several solutions")
     axes.axvline(1, color="black", linestyle="--", linewidth=1)
-    axes.axvline(1 / critical, color="black", linestyle=":", linewidth=1)
-    axes.text(1 / critical, 97, " as given ", fontsize=8, va="top", ha="left" if critical > 2 else "right")
-    axes.set(xscale="log", ylim=(-3, 100), xlabel="friction / critical friction", ylabel="percent",
-             title=f"Case {name}: random loads")
-    plain_numbers(axes.xaxis, (0.125, 0.25, 0.5, 1, 2, 4, 8))
+    axes.axvline(1 / critical, color="black", linestyle=":", linewidth=1, label="friction of the case")
+    axes.set(xscale="log", xlim=(0.1, 10), ylim=(-3, 103), title=f"case {name}")
+    axes.minorticks_off()
+    style.plain_ticks(axes.xaxis, (0.1, 0.2, 0.5, 1, 2, 5, 10))
 
 
-def figures(rows):
-    figure, axes = style.plt.subplots(2, 3, figsize=(11.5, 7))
-    draw_one_node(axes[0, 0], [row for row in rows if row["kind"] == "one node"])
+def critical_friction(rows):
+    figure, axes = style.plt.subplot_mosaic([["node", "node"], ["refinement", "poisson"]], figsize=(style.WIDTH, 5.2))
+    draw_one_node(axes["node"], [row for row in rows if row["kind"] == "one node"])
     meshes = [row for row in rows if row["kind"] == "mesh" and row["critical_factor"] != "failed"]
-    usual = [row for row in meshes if float(row["poisson_ratio"]) == 0.3]
-    draw_meshes(axes[0, 1], usual, lambda row: RESOLUTIONS.index(row["resolution"]), xlabel="Mesh/Resolution",
-                title="Meshes: refinement")
-    axes[0, 1].set_xticks(range(len(RESOLUTIONS)), RESOLUTIONS)
-    draw_meshes(axes[0, 2], [row for row in meshes if row["resolution"] == "coarse"],
-                lambda row: float(row["poisson_ratio"]), xlabel="Poisson ratio", title="Meshes: Poisson ratio")
-    critical = {row["case"]: float(row["critical_factor"]) for row in usual if row["resolution"] == "coarse"}
-    for ax, (case, (_, name)) in zip(axes[1], CASES.items()):
+    draw_meshes(axes["refinement"], [row for row in meshes if float(row["poisson_ratio"]) == 0.3],
+                lambda row: RESOLUTIONS.index(row["resolution"]), xlabel="resolution of the mesh",
+                ylabel="critical friction\n/ friction of the case", title="cases, over the mesh")
+    axes["refinement"].set_xticks(range(len(RESOLUTIONS)), RESOLUTIONS)
+    draw_meshes(axes["poisson"], [row for row in meshes if row["resolution"] == "coarse"],
+                lambda row: float(row["poisson_ratio"]), xlabel="Poisson's ratio", title="cases, over Poisson's ratio")
+    style.legend_below(figure, *axes["poisson"].get_legend_handles_labels(), 4)
+    style.headline(figure, "Above the critical friction a node has three states; only case C comes near")
+    return figure
+
+
+def random_loads(rows):
+    critical = {row["case"]: float(row["critical_factor"]) for row in rows
+                if row["kind"] == "mesh" and row["resolution"] == "coarse" and float(row["poisson_ratio"]) == 0.3}
+    figure, axes = style.plt.subplots(1, 3, figsize=(style.WIDTH, 3.4), sharey=True)
+    for ax, (case, (_, name)) in zip(axes, CASES.items()):
         chosen = [row for row in rows if row["kind"] == "random loads" and row["case"] == case]
         if chosen and case in critical:
             draw_starts(ax, chosen, critical[case], name)
-    axes[1, 0].legend(loc="center left", fontsize=7.5)
-    return {"uniqueness": figure}
+    axes[0].set_ylabel("share (%)")
+    axes[1].set_xlabel("friction / critical friction")
+    style.legend_below(figure, *axes[0].get_legend_handles_labels(), 2)
+    style.headline(figure, "Random loads: solvers fail from about the critical friction on, newton least")
+    return figure
+
+
+def figures(rows):
+    return {"uniqueness": critical_friction(rows), "uniqueness_loads": random_loads(rows)}

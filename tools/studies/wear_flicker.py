@@ -50,44 +50,56 @@ def draw_errors(axes, rows):
     errors = errors_of(rows)
     adapted = errors.pop(ADAPTED)
     lengths, values = np.array([int(name) for name in errors]), np.array(list(errors.values()))
-    axes.plot(lengths, np.abs(values), "-", color=style.COLOURS[0], linewidth=1)
-    for chosen, mark, name in ((values > 0, "o", "too much is worn"), (values < 0, "v", "too little is worn")):
-        axes.plot(lengths[chosen], np.abs(values[chosen]), mark, color=style.COLOURS[0], label=name)
-    axes.axhline(abs(adapted), color=style.COLOURS[2], linestyle="--", label="adapted jumps, any depth allowed")
-    axes.set(xscale="log", yscale="log", xlabel="cycles of a jump", ylabel="worn volume: error (%)", yticks=(1, 2, 5, 10, 20))
-    axes.yaxis.set_major_formatter("{x:g}")
-    axes.yaxis.set_minor_formatter("")
-    axes.legend(fontsize=7)
+    axes.plot(lengths, values, "o-", color=style.COLOURS[0], label="jumps of a fixed length")
+    axes.axhline(adapted, color=style.COLOURS[2], linestyle="--", label="adapted jumps")
+    axes.axhline(0, color="0.3", linewidth=0.8)
+    axes.set(title="error of the worn volume (%)")
+    axes.legend(loc="lower left")
 
 
 def draw_flicker(axes, rows):
     shown = rows[1:-1]
     lengths = [int(row["jump"]) for row in shown]
-    for number, (name, mark, label) in enumerate((("change", "o-", "change of the rate from jump to jump"),
-                                                  ("flattening", "s--", "depth of a jump / flattening"))):
-        axes.plot(lengths, [float(row[name]) for row in shown], mark, color=style.COLOURS[number], label=label)
-    axes.set(xscale="log", xlabel="cycles of a jump", ylabel="share, mean of all jumps")
-    axes.legend(fontsize=7)
+    for number, (name, mark, label) in enumerate((("change", "o-", "change of the rate"),
+                                                  ("flattening", "s--", "depth / flattening"))):
+        axes.plot(lengths, [float(row[name]) for row in shown], mark, color=style.COLOURS[1 + 2 * number], label=label)
+    axes.set(title="share, mean of all jumps", ylim=(0, None))
+    axes.legend(loc="upper left")
 
 
-def draw_profiles(axes, rows):
-    jumps = [row["jump"] for row in rows]
-    for name, mark, colour, label in ((REFERENCE, ".", "black", "every cycle computed"),
-                                      (STEADY, "o", style.COLOURS[0], f"jumps of {STEADY} cycles"),
-                                      (FLICKERING, "x", style.COLOURS[1], f"jumps of {FLICKERING} cycles")):
-        if name in jumps:
-            places = [place.split(":") for place in rows[jumps.index(name)]["profile"].split()]
-            radius, depth = np.array(places, dtype=float).T
-            axes.plot(radius, depth, mark, color=colour, markersize=5, fillstyle="none", label=label)
-    axes.set(xlim=(0.3, 0.75), xlabel="r (mm)", ylabel="worn depth (nm)")
-    axes.legend(fontsize=7)
+def worn_nodes(rows):
+    """{jump: depths, nm} of the nodes that wear in the reference, by their distance from the centre."""
+    of = {row["jump"]: np.array([place.split(":") for place in row["profile"].split()], dtype=float)
+          for row in rows if row["profile"]}
+    radius, depth = of[REFERENCE].T
+    chosen = np.flatnonzero(depth > 0.01 * depth.max())
+    chosen = chosen[np.lexsort((-depth[chosen], radius[chosen].round(3)))]
+    return radius[chosen], {jump: places[chosen, 1] for jump, places in of.items()}
+
+
+def draw_nodes(axes, rows):
+    radius, depths = worn_nodes(rows)
+    for number, (jump, colour, label) in enumerate(((REFERENCE, "0.2", "every cycle computed"),
+                                                    (STEADY, style.COLOURS[5], f"jumps of {STEADY} cycles"),
+                                                    (FLICKERING, style.COLOURS[1], f"jumps of {FLICKERING} cycles"))):
+        if jump in depths:
+            axes.bar(np.arange(len(radius)) + 0.27 * (number - 1), depths[jump], 0.27, color=colour, label=label)
+    axes.set_xticks(np.arange(len(radius)), [f"{r:.2f}" for r in radius])
+    axes.grid(False, axis="x")
+    axes.set(xlabel="contact nodes that wear, by their distance from the centre (mm)", title="worn depth (nm)")
 
 
 def figures(rows):
-    figure, (left, middle, right) = plt.subplots(1, 3, figsize=(11, 3.3))
-    draw_errors(left, rows)
-    draw_flicker(middle, rows)
-    draw_profiles(right, rows)
+    figure, axes = plt.subplot_mosaic([["errors", "flicker"], ["nodes", "nodes"]], figsize=(style.WIDTH, 5))
+    draw_errors(axes["errors"], rows)
+    draw_flicker(axes["flicker"], rows)
+    draw_nodes(axes["nodes"], rows)
+    for ax in (axes["errors"], axes["flicker"]):
+        ax.set(xscale="log", xlabel="cycles of a jump")
+        ax.minorticks_off()
+        style.plain_ticks(ax.xaxis, (10, 100, 1000))
+    style.legend_below(figure, *axes["nodes"].get_legend_handles_labels(), 3)
+    style.headline(figure, "Jumps that wear too deep leave out some nodes in turn, and wear too little")
     return {"wear_flicker": figure}
 
 

@@ -84,6 +84,12 @@ def axes_cross(ax, radius=10):
     ax.text(0.75 * radius, -0.97 * radius, f"{0.5 * radius:g} mm", fontsize=8, ha="center", va="bottom")
 
 
+def scale_bar(ax, length, radius=10):
+    """A bar of this length (mm) below a map that is too small for a bar within it."""
+    ax.plot([-0.5 * length, 0.5 * length], [-1.2 * radius] * 2, color="black", linewidth=1.2, solid_capstyle="butt", clip_on=False)
+    ax.text(0, -1.27 * radius, f"{length:g} mm", fontsize=8, ha="center", va="top")
+
+
 def contours(ax, surface, values, levels, cmap, colour="black"):
     """Filled contours with lines; what lies outside the levels has the colours at the ends of the map."""
     triangulation, values = surface.triangulation(), surface.with_centres(values)

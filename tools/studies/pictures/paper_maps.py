@@ -8,7 +8,7 @@ from matplotlib.patches import Ellipse
 
 import docs_page
 import run_folder
-from disc_map import Surface, axes_cross, contours, levels_of, scale, status_legend, status_map
+from disc_map import Surface, axes_cross, contours, levels_of, scale, scale_bar, status_legend, status_map
 from docs_page import WIDTH
 from paper_printed import CASES, FRICTION_ELLIPSE, PEAK, PRINTED, TITLES, UNLOADING
 from paper_runs import MESHES
@@ -91,7 +91,8 @@ def figure_8(runs):
             axes[0, 3 * block + i].set_title(f"case {case.upper()},\n{mesh}")
     for ax, step in zip(axes[:, 0], UNLOADING):
         ax.set_ylabel(f"step {step}")
-    status_legend(figure, Line2D([], [], linestyle="none", label="radius 10 mm, x to the right"))
+    scale_bar(axes[-1, 0], 10)
+    status_legend(figure, Line2D([], [], linestyle="none", label="x to the right, y upwards"))
     docs_page.headline(figure, "In the first unloading the rim sticks first, and slips back later")
     return figure
 
