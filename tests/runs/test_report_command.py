@@ -76,6 +76,7 @@ class CommandTest(unittest.TestCase):
         self.assert_error(report(self.folder / "nothing"), 4, "nothing: no such folder")
         empty = tempfile.mkdtemp(dir=SCRATCH.name)
         missing = "not a run folder, for history.csv and parameters.prm are missing"
+        (self.folder / "report.html").unlink(missing_ok=True)  # that other tests made
         self.assert_error(report(empty), 4, missing)
         self.assert_error(report(self.folder, empty), 4, missing)
         self.assertFalse((self.folder / "report.html").exists())
