@@ -220,4 +220,10 @@ class Run:
         """The fields of a step, a ContactFile; None is the last step that has such a file."""
         if step is None:
             step = max(self.contact_steps(kind), default=0)
-        return ContactFile(self.path / f"{kind}-{step:04d}.vtu")
+        file = self.path / f"{kind}-{step:04d}.vtu"
+        if self.path.is_dir() and not file.exists():
+            steps = self.contact_steps(kind)
+            entry = "Contact fields" if kind == "contact" else "Volume fields"
+            which = f"it has {len(steps)}, of steps {steps[0]} to {steps[-1]}" if steps else f"it has none (Output/{entry})"
+            raise FileNotFoundError(f"{self.path}: there is no {kind} file of step {step}; {which}")
+        return ContactFile(file)

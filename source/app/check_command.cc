@@ -91,7 +91,7 @@ void print_expected_contact(const Parameters &parameters, const ModelChoice &mod
     return;
   const double across = nodes_across(*expected, body.unknowns().contact_surface(), model.symmetry);
   std::cout << "contact        " << describe(*expected) << ", about " << std::round(across)
-            << " nodes across\n";
+            << (std::round(across) == 1 ? " node across\n" : " nodes across\n");
   if (across < least_nodes)
     std::cout
         << "warning: Mesh: the contact to be expected has " << std::round(across)

@@ -61,8 +61,11 @@ std::string no_equilibrium_text(const LoadStep &step, const LoadSteps &steps, co
        << (loose.empty() ? "held face" : "body") << " is more than contact and friction can carry"
        << (loose.empty() ? "" : ", which alone hold it " + motions_in_words(loose)) << ".\nThe first "
        << std::setprecision(3) << percent * carried
-       << " % of the leg are carried (to 1 %), and the files of earlier steps are kept. Take smaller forces "
-          "in this leg, or a motion.";
+       << " % of the leg are carried (to 1 %), and the files of earlier steps are kept. ";
+  if (step.by_force[2] && step.force[2] > 0)
+    text << "A positive Fz pulls the body off, and a negative one presses it.";
+  else
+    text << "Take smaller forces in this leg, or a motion.";
   return text.str();
 }
 

@@ -21,6 +21,7 @@ bool rises(Peaks::Peak &peak, const double value, const unsigned int step)
 void Peaks::consider(const unsigned int step, const Totals &totals)
 {
   constexpr double least_share = 1e-3;
+  ++n_steps;
   const double sideways = std::hypot(totals.force[0], totals.force[1]);
   rises(slip, totals.max_slip, step);
   rises(pressure, totals.max_pressure, step);

@@ -139,6 +139,10 @@ std::vector<std::string> all_warnings(const Parameters &parameters, const RunRec
   warn_of_energy(record, warnings);
   warn_of_fast_wear(record, warnings);
   warn_of_large_motions(record, warnings);
+  if (record.peaks.n_steps > 0 && record.peaks.contact_area.second == 0 && !parameters.obstacle.is_plane())
+    warnings.emplace_back(
+        "Load program: the bodies do not touch in any load step; let uz close the gap, or make "
+        "Obstacle/Gap smaller");
   for (std::string &warning : zone_warnings(parameters, record.zones))
     warnings.push_back(std::move(warning));
   constexpr double most_of_change = 0.1; // docs/theory.md, section 3, "Gaps and friction that varies"

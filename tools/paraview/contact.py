@@ -298,7 +298,7 @@ def body_view(run, reader, centre):
     """Displacements enlarged, of the whole body whatever part of it is modelled; of an axisymmetric one the section
     through its axis."""
     if not run.volume:
-        print(text := "Deformed body: no volume.pvd (Output/Volume fields = 0)")
+        print(text := "Deformed body: no volume.pvd (Output/Volume fields = 0); a run with 1 writes it")
         return new_view(reader, run.titles(text), [0, 0, 0], 1)
     grid = Grid(run.volume[run.peak(run.volume, "elastic_energy")], centre)
     of_lower = Grid(run.lower[run.peak(run.volume, "elastic_energy")], centre) if run.lower else grid

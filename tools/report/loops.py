@@ -5,6 +5,7 @@ hides them."""
 import numpy as np
 
 LEAST_ROWS = 3
+LEAST_FORCE = 1e-9  # of the largest one: a force that the load program holds has no elastic part
 LEAST_MOTION = 1e-3  # of the largest one: a face that a force holds moves a little, and draws no loop
 CLOSED = 1e-2  # of the loop: how far its ends may be from each other
 # Motion, force of the plane on the body, and the factor that makes it the force which the page draws: along and about the
@@ -62,13 +63,15 @@ def area_of(data, motion, force, rows):
 
 
 def departure(data, component, name, rows):
-    """The force less the line that fits it best; None where the top does not move in this way."""
+    """The force less the line that fits it best; None where the top does not move in this way, or a force holds still."""
     of_motion, of_force, sign = COMPONENTS[component]
     if of_motion not in data.history or of_force not in data.history:  # older runs have no rotations
         return None
     motion, force = data.history[of_motion], sign * data.history[of_force]
     largest = np.max(np.abs(motion))
     if len(rows) < LEAST_ROWS or largest == 0 or np.ptp(motion[rows]) <= LEAST_MOTION * largest:
+        return None
+    if np.ptp(force[rows]) <= LEAST_FORCE * np.max(np.abs(force)):
         return None
     stiffness, offset = np.polyfit(motion[rows], force[rows], 1)
     return {"stiffness": stiffness, "offset": offset, "of": name, "values": force - offset - stiffness * motion,

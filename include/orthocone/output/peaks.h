@@ -25,10 +25,12 @@ struct Peaks
   Peak sheared_contact{0, 0}; ///< contact area when the tangential force was largest, mm^2
   Peak sheared_stick{0, 0};   ///< stick area then, mm^2
 
+  unsigned int n_steps = 0; ///< since the start or the last interruption
+
   /// Takes over larger values of a step.
   void consider(unsigned int step, const Totals &totals);
 
-  /// All of them, in this order, to be stored and restored.
+  /// All peaks, in this order, to be stored and restored.
   std::array<Peak *, 8> all();
 };
 } // namespace orthocone

@@ -242,6 +242,11 @@ public:
     return "l_z of " + geometry.section + "/Sizes";
   }
 
+  double base_layer(const BodyOptions &body) const override
+  {
+    return body.geometry.sizes[2] * end_share(body.mesh.cells[2], body.mesh.layer_grading);
+  }
+
   double rim_size(const BodyOptions &body) const override
   {
     const auto &sizes = body.geometry.sizes;
@@ -256,7 +261,7 @@ public:
 
   std::string finer_cells(const BodyOptions &body) const override
   {
-    return "more " + body.mesh.section + "/Cells";
+    return "more " + body.mesh.section + "/Cells, or an Edge grading above 1";
   }
 
   std::string describe(const GeometryOptions &geometry) const override

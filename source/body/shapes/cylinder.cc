@@ -257,6 +257,11 @@ public:
     return geometry.section + "/Height";
   }
 
+  double base_layer(const BodyOptions &body) const override
+  {
+    return body.geometry.height * end_share(body.mesh.layers, body.mesh.layer_grading);
+  }
+
   double rim_size(const BodyOptions &body) const override
   {
     const MeshOptions &mesh = body.mesh;
@@ -269,10 +274,9 @@ public:
   std::string finer_cells(const BodyOptions &body) const override
   {
     const std::string entry = body.mesh.section + "/";
-    return entry + "Resolution = medium or fine, or " + entry +
-           "Resolution = custom (and Accuracy = 0) with more Core cells, and a Core ratio with which the "
-           "core "
-           "surrounds the zone";
+    return entry + "Resolution = coarse, medium or fine, or " + entry +
+           "Resolution = custom (and Accuracy = 0) with more Core cells, a Core ratio with which the core "
+           "surrounds the zone, and Layers as thin as these cells";
   }
 
   std::string describe(const GeometryOptions &geometry) const override

@@ -63,6 +63,9 @@ public:
   /// The entry of its height, as messages name it.
   virtual std::string height_entry(const GeometryOptions &) const { return {}; }
 
+  /// Height of the layer of cells at the base before Refinements, mm; 0 where there are no layers.
+  virtual double base_layer(const BodyOptions &) const { return 0; }
+
   /// Size of the largest elements at the rim of the base, before Refinements, relative to `rim_unit()`.
   virtual double rim_size(const BodyOptions &) const { return 0; }
   virtual std::string rim_unit() const { return {}; }
