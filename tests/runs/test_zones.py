@@ -30,10 +30,19 @@ class ZonesTest(RunTest):
         self.assertEqual(len([warning for warning in warnings if words in warning]), 1, warnings)
 
     def test_a_sphere_on_a_mesh_for_a_flat_base(self):
-        warnings = self.warnings(*QUIET, "Mesh/Resolution=coarse", SPHERE.format(20), "Load program/Legs=Fz -20 : 1")
+        coarse = ["Mesh/Core cells=4", "Mesh/Rings=3", "Mesh/Layers=6", "Mesh/Degree=3", "Mesh/Core ratio=0.6",
+                  "Mesh/Rim grading=0.4", "Mesh/Layer grading=0.5"]
+        sphere = [SPHERE.format(20), "Load program/Legs=Fz -20 : 1"]
+        warnings = self.warnings(*QUIET, *coarse, *sphere)
         self.assert_named(warnings, "the contact is one node spacing wide")
         self.assert_named(warnings, "Mesh/Resolution = custom")
+        self.assert_named(warnings, "the layer of cells at the contact is 0.95 mm high")
+        self.assertEqual(self.warnings(*QUIET, "Mesh/Resolution=coarse", *sphere), [])
         self.assertFalse([warning for warning in warnings if "rim" in warning], warnings)
+
+    def test_bodies_that_never_touch_are_warned_of(self):
+        warnings = self.warnings(*SMALL, "Mesh/Degree=1", "Obstacle/Gap=0.5+x^2/1000", "Load program/Legs=0 0 -0.1 : 1")
+        self.assert_named(warnings, "the bodies do not touch in any load step")
 
     def test_the_rim_is_warned_of_where_it_touches(self):
         gap = [*SMALL, "Mesh/Degree=1", SPHERE.format(4000)]
