@@ -6,6 +6,7 @@
 #include <orthocone/entries/names.h>
 
 #include <algorithm>
+#include <cctype>
 #include <iterator>
 #include <sstream>
 
@@ -104,7 +105,7 @@ std::string parse_targets(const std::string &text, const std::vector<Load> &load
   {
     const std::string &name = words[next++];
     if (!is_name(name, loads))
-      return parse_number(name) ? leg_form : unknown(name, loads);
+      return std::isalpha(static_cast<unsigned char>(name[0])) != 0 ? unknown(name, loads) : leg_form;
     double value = 0;
     if (const std::string fault = parse_value(words, name, loads, next, value); !fault.empty())
       return fault;

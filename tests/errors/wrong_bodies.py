@@ -41,7 +41,7 @@ OF_CELLS = [("Core cells", "0", COUNT), ("Rings", "-1", "a whole number from 0 t
 OF_SIZES = [("Shape", "sphere", "cylinder | box | file"), ("Radius", "0", POSITIVE), ("Height", "-10", POSITIVE),
             ("Sizes", "20, 0, 10", "three numbers > 0 separated by commas"), ("Top face", "loose", "clamped | guided | free"),
             ("Supports", "top x", SUPPORTS)]
-OF_CONSTANTS = [("Young modulus", "210 GPa", POSITIVE), ("Poisson ratio", "0.5", "a number > -1 and < 0.5")]
+OF_CONSTANTS = [("Young modulus", "210 N", POSITIVE + "; N is a unit of force, and this entry has MPa, N/mm^2, N/mm2, GPa, kPa, Pa, bar"), ("Poisson ratio", "0.5", "a number > -1 and < 0.5")]
 GIVEN = [(text.split("set ")[1].split(" = "), message.split("allowed is ", 1)[1], text) for _, text, message in ROWS]
 for section, entries in (("Lower mesh", OF_CELLS), ("Lower geometry", OF_SIZES), ("Lower material", OF_CONSTANTS)):
     ROWS += [row(f"lower_{entry.lower().replace(' ', '_')}", section, entry, value, allowed)

@@ -288,7 +288,8 @@ WARNINGS = [
     (["Mesh/Layers=2", "Mesh/Degree=3"], []),
     (["Mesh/Layers=2", "Obstacle/Gap=(x^2+y^2)/900"], []),  # whether the rim touches is for the steps to say
     (["Mesh/Layers=2", "Obstacle/Gap=(x^2+y^2)/900", "Load program/Legs=Fz -10 : 1"],
-     ["Mesh: the contact to be expected has . nodes? across, and four are the least"]),
+     ["Mesh: the contact to be expected has . nodes? across, and four are the least",
+      "Mesh: the layer of cells at the contact is 5 mm high, but the half width of the contact to be expected is only "]),
     (["Mesh/Rings=1"], [RIM + "2 and 50 % of the radius"]),
     (["Mesh/Degree=1"], [RIM + "1 and 25 % of the radius"]),
     (["Mesh/Degree=1", "Material/Poisson ratio=0.495", "Friction/Slip potential=50, 1", "Geometry/Height=1"],
