@@ -203,7 +203,7 @@ bool set_radii(const GapOverBase &gap, const double distance, const bool is_sect
   if (!curvature.allFinite())
     return false;
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> axes(curvature);
-  const Vector2d values = axes.eigenvalues(); // the larger one comes last
+  const Vector2d &values = axes.eigenvalues(); // the larger one comes last
   if (!(values[1] > 0) || 1 / values[1] > 1e12)
     return false;
   contact.first_axis = axes.eigenvectors().col(1);

@@ -182,7 +182,7 @@ class RunFolderTest(ErrorTest):
 
     def test_full_disk(self):
         """A limit on the size of files stands for the full disk: no file may appear under its name incomplete."""
-        result = self.run_program("good.prm", "--output", "run", "--quiet", "--set", "Mesh/Core cells=20",
+        result = self.run_program("good.prm", "--output", "run", "--quiet", "--set", "Mesh/Core cells=24",
                                   restore_signals=False,  # keeps SIGXFSZ ignored, as Python has it
                                   preexec_fn=lambda: resource.setrlimit(resource.RLIMIT_FSIZE, (40000, 40000)))
         self.assert_sentence(result, FILE_ERROR, r"run/(contact-0001\.vtu|checkpoint/state)\S*: cannot be written \(File too large\)")

@@ -36,7 +36,7 @@ class ZonesTest(RunTest):
         warnings = self.warnings(*QUIET, *coarse, *sphere)
         self.assert_named(warnings, "the contact is one node spacing wide")
         self.assert_named(warnings, "Mesh/Resolution = custom")
-        self.assert_named(warnings, "the layer of cells at the contact is 0.95 mm high")
+        self.assert_named(warnings, "the layer of cells at the contact is 0.71 mm high")
         self.assertEqual(self.warnings(*QUIET, "Mesh/Resolution=coarse", *sphere), [])
         self.assertFalse([warning for warning in warnings if "rim" in warning], warnings)
 
