@@ -10,7 +10,7 @@
 #include <orthocone/base/ranks.h>
 #include <orthocone/base/stopwatch.h>
 #include <orthocone/body/shapes/mesh_ladder.h>
-#include <orthocone/scene/expected_contact.h>
+#include <orthocone/scene/contact_mesh.h>
 #include <orthocone/scene/options.h>
 
 #include <algorithm>

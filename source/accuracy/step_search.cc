@@ -8,7 +8,7 @@
 #include <orthocone/base/machine.h>
 #include <orthocone/body/shapes/shape_kind.h>
 #include <orthocone/scene/computed_steps.h>
-#include <orthocone/scene/expected_contact.h>
+#include <orthocone/scene/contact_mesh.h>
 #include <orthocone/scene/load_program.h>
 
 #include <algorithm>

@@ -14,7 +14,7 @@
 #include <orthocone/output/scene_description.h>
 #include <orthocone/output/summary.h>
 #include <orthocone/scene/computed_steps.h>
-#include <orthocone/scene/expected_contact.h>
+#include <orthocone/scene/contact_mesh.h>
 #include <orthocone/scene/load_program.h>
 #include <orthocone/scene/mesh_files.h>
 
@@ -28,6 +28,8 @@ namespace
 void print_warnings(const Parameters &parameters, const std::string &lack)
 {
   for (const std::string &warning : mesh_file_warnings(parameters))
+    std::cout << "warning: " << warning << "\n";
+  for (const std::string &warning : layer_warnings(parameters))
     std::cout << "warning: " << warning << "\n";
   for (const std::string &warning : parameter_warnings(parameters))
     std::cout << "warning: " << warning << "\n";

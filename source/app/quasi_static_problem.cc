@@ -13,6 +13,7 @@
 #include <orthocone/contact/problem/critical_friction.h>
 #include <orthocone/march/rank_memory.h>
 #include <orthocone/output/answers.h>
+#include <orthocone/scene/contact_mesh.h>
 #include <orthocone/scene/mesh_files.h>
 #include <orthocone/scene/parameters.h>
 
@@ -51,7 +52,9 @@ QuasiStaticProblem::QuasiStaticProblem(ChosenModel chosen, const ModelChoice &ch
   record_.critical_friction = critical_friction_;
   if (parameters_.mesh.backend == BodyBackend::multigrid)
     record_.stretch = scene_.body().mesh().stretch();
-  record_.of_mesh_files = mesh_file_warnings(parameters_);
+  record_.of_files = mesh_file_warnings(parameters_);
+  for (std::string &warning : layer_warnings(parameters_))
+    record_.of_files.push_back(std::move(warning));
   record_.seconds = scene_.seconds();
   // The search for a mesh built the model, too.
   record_.seconds.mesh_search = chosen_.search_seconds - (chosen_.accuracy ? scene_.seconds().sum() : 0);
@@ -155,7 +158,7 @@ void QuasiStaticProblem::begin(const std::optional<Checkpoint> &checkpoint)
   cycles_.restore(checkpoint->cycles, state_, totals_);
   RunRecord before = checkpoint->record;
   before.stretch = record_.stretch;
-  before.of_mesh_files = record_.of_mesh_files;
+  before.of_files = record_.of_files;
   record_ = std::move(before);
   record_.threads = threads_.chosen();
   record_.critical_friction = critical_friction_;

@@ -12,7 +12,7 @@
 #include <orthocone/body/backends/stiffness_factor.h>
 #include <orthocone/march/rank_memory.h>
 #include <orthocone/output/line_files.h>
-#include <orthocone/scene/expected_contact.h>
+#include <orthocone/scene/contact_mesh.h>
 #include <orthocone/scene/line_points.h>
 
 #include <algorithm>

@@ -82,7 +82,7 @@ std::string describe(const CriticalFrictionRecord &critical)
 
 std::vector<std::string> model_warnings(const RunRecord &record)
 {
-  std::vector<std::string> warnings = record.of_mesh_files;
+  std::vector<std::string> warnings = record.of_files;
   if (record.critical_friction.factor <= 1)
     warnings.push_back(
         describe(record.critical_friction) +

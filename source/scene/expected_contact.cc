@@ -3,8 +3,8 @@
 #include <orthocone/scene/expected_contact.h>
 
 #include <orthocone/base/numbers.h>
-#include <orthocone/body/shapes/mesh_ladder.h>
 #include <orthocone/body/shapes/shape_kind.h>
+#include <orthocone/scene/contact_material.h>
 #include <orthocone/scene/load_path.h>
 #include <orthocone/scene/obstacle.h>
 
@@ -24,18 +24,6 @@ using Eigen::Vector2d;
 namespace
 {
 constexpr double infinite = std::numeric_limits<double>::infinity();
-
-/// Material on a rigid plane with the compliances in plane strain, (1 - nu^2)/E, and in antiplane shear,
-/// (1 + nu)/E, of both bodies together.
-MaterialOptions as_one(const MaterialOptions &a, const MaterialOptions &b)
-{
-  const auto antiplane = [](const MaterialOptions &of) { return (1 + of.poisson_ratio) / of.young_modulus; };
-  const double both = antiplane(a) + antiplane(b);
-  MaterialOptions material;
-  material.poisson_ratio = (a.poisson_ratio * antiplane(a) + b.poisson_ratio * antiplane(b)) / both;
-  material.young_modulus = (1 + material.poisson_ratio) / both;
-  return material;
-}
 
 /// What presses the body down, the largest of the load program.
 struct Pressing
@@ -231,16 +219,6 @@ bool set_contact(const Block &block, const Pressing &pressing, const double widt
 }
 } // namespace
 
-MaterialOptions contact_material(const Parameters &parameters)
-{
-  const auto &kind = parameters.obstacle.kind;
-  const MaterialOptions body = parameters.material.isotropic();
-  if (kind.chosen().is_body())
-    return as_one(body, parameters.lower.material.isotropic());
-  const auto below = kind.chosen().material();
-  return below ? as_one(body, *below) : body;
-}
-
 bool ExpectedContact::contains(const Vector2d &place) const
 {
   const Vector2d second(-first_axis[1], first_axis[0]), from_centre = place - centre;
@@ -274,19 +252,6 @@ std::optional<ExpectedContact> expected_contact(const Parameters &parameters)
       return std::nullopt;
   }
   return contact;
-}
-
-double contact_reach(const Parameters &parameters)
-{
-  constexpr double with_room = 1.25;
-  constexpr double most_of_base = 0.5;
-  const auto contact = expected_contact(parameters);
-  if (!contact || contact->is_line())
-    return 0;
-  const double reach =
-      contact->centre.norm() + with_room * std::max(contact->half_widths[0], contact->half_widths[1]);
-  const auto widths = kind_of(parameters.geometry).half_widths(parameters.geometry);
-  return reach < most_of_base * widths[1] ? reach : 0;
 }
 
 std::string describe(const ExpectedContact &contact)
@@ -329,18 +294,5 @@ double nodes_across(const ExpectedContact &contact, const ContactSurface &surfac
     return n;
   // Nodes that lie alike in an ellipse of the area pi a b have the distance sqrt(pi a b / n).
   return 2 * std::sqrt(n / pi * contact.half_widths[0] / contact.half_widths[1]);
-}
-
-MeshOptions ladder_mesh(const Parameters &parameters, const bool is_axisymmetric, const unsigned int level)
-{
-  return ladder_mesh(parameters.geometry, parameters.mesh, is_axisymmetric, level, contact_reach(parameters));
-}
-
-MeshOptions resolved_mesh(const Parameters &parameters, const bool is_axisymmetric)
-{
-  const bool needs_reach = parameters.mesh.resolution != MeshResolution::custom &&
-                           parameters.mesh.resolution != MeshResolution::paper;
-  return resolved_mesh(parameters.geometry, parameters.mesh, is_axisymmetric,
-                       needs_reach ? contact_reach(parameters) : 0);
 }
 } // namespace orthocone

@@ -1,26 +1,16 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/body/shapes/shape_kind.h>
-#include <orthocone/scene/expected_contact.h>
 #include <orthocone/scene/load_path.h>
 #include <orthocone/scene/parameters.h>
 
 #include <cmath>
-#include <iomanip>
 #include <limits>
-#include <sstream>
 
 namespace orthocone
 {
 namespace
 {
-std::string rounded_text(const double value)
-{
-  std::ostringstream text;
-  text << std::setprecision(2) << value;
-  return text.str();
-}
-
 void warn_of_slip_ellipse(const FrictionOptions &friction, std::vector<std::string> &warnings)
 {
   constexpr double most = 20;
@@ -124,26 +114,6 @@ void warn_of_large_rotations(const std::vector<PathLeg> &path, std::vector<std::
         " degrees; the program computes with linearized rotations, which is good up to about 1 degree");
 }
 
-/// Stresses below a contact decay over its width: layers that are much higher than wide contact does not see
-/// them.
-void warn_of_high_layers(const Parameters &parameters, std::vector<std::string> &warnings)
-{
-  constexpr double most =
-      4; // half widths of the contact, docs/accuracy.md, "Zones that the mesh does not resolve"
-  const MeshOptions &mesh = parameters.mesh;
-  if (mesh.resolution != MeshResolution::custom || mesh.accuracy != 0)
-    return;
-  const double layer = kind_of(parameters.geometry).base_layer(parameters) /
-                       std::pow(2., static_cast<double>(mesh.refinements));
-  const auto contact = layer > 0 ? expected_contact(parameters) : std::nullopt;
-  if (contact && layer > most * contact->half_widths[0])
-    warnings.push_back(
-        "Mesh: the layer of cells at the contact is " + rounded_text(layer) +
-        " mm high, but the half width of the contact to be expected is only " +
-        rounded_text(contact->half_widths[0]) +
-        " mm; pressure may be wrong by tens of percent: take more layers, or a smaller Layer grading");
-}
-
 void warn_of_coarse_rim(const BodyOptions &body, std::vector<std::string> &warnings)
 {
   if (std::string warning = coarse_rim_warning(body); !warning.empty())
@@ -173,7 +143,6 @@ std::vector<std::string> parameter_warnings(const Parameters &parameters)
   warn_of_locking(parameters, warnings);
   warn_of_large_strains(parameters, path, warnings);
   warn_of_large_rotations(path, warnings);
-  warn_of_high_layers(parameters, warnings);
   warn_of_idle_loads(path, parameters.load.loads, warnings);
   if (parameters.obstacle.is_plane() && kind_of(parameters.geometry).has_known_sizes())
     warn_of_no_contact(path, warnings);

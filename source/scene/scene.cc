@@ -7,7 +7,7 @@
 #include <orthocone/body/backends/factorized_body.h>
 #include <orthocone/multigrid/multigrid_body.h>
 #include <orthocone/scene/change_length.h>
-#include <orthocone/scene/expected_contact.h>
+#include <orthocone/scene/contact_material.h>
 
 #include <algorithm>
 #include <stdexcept>

@@ -8,7 +8,7 @@
 #include <orthocone/body/shapes/imported_mesh.h>
 #include <orthocone/body/shapes/mesh_ladder.h>
 #include <orthocone/body/shapes/shape.h>
-#include <orthocone/scene/expected_contact.h>
+#include <orthocone/scene/contact_mesh.h>
 
 #include <algorithm>
 #include <cmath>

@@ -4,6 +4,7 @@
 
 Usage: test_run_folder.py PROGRAM [unittest options]"""
 import functools
+import json
 import os
 import shutil
 import subprocess
@@ -11,7 +12,7 @@ import sys
 import time
 
 sys.dont_write_bytecode = True  # the source tree stays clean
-from program import PROGRAM, RunTest, SCENE, SMALL, main  # noqa: E402
+from program import PROGRAM, ROOT, RunTest, SCENE, SMALL, main  # noqa: E402
 
 DONE, BAD_INPUT, FILE_ERROR = 0, 2, 4
 
@@ -45,6 +46,23 @@ class RunFolderTest(RunTest):
                     self.assertRegex(result.stderr, r"^orthocone: \.: cannot be the run folder \(it holds a .*, and no run "
                                                     r"has left it there; --output DIR takes another one\)\n$")
                     self.assertEqual(self.content(folder), before)
+
+    def test_files_of_the_input_may_go_while_a_run_goes_on(self):
+        """A run of hours ends with its summary, whatever became of a gap file since its start."""
+        self.put("gap.txt", "-10 10 3 -10 10 3\n" + 3 * "0 0 0\n")
+        settings = [*SMALL, "Mesh/Layers=2", "Obstacle/Gap=(x^2+y^2)/200", "Obstacle/Gap file=gap.txt",
+                    "Load program/Legs=0 0 -0.01 : 150 ; 0 0 0 : 150", "Load program/Cycles=1"]
+        command = self.command("run", settings=settings, file=ROOT / "prm/paper/scene.prm")
+        with subprocess.Popen(command, cwd=self.folder, text=True, stderr=subprocess.PIPE) as going:
+            history = self.folder / "run/history.csv"
+            while going.poll() is None and not (history.exists() and history.stat().st_size):
+                time.sleep(0.01)
+            (self.folder / "gap.txt").unlink()
+            said = going.communicate(timeout=100)[1]
+        self.assertEqual((going.returncode, said), (DONE, ""))
+        summary = json.loads((self.folder / "run/summary.json").read_text())
+        self.assertEqual(summary["status"], "complete")
+        self.assertIn("Mesh: the layer of cells at the contact is 5 mm high", "\n".join(summary["warnings"]))
 
     def test_a_copy_of_parameters_marks_no_folder(self):
         self.put("case.prm", SCENE)

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
 //
-// The contact to be expected before anything is computed: where meshes place their cells, and what --check
-// compares them with.
+// The contact to be expected before anything is computed.
 #pragma once
 
 #include <orthocone/scene/options.h>
@@ -17,10 +16,6 @@
 
 namespace orthocone
 {
-/// Material on a rigid plane that stands for both bodies: with the compliances in plane strain and in
-/// antiplane shear of both together. It is the body's own where the obstacle is rigid.
-MaterialOptions contact_material(const Parameters &parameters);
-
 /// Contact of two half-spaces whose gap has the curvature of the scene's (Hertz).
 struct ExpectedContact
 {
@@ -41,19 +36,10 @@ struct ExpectedContact
 /// where the gap is flat, the contact would reach the rim, or the shape or the loads do not tell.
 std::optional<ExpectedContact> expected_contact(const Parameters &parameters);
 
-/// How far from the axis the contact reaches, with room around it, mm; 0 where nothing is known, or where
-/// cells may as well lie all over the base.
-double contact_reach(const Parameters &parameters);
-
 /// How many nodes lie across the narrower side of the contact, about.
 double nodes_across(const ExpectedContact &contact, const ContactSurface &surface,
                     const ModelSymmetry &symmetry);
 
 /// "radius 0.54 mm, pressure 411 MPa (Hertz, 250 N on radius 100 mm)".
 std::string describe(const ExpectedContact &contact);
-
-/// The mesh of a level of the ladder, and that of Resolution, with cells where contact is expected
-/// (mesh_ladder.h).
-MeshOptions ladder_mesh(const Parameters &parameters, bool is_axisymmetric, unsigned int level);
-MeshOptions resolved_mesh(const Parameters &parameters, bool is_axisymmetric);
 } // namespace orthocone

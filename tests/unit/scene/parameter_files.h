@@ -24,4 +24,11 @@ inline std::string rejection(const std::string &file, const std::vector<std::str
     return error.what();
   }
 }
+
+/// The default scene with these entries.
+inline Parameters parameters_with(const std::vector<std::string> &entries)
+{
+  const Folder folder;
+  return read_parameters(folder.write("scene.prm", "subsection Geometry\n  set Radius = 10\nend\n"), entries);
+}
 } // namespace orthocone::test
