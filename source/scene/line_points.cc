@@ -18,7 +18,7 @@ using Eigen::Vector3d;
 
 namespace
 {
-constexpr double rounding = 1e-10; // of places, relative to the largest coordinate of the line
+constexpr double rounding_of_places = 1e-10; // of places, relative to the largest coordinate of the line
 
 Matrix2d quarter_turn()
 {
@@ -54,12 +54,13 @@ std::vector<Matrix2d> maps_to(const Vector3d &place, const ModelSymmetry &symmet
   return maps;
 }
 
-/// The place without the rounding that would keep it off a plane of symmetry or the contact surface.
+/// The place without the rounding that would keep it off a plane of symmetry or the contact
+/// surface.
 Vector3d without_rounding(const std::array<double, 3> &point, const double scale)
 {
   Vector3d place;
   for (unsigned int d = 0; d < 3; ++d)
-    place[d] = std::abs(point[d]) <= rounding * scale ? 0 : point[d];
+    place[d] = std::abs(point[d]) <= rounding_of_places * scale ? 0 : point[d];
   return place;
 }
 
@@ -149,7 +150,7 @@ LinePoints::LinePoints(const Line &line, const Parameters &parameters, const Mod
 bool LinePoints::is_inside(const Point &point, const ModelSymmetry &symmetry) const
 {
   if (symmetry.is_plane_strain() &&
-      std::abs(point.place[1]) > symmetry.section()->thickness / 2 * (1 + rounding))
+      std::abs(point.place[1]) > symmetry.section()->thickness / 2 * (1 + rounding_of_places))
     return false;
   return point.is_in_lower ? of_lower_.front().is_inside(point.number) : upper_->is_inside(point.number);
 }
