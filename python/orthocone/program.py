@@ -2,12 +2,14 @@
 # Copyright (C) 2026 the orthocone authors
 """The program as a process of its own: where it is, what it prints, and how it ends."""
 import functools
+import json
 import os
 import pathlib
 import re
 import shutil
 import subprocess
 import tempfile
+import typing
 
 _HERE = pathlib.Path(__file__)
 
@@ -123,21 +125,22 @@ def _raise_error(code, said):
     raise _ERRORS.get(code, ProgramError)(line or f"the program has ended with exit code {code}", code, said)
 
 
+class Entry(typing.NamedTuple):
+    """What the program knows of an entry: the text of its default, and whether it names a file."""
+
+    default: str
+    is_path: bool
+
+
 def entries():
-    """{"Section/Entry": (default, what it is and what is allowed)} of all entries, in the program's order."""
+    """{"Section/Entry": Entry} of all entries, in the program's order."""
     program = find_program()
     return _entries_of(program, os.stat(program).st_mtime_ns)
 
 
 @functools.lru_cache(maxsize=4)
 def _entries_of(_, __):
-    found, section, comment = {}, "", []
-    for line in call(["--defaults"]).splitlines():
-        if match := re.fullmatch(r"subsection (.+)", line):
-            section = match[1]
-        elif match := re.fullmatch(r"  # (.*)", line):
-            comment.append(match[1])
-        elif match := re.fullmatch(r"  set (.+?) *= ?(.*)", line):
-            found[f"{section}/{match[1]}"] = match[2].strip(), " ".join(comment)
-            comment = []
-    return found
+    schema = json.loads(call(["--schema"]), parse_int=str, parse_float=str)  # numbers as the program writes them
+    return {f"{section}/{name}": Entry(entry["default"], entry.get("format") == "path")
+            for section, entries_there in schema["properties"].items()
+            for name, entry in entries_there.get("properties", {}).items()}

@@ -99,7 +99,7 @@ class Scene(collections.abc.Mapping):
         output: the run folder; None is output/ and the name of the scene with its changes, so that scenes that differ have
         folders of their own. threads, resume and insist are those options of the program: take `threads=1` where several runs
         go on at a time. progress: a function of (step, steps, line), called after each load step with its number, the number
-        of all steps, and the line of log.txt. Raises WrongInput, UnsolvedStep and FileError. Ctrl-C raises KeyboardInterrupt
+        of all steps, and the line that the program prints. Raises WrongInput, UnsolvedStep and FileError. Ctrl-C raises KeyboardInterrupt
         when the program has written its checkpoint, from which `resume=True` goes on."""
         output = os.fspath(output) if output is not None else os.path.join("output", self._folder_name())
         words = [f"--output={output}", *self._settings()]
@@ -117,13 +117,12 @@ class Scene(collections.abc.Mapping):
         name = _known(name)
         if name in self.changes:
             return self.changes[name]
-        return self._given().get(name, program.entries()[name][0])
+        return self._given().get(name, program.entries()[name].default)
 
     def __setitem__(self, name, value):
         text = _text_of(value, name)
         name = _known(name, text)
-        is_path = "Allowed: a path" in program.entries()[name][1]
-        self.changes[name] = os.path.abspath(text) if is_path and text else text
+        self.changes[name] = os.path.abspath(text) if program.entries()[name].is_path and text else text
 
     def __delitem__(self, name):
         self.changes.pop(_known(name), None)
@@ -158,7 +157,7 @@ class Scene(collections.abc.Mapping):
         if self._path is not None:
             yield self._path
             return
-        paths = [name for name, (_, words) in program.entries().items() if "Allowed: a path" in words]
+        paths = [name for name, entry in program.entries().items() if entry.is_path]
         with tempfile.TemporaryDirectory(prefix="orthocone-") as folder:
             file = pathlib.Path(folder) / f"{self.name}.prm"
             file.write_text(with_whole_paths(self._text, self._folder, paths), encoding="utf-8", errors="surrogateescape")

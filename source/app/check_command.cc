@@ -11,8 +11,8 @@
 #include <orthocone/base/text.h>
 #include <orthocone/body/backends/stiffness_factor.h>
 #include <orthocone/body/shapes/shape_kind.h>
+#include <orthocone/output/model_text.h>
 #include <orthocone/output/scene_description.h>
-#include <orthocone/output/summary.h>
 #include <orthocone/scene/computed_steps.h>
 #include <orthocone/scene/contact_mesh.h>
 #include <orthocone/scene/load_program.h>

@@ -13,6 +13,7 @@
 #include <orthocone/contact/problem/critical_friction.h>
 #include <orthocone/march/rank_memory.h>
 #include <orthocone/output/answers.h>
+#include <orthocone/output/model_text.h>
 #include <orthocone/scene/contact_mesh.h>
 #include <orthocone/scene/mesh_files.h>
 #include <orthocone/scene/parameters.h>

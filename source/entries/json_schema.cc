@@ -15,11 +15,14 @@ Json object_of(Json properties)
   return {{"type", "object"}, {"additionalProperties", false}, {"properties", std::move(properties)}};
 }
 
-/// A number where the text is one, as people write it in JSON.
+/// A number where JSON writes it as the program does, or else its text.
 Json default_of(const std::string &text)
 {
+  if (const auto count = parse_count(text))
+    return *count;
   const auto number = parse_number(text);
-  return number ? Json(*number) : Json(text);
+  const Json json = number ? Json(*number) : Json();
+  return json.dump() == text ? json : Json(text);
 }
 
 Json entry_schema(const Entry &entry)
@@ -30,6 +33,8 @@ Json entry_schema(const Entry &entry)
     schema["enum"] = words;
   else
     schema["type"] = {"number", "string"};
+  if (entry.is_path())
+    schema["format"] = "path";
   return schema;
 }
 } // namespace

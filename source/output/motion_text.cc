@@ -4,6 +4,7 @@
 
 #include <orthocone/base/numbers.h>
 #include <orthocone/base/text.h>
+#include <orthocone/scene/legs.h>
 
 #include <algorithm>
 #include <sstream>
@@ -26,12 +27,10 @@ std::string rounded(const double value)
 /// Name and value of a component, as users write them.
 std::string text_of(const LoadStep &step, const unsigned int component, const std::string &between)
 {
-  const bool turns = component >= first_rotation;
-  if (step.by_force[component])
-    return wrench_names[component] + between + rounded(step.force[component]) + (turns ? " N mm" : " N");
-  const double motion = step.motion[component];
-  return motion_names[component] + between +
-         (turns ? to_text(motion / radians_per_degree) + " degrees" : to_text(motion) + " mm");
+  const std::string name = (step.by_force[component] ? wrench_names : motion_names)[component];
+  const double motion = step.motion[component] / (component >= first_rotation ? radians_per_degree : 1);
+  return name + between + (step.by_force[component] ? rounded(step.force[component]) : to_text(motion)) +
+         " " + unit_of(name, {});
 }
 
 bool is_driven(const LoadStep &step, const unsigned int component)

@@ -4,8 +4,9 @@
 
 #include <orthocone/base/numbers.h>
 #include <orthocone/base/text.h>
+#include <orthocone/output/load_ranges.h>
+#include <orthocone/output/model_text.h>
 #include <orthocone/output/scene_description.h>
-#include <orthocone/output/summary.h>
 #include <orthocone/scene/obstacle.h>
 #include <orthocone/scene/parameters.h>
 

@@ -8,6 +8,7 @@ namespace orthocone
 {
 /// A JSON schema (draft 7) of the parameter files that read_json() accepts, for editors that complete and
 /// check what is typed: sections, entries with their help, defaults and units, and the words where only some
-/// are allowed. Ranges and conditions between entries stay with the program. `list` has the defaults.
+/// are allowed. Names of files have the format "path". Ranges and conditions between entries stay with the
+/// program. `list` has the defaults.
 std::string json_schema(const EntryList &list, const std::string &title);
 } // namespace orthocone

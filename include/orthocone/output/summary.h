@@ -110,20 +110,4 @@ std::vector<std::string> all_warnings(const Parameters &parameters, const RunRec
 
 /// The wall times of the phases, in a line.
 std::string describe_seconds(const RunRecord &record);
-
-/// The line on the load steps, and on the parts in which they are solved.
-std::string describe_steps(const LoadOptions &load);
-
-/// Lines on the model: "model          quarter (why)"; on friction: "associated", "collinear", both or
-/// neither, and its angle, or its expressions; and on the gap, if there is one.
-std::string describe_model(const ModelChoice &model);
-std::string describe_friction(const Parameters &parameters);
-std::string describe_obstacle(const Parameters &parameters);
-
-/// The resolved model in a few lines: kind, cells, unknowns, contact nodes, steps.
-std::string describe_model(const Parameters &parameters, const ModelChoice &model,
-                           const BodyUnknowns &unknowns);
-
-/// Cells, unknowns and contact nodes of the lower body only, in one line.
-std::string describe_lower_mesh(const Parameters &parameters, const BodyUnknowns &unknowns);
 } // namespace orthocone

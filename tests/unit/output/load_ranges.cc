@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include <orthocone/output/scene_description.h>
+#include <orthocone/output/load_ranges.h>
+
+#include <orthocone/output/model_text.h>
 #include <orthocone/scene/parameters.h>
 
 #include <gtest/gtest.h>
