@@ -165,7 +165,11 @@ std::string describe_seconds(const RunRecord &record)
   std::ostringstream text;
   text << std::fixed << std::setprecision(2) << "seconds: ";
   for (const auto &[name, phase] : phases)
-    text << name << " " << record.seconds.*phase << ", ";
+  {
+    std::string words(name);
+    std::replace(words.begin(), words.end(), '_', ' ');
+    text << words << " " << record.seconds.*phase << ", ";
+  }
   text << "total " << record.total_seconds;
   return text.str();
 }
