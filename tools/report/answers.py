@@ -12,8 +12,8 @@ from markup import element, escape, table
 NAMES = {"normal_force": "largest normal force", "tangential_force": "largest tangential force",
          "mu_eff": "largest tangential / normal force", "contact_area": "largest contact area", "stick_area": "stick area",
          "pressure": "largest pressure", "slip_of_contact": "largest slip in contact",
-         "last_cycle_energy": "energy dissipated in the last cycle", "energy": "energy dissipated since the start",
-         "energy_per_area": "largest energy per area", "wear_depth": "largest worn depth"}
+         "last_cycle_energy": "energy dissipated in the last cycle", "dissipation": "energy dissipated since the start",
+         "energy_per_area": "largest energy per area since the start", "wear_depth": "largest worn depth"}
 NEEDS_SOME = ("tangential_force", "mu_eff", "wear_depth")  # not shown where they are zero
 ROUNDING = 1e-6  # of the normal force: a smaller sum of tangential forces is none
 LEAST_FORCE = 1e-3  # of the largest normal force: below it a ratio of forces says nothing
@@ -63,12 +63,13 @@ def of_forces(data, at):
 def of_cycles(data):
     """Of the last cycle; that of a jump is the mean of its cycles."""
     cycles, n = data.cycles, len(data.cycles.get("cycle", ()))
-    since_start = {"energy": Answer(float(data.history["total_dissipation"][-1]), "N mm", int(data.steps[-1]))}
+    since_start = {"dissipation": Answer(float(data.history["total_dissipation"][-1]), "N mm", int(data.steps[-1]))}
     if not n:
         return since_start
-    names = {"last_cycle_energy": ("dissipation", "N mm"), "energy_per_area": ("worst_energy", "N/mm")}
-    found = {name: Answer(float(cycles[column][-1] / cycles["n_cycles"][-1]), unit, int(cycles["last_step"][-1]))
-             for name, (column, unit) in names.items() if column in cycles}
+    found = {}
+    if "dissipation" in cycles:
+        found["last_cycle_energy"] = Answer(float(cycles["dissipation"][-1] / cycles["n_cycles"][-1]), "N mm",
+                                            int(cycles["last_step"][-1]))
     return {**found, **(since_start if n > 1 else {})}
 
 
