@@ -67,8 +67,8 @@ class PageTest(Page):
 
     def test_curves_are_the_table(self):
         self.open(self.folder)
-        for title, name in (("Force of the plane", "force_z"), ("Largest slip", "max_slip"),
-                            ("Iterations", "iterations"), ("Motion of the top", "uz"),
+        for title, name in (("Force of the counterface", "force_z"), ("Largest slip", "max_slip"),
+                            ("Iterations", "iterations"), ("Motion of the held face", "uz"),
                             ("Dissipation", "total_dissipation"), ("Residual", "residual")):
             with self.subTest(title):
                 path = self.chart(title).find_element("css selector", "path.curve").get_attribute("d")
@@ -105,7 +105,7 @@ class PageTest(Page):
     def test_window_of_a_cycle(self):
         self.open(self.folder)
         Select(self.find("#window")).select_by_visible_text("cycle 2 (steps 16\u201330)")
-        path = self.chart("Force of the plane").find_element("css selector", "path.curve").get_attribute("d")
+        path = self.chart("Force of the counterface").find_element("css selector", "path.curve").get_attribute("d")
         self.assertEqual(len(re.findall("[ML]", path)), 15)
         self.assert_quiet()
 

@@ -63,7 +63,7 @@ class ChartsTest(Page):
                      "Load program/Cycles=1")
         self.open(folder)
         rows = table(folder)
-        for title, name in (("Rotation of the top", "rz"), ("Moment of the plane", "moment_z")):
+        for title, name in (("Rotation of the held face", "rz"), ("Moment of the counterface", "moment_z")):
             path = self.chart(title).find_element("css selector", "path.curve").get_attribute("d")
             pixels = np.array(re.findall(r"[ML]([\d.]+),([\d.]+)", path), dtype=float)
             values = column(rows, name)
@@ -105,7 +105,7 @@ class ChartsTest(Page):
                               ".map(caption => caption.firstChild.data)", grid)
                   for grid in ("#fretting-loops", "#body-loops")]
         # In the cycles u_z rests, so that there is no loop to see.
-        self.assertEqual(titles, [[WHOLE_LOOP, LOOP], ["F_z over u_z of the top"]])
+        self.assertEqual(titles, [[WHOLE_LOOP, LOOP], ["F_z over u_z of the held face"]])
 
     def test_fretting_loop_is_the_first_picture(self):
         self.open(self.folder)
@@ -186,7 +186,7 @@ class ChartsTest(Page):
                                    column(cycles, "dissipation") / column(cycles, "n_cycles"), rtol=1e-6)
         self.assertTrue(self.find("#jumped-hint").is_displayed())
         self.assertEqual(len(self.colours(LOOP)), 1 + (~jumped).sum())  # the preload and every computed cycle
-        steps = self.chart("Force of the plane").find_element("css selector", "path.curve").get_attribute("d")
+        steps = self.chart("Force of the counterface").find_element("css selector", "path.curve").get_attribute("d")
         self.assertEqual(steps.count("M"), 1 + jumped.sum())
         # The ledger has every computed cycle, whatever its number.
         self.assertIn("cycle 100 (steps 3966\u20134005)", self.text(".cycles"))

@@ -126,7 +126,7 @@ def every_cycle(data, energies):
     head = ("N mm", "work of all components", "= dissipated by friction", "+ change of elastic energy", "+ rest",
             "rest / dissipated")
     source = ("recorded by the program" if len(data.checks.get("work", ())) == data.n_solved
-              else "by the trapezoidal rule from force and motion of the top")
+              else "by the trapezoidal rule from force and motion of the held face")
     hint = f"Work: {source}. Rest: {rest_words(data)}; more load steps make it smaller where slip turns round."
     if any(one.rest is None for one in energies):
         hint += " \u2013: not known behind a jump that wears, because what was stored at its end is not written."

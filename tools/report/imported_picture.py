@@ -72,4 +72,4 @@ def imported_view(data, body, below):
     out += two_parts(WIDTH / 2, HEIGHT - 34, size, counterface(data))
     out += svg.text((WIDTH / 2, HEIGHT - 4), "blue: contact surface; dark: held surface; arrows: the largest", "small")
     listed, height = list_below(data, HEIGHT - 4)
-    return svg.picture(WIDTH, height + 4, out + listed, "The body from the side, with mesh, contact surface, plane and motion of the top")
+    return svg.picture(WIDTH, height + 4, out + listed, "The body from the side, with mesh, contact surface, counterface and motion of the held face")

@@ -51,7 +51,7 @@ function addLoop(grid, component) {
   const series = runs.map(run => onePath(run, data.runs.indexOf(run), run.history.step, name, run.history[motion],
                                          run.history[force].map(value => value === null ? null : sign * value)));
   const area = isFretting ? ofRuns(component, areaWords) : "";
-  addPaths(grid, isFretting ? `Fretting loop: ${name} over ${of}` : `${name} over ${of} of the top`,
+  addPaths(grid, isFretting ? `Fretting loop: ${name} over ${of}` : `${name} over ${of} of the held face`,
            {name: of, unit: motionUnit(component)}, {name, unit: forceUnit(component), least: leastForce()}, series,
            {caption: area && `Area of the loop: ${area}.`});
 }

@@ -224,7 +224,7 @@ def side_view(data, below):
     top_face = ("free" if is_free else "guided: free sideways" if guided else "clamped: a rigid plate")
     out += svg.text((WIDTH / 2, HEIGHT - 4), f"top face {top_face}; arrows: the largest", "small")
     listed, height = surface_picture.list_below(data, HEIGHT - 4)
-    return svg.picture(WIDTH, height + 4, out + listed, "The body from the side, with layers, plane and motion of the top")
+    return svg.picture(WIDTH, height + 4, out + listed, "The body from the side, with layers, counterface and motion of the held face")
 
 
 def views_from_the_side(data):

@@ -130,9 +130,9 @@ def run_list(runs):
 
 FRETTING = """<section id="fretting" aria-labelledby="fretting-title">
   <h2 id="fretting-title">Fretting loop</h2>
-  <p class="hint">Q and M: tangential force and moment of the top on the body, over its motion. The area of a closed loop is
+  <p class="hint">Q and M: tangential force and moment of the held face on the body, over its motion. The area of a closed loop is
     the work of this one component in a cycle; <a href="#energy">Energies</a> sets it beside the work of all components and
-    what friction dissipates.</p>
+    the energy that friction dissipates.</p>
   <div class="grid" id="fretting-loops"></div>
 </section>"""
 WEAR = """<section id="wear" aria-labelledby="wear-title">

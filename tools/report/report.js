@@ -9,15 +9,15 @@ function drawRotations(grid, table) {
   const turning = axes.filter(axis => largestOf(`r${axis}`) > 0);
   const carrying = axes.filter(axis => largestOf(`moment_${axis}`) > least);
   if (turning.length)
-    overSteps(grid, "Rotation of the top", table, "degrees", turning.map(axis => [`r${axis}`, `r_${axis}`]));
+    overSteps(grid, "Rotation of the held face", table, "degrees", turning.map(axis => [`r${axis}`, `r_${axis}`]));
   if (carrying.length)
-    overSteps(grid, "Moment of the plane", table, "N mm", carrying.map(axis => [`moment_${axis}`, `M_${axis}`]));
+    overSteps(grid, "Moment of the counterface", table, "N mm", carrying.map(axis => [`moment_${axis}`, `M_${axis}`]));
 }
 
 function drawHistories() {
   const grid = byId("history-charts"), table = run => run.history;
-  overSteps(grid, "Motion of the top", table, "mm", axisColumns("u", "u"));
-  overSteps(grid, "Force of the plane", table, "N", axisColumns("force_", "F"));
+  overSteps(grid, "Motion of the held face", table, "mm", axisColumns("u", "u"));
+  overSteps(grid, "Force of the counterface", table, "N", axisColumns("force_", "F"));
   drawRotations(grid, table);
   overSteps(grid, "Largest slip", table, "mm", [["max_slip", "slip"], ["max_accumulated_slip", "accumulated slip"]]);
   overSteps(grid, "Pressure", table, "MPa", [["max_pressure", "largest"], ["min_pressure", "smallest"]]);

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""The head of the report of scene 3 of the tutorial, as Chromium shows it; with --docs the picture of README.md and
+"""The head of the report of scene 3 of the tutorial with its long stroke, whose loop closes, as Chromium shows it; with --docs the picture of README.md and
 docs/tutorial.md. Started by tools/study report."""
 import argparse
 import pathlib
@@ -35,7 +35,9 @@ def main():
     parser.add_argument("--docs", action="store_true", help="also refresh the picture in docs/")
     options = parser.parse_args()
     try:
-        folder = Runs(ROOT / "build/orthocone", options.output / "runs").run("3_fretting", "../tutorial/3_fretting", "Output/Probes=")
+        runs = Runs(ROOT / "build/orthocone", options.output / "runs")
+        folder = runs.run("3_sliding", "../tutorial/3_fretting", "Output/Probes=",
+                          "Load program/Legs=ux 0.03 : 8 ; ux -0.03 : 16 ; ux 0 : 8")
         subprocess.run([sys.executable, ROOT / "tools/report.py", folder.path], check=True)
         picture = options.output / "report.png"
         photographed(folder.path / "report.html", picture)
