@@ -206,6 +206,7 @@ void check_body(const BodyOptions &body)
 {
   check_quadrature(body.mesh);
   const std::vector<std::string> surfaces = kind_of(body.geometry).surfaces(body.geometry);
+  check_contact_surfaces(body.geometry, surfaces);
   check_supports(body.geometry, surfaces);
   check_surfaces_of_loads(body.geometry, surfaces);
   kind_of(body.geometry).check(body);

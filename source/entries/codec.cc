@@ -131,7 +131,7 @@ Codec<std::string> path_codec()
 
 Codec<Expression> expression_codec(const NumberRange &range)
 {
-  const std::string allowed = "a number" + range.describe() + ", or an expression of x and y";
+  const std::string allowed = "a number" + range.describe() + ", or an expression of x, y and z";
   const auto parse = [range](const std::string &text, std::string &instead) -> std::optional<Expression>
   {
     const std::string fault = fault_in_expressions({text});

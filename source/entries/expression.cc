@@ -90,14 +90,14 @@ std::string in_our_words(const std::string &message)
   return "it is not understood";
 }
 
-std::shared_ptr<const dealii::FunctionParser<2>> parser_of(const std::string &text)
+std::shared_ptr<const dealii::FunctionParser<3>> parser_of(const std::string &text)
 {
-  auto parser = std::make_shared<dealii::FunctionParser<2>>(1);
+  auto parser = std::make_shared<dealii::FunctionParser<3>>(1);
   const SilentErrors silent;
   try
   {
-    parser->initialize("x,y", text, {{"pi", pi}}, false);
-    parser->value(dealii::Point<2>()); // only this finds some faults
+    parser->initialize("x,y,z", text, {{"pi", pi}}, false);
+    parser->value(dealii::Point<3>()); // only this finds some faults
   }
   catch (const dealii::ExceptionBase &error)
   {
@@ -114,12 +114,13 @@ Expression::Expression(const std::string &text)
 {
   if (const auto number = parse_number(text))
   {
-    value_ = [value = *number](double, double) { return value; };
+    value_ = [value = *number](double, double, double) { return value; };
     return;
   }
   check_form(text);
-  is_constant_ = !has_word(text, "x|y");
-  value_ = [parser = parser_of(text)](const double x, const double y)
-  { return parser->value(dealii::Point<2>(x, y)); };
+  is_constant_ = !has_word(text, "x|y|z");
+  has_z_ = has_word(text, "z");
+  value_ = [parser = parser_of(text)](const double x, const double y, const double z)
+  { return parser->value(dealii::Point<3>(x, y, z)); };
 }
 } // namespace orthocone

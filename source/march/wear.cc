@@ -8,7 +8,7 @@ Eigen::VectorXd areas_of(const ContactSurface &surface)
 {
   Eigen::VectorXd areas(static_cast<Eigen::Index>(surface.nodes.size()));
   for (Eigen::Index node = 0; node < areas.size(); ++node)
-    areas[node] = surface.nodes[static_cast<std::size_t>(node)].area;
+    areas[node] = surface.nodes[static_cast<std::size_t>(node)].pressed_area;
   return areas;
 }
 

@@ -48,9 +48,9 @@ MaterialOptions smoothed(const Discretization &space, const MaterialOptions &mat
 std::vector<std::size_t> nearest_nodes(const std::vector<ContactNode> &coarse,
                                        const std::vector<ContactNode> &fine)
 {
-  using Entry = std::pair<dealii::Point<2>, std::size_t>;
+  using Entry = std::pair<dealii::Point<3>, std::size_t>;
   const auto place = [](const ContactNode &node)
-  { return dealii::Point<2>(node.position[0], node.position[1]); };
+  { return dealii::Point<3>(node.position[0], node.position[1], node.height); };
   std::vector<Entry> entries;
   for (std::size_t i = 0; i < fine.size(); ++i)
     entries.emplace_back(place(fine[i]), i);

@@ -43,8 +43,9 @@ std::string contact_vtu(const ContactFieldEvaluator &evaluator, const std::vecto
   for (Eigen::Index point = 0; point < n_points; ++point)
   {
     const auto &[node, image] = whole.nodes[point];
-    const auto &place = surface.place(node).position;
-    drawn.points.col(point).head<2>() = whole.place(whole.nodes[point], place).cast<float>();
+    const ContactNode &place = surface.place(node);
+    drawn.points.col(point).head<2>() = whole.place(whole.nodes[point], place.position).cast<float>();
+    drawn.points(2, point) = static_cast<float>(place.height);
     const ContactFields seen = mapped(fields[node], whole.images[image]);
     for (std::size_t i = 0; i < drawn.fields.size(); ++i)
     {

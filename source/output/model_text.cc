@@ -101,11 +101,12 @@ std::string describe_obstacle(const Parameters &parameters)
 {
   const ObstacleOptions &obstacle = parameters.obstacle;
   const std::string below = describe_counterbody(parameters);
-  const std::string gap =
-      obstacle.is_plane()
-          ? ""
-          : "gap " + obstacle.gap +
-                (obstacle.gap_file.empty() ? "" : " and that of " + shown_path(obstacle.gap_file));
+  const std::string file = obstacle.gap_file.empty() ? "" : " and that of " + shown_path(obstacle.gap_file);
+  const std::string along =
+      obstacle.normal == ObstacleNormal::surface ? " along the normals of the body" : "";
+  const std::string gap = !obstacle.distance.empty() ? "distance " + obstacle.distance
+                          : obstacle.is_plane()      ? ""
+                                                     : "gap " + obstacle.gap + file + along;
   if (below.empty() && gap.empty())
     return {};
   return "obstacle       " + below + (below.empty() || gap.empty() ? "" : "; ") + gap + "\n";

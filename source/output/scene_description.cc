@@ -64,7 +64,7 @@ OrderedJson contact_json(const ContactSurface &surface, const Obstacle *const ob
     const ContactNode &node = surface.place(i);
     nodes.push_back({node.position[0], node.position[1], node.height});
     if (obstacle != nullptr)
-      gaps.push_back(obstacle->gap({node.position[0], node.position[1]}));
+      gaps.push_back(obstacle->gap({node.place(), node.inward}) - node.height);
   }
   return {{"degree", surface.degree},
           {"n_nodes", surface.nodes.size()},
@@ -98,7 +98,7 @@ Vector2d first_touch(const ContactSurface &surface, const ContactSurface *const 
   for (const ContactNode &node : surface.nodes)
   {
     const Vector2d place(node.position[0], node.position[1]);
-    const double gap = node.height + obstacle.gap(place) + nearest_height(lower, place);
+    const double gap = obstacle.gap({node.place(), node.inward}) + nearest_height(lower, place);
     const double margin = least < std::numeric_limits<double>::max() ? rounding * (1 + std::abs(least)) : 0;
     if (gap < least - margin || (gap <= least + margin && place.norm() < touch.norm()))
     {
@@ -130,7 +130,7 @@ OrderedJson gap_line(const Obstacle &obstacle, const ContactSurface &surface, co
     Vector2d place = through;
     place[axis] = least + (largest - least) * i / n;
     at.push_back(place[axis]);
-    gaps.push_back(obstacle.gap(place));
+    gaps.push_back(obstacle.gap({{place[0], place[1], 0}}));
   }
   return {{"axis", axis == 0 ? "x" : "y"}, {"at", at}, {"gaps", gaps}};
 }
@@ -157,7 +157,7 @@ OrderedJson friction_json(const Parameters &parameters, const Vector2d &place)
   constexpr unsigned int n = 360;
   const FrictionOptions &given = parameters.friction;
   const FrictionOptions friction = given.at(place[0], place[1]);
-  const FrictionLaw law = given.law.chosen().law(given, place);
+  const FrictionLaw law = given.law.chosen().law(given, {place[0], place[1], 0});
   const Eigen::Matrix2d turn = Eigen::Rotation2Dd(friction.angle * radians_per_degree).toRotationMatrix();
   OrderedJson forces = OrderedJson::array();
   for (unsigned int i = 0; i < n && !law.is_frictionless(); ++i)

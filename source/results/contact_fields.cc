@@ -130,7 +130,6 @@ ContactFieldEvaluator::ContactFieldEvaluator(const Scene &scene)
       compliance_(scene.compliance()),
       axes_(scene.axes()),
       system_(scene.system()),
-      gaps_(scene.gaps()),
       shares_(symmetry_.force_shares(surface_)),
       compliances_(node_compliance(surface_, symmetry_, scene.contact_material())),
       tolerance_(scene.parameters().contact_solver.tolerance),
@@ -145,22 +144,24 @@ ContactFields ContactFieldEvaluator::fields(const ContactState &state, const uns
   const Eigen::Index first = 3 * static_cast<Eigen::Index>(node);
   const Vector3d d = state.displacement.segment<3>(first);
   const Vector3d r = state.force.segment<3>(first);
-  const Vector2d slip = axes_.to_global(node, d.tail<2>());
-  const Vector2d friction = axes_.to_global(node, r.tail<2>());
+  const Eigen::Matrix3d &axes = axes_.global_in_local(node);
+  const Vector3d slip = axes_.to_global(node, d.tail<2>());
+  const Vector3d friction = axes_.to_global(node, r.tail<2>());
   const double share = shares_[node];
   ContactFields fields;
-  fields.displacement << slip, d[0] - gaps_[first] - state.found_depth[node];
+  fields.displacement =
+      slip + axes.col(0) * (d[0] - scene_.undeformed_gap(node, state.loads) - state.found_depth[node]);
   if (state.status[node] != NodeStatus::open)
-    fields.slip << slip, 0;
+    fields.slip = slip;
   fields.accumulated_slip = state.accumulated_slip[node];
   fields.gap = d[0];
-  fields.pressure = r[0] / place.area;
-  fields.friction_traction << friction / place.area, 0;
+  fields.pressure = r[0] / place.pressed_area;
+  fields.friction_traction = friction / place.pressed_area;
   if (const FrictionLaw &law = system_.law(first / 3); state.status[node] != NodeStatus::open)
     fields.friction_criterion = law.is_frictionless() ? 0 : law.load(r.tail<2>()) / r[0] - 1;
   fields.status = state.status[node];
-  fields.nodal_force << friction / share, r[0] / share;
-  fields.dissipated_energy = state.dissipated_energy[node] / place.area;
+  fields.nodal_force = friction / share + axes.col(0) * (r[0] / share);
+  fields.dissipated_energy = state.dissipated_energy[node] / place.pressed_area;
   fields.wear_depth = state.wear_depth[node];
   return fields;
 }
@@ -242,7 +243,7 @@ StickSample ContactFieldEvaluator::stick_sample(const ContactState &state, const
     sample.reserve = level / (compliance * surface_.nodes[node].area);
     return sample;
   }
-  sample.normal_by_slip = stick_area_.of_unknown_direction();
+  sample.normal_by_slip = stick_area_.of_unknown_direction(axes_.normal(node));
   if (law.is_frictionless() || r.tail<2>().isZero(0))
     return sample;
   const auto [normal, slip] = normal_and_slip(law, r.tail<2>());

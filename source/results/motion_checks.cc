@@ -82,7 +82,7 @@ ContactSurface touching_part(const Scene &scene, const ContactState &state)
   ContactSurface part = scene.surface();
   for (std::size_t node = 0; node < part.nodes.size(); ++node)
   {
-    const Eigen::Vector2d slip =
+    const Eigen::Vector3d slip =
         scene.axes().to_global(node, state.displacement.segment<2>(3 * static_cast<Index>(node) + 1));
     for (const unsigned int d : {0, 1})
       part.nodes[node].position[d] += slip[d];

@@ -15,7 +15,14 @@ namespace orthocone
 namespace
 {
 using Polynomials = std::vector<dealii::Polynomials::Polynomial<double>>;
-using Place = std::array<double, 2>;
+using Eigen::Vector2d;
+using Eigen::Vector3d;
+
+/// As std::hypot(): to the last bit that of two components where the third one is 0.
+double length_of(const Vector3d &vector)
+{
+  return std::hypot(std::hypot(vector[0], vector[1]), vector[2]);
+}
 
 /// A curved face of the contact surface: the isoparametric image of the unit square.
 class Face
@@ -54,16 +61,15 @@ private:
       polynomials_[i].value(x, in_x[i]);
       polynomials_[i].value(y, in_y[i]);
     }
-    Place along_x{{0, 0}}, along_y{{0, 0}};
+    Vector3d along_x = Vector3d::Zero(), along_y = Vector3d::Zero();
     for (unsigned int j = 0; j < n; ++j)
       for (unsigned int i = 0; i < n; ++i)
-        for (unsigned int d = 0; d < 2; ++d)
-        {
-          const double coordinate = surface_.place(nodes_[j * n + i]).position[d];
-          along_x[d] += coordinate * in_x[i][1] * in_y[j][0];
-          along_y[d] += coordinate * in_x[i][0] * in_y[j][1];
-        }
-    return std::abs(along_x[0] * along_y[1] - along_x[1] * along_y[0]);
+      {
+        const Vector3d place = surface_.place(nodes_[j * n + i]).place();
+        along_x += place * in_x[i][1] * in_y[j][0];
+        along_y += place * in_x[i][0] * in_y[j][1];
+      }
+    return length_of(along_x.cross(along_y));
   }
 
   dealii::Quadrature<1> support_;
@@ -72,19 +78,20 @@ private:
   const std::vector<unsigned int> &nodes_;
 };
 
+template<typename Place>
 Place between(const Place &from, const Place &to, const double along)
 {
-  return {{from[0] + along * (to[0] - from[0]), from[1] + along * (to[1] - from[1])}};
+  return from + along * (to - from);
 }
 
 /// Area of a polygon whose corners are in order.
-double polygon_area(const std::vector<Place> &corners)
+double polygon_area(const std::vector<Vector2d> &corners)
 {
   double sum = 0;
   for (std::size_t i = 0; i < corners.size(); ++i)
   {
-    const Place &a = corners[i];
-    const Place &b = corners[(i + 1) % corners.size()];
+    const Vector2d &a = corners[i];
+    const Vector2d &b = corners[(i + 1) % corners.size()];
     sum += a[0] * b[1] - b[0] * a[1];
   }
   return std::abs(sum) / 2;
@@ -125,7 +132,7 @@ StickArea::StickArea(const ContactSurface &surface, const MaterialOptions &mater
     else
       for (unsigned int i = 0; i < surface.degree; ++i)
         rings_.push_back({{{face[i], face[i + 1]}},
-                          {{surface.place(face[i]).position[0], surface.place(face[i + 1]).position[0]}}});
+                          {{surface.place(face[i]).place(), surface.place(face[i + 1]).place()}}});
 }
 
 void StickArea::add_cells(const ContactSurface &surface, const std::vector<unsigned int> &face)
@@ -137,9 +144,11 @@ void StickArea::add_cells(const ContactSurface &surface, const std::vector<unsig
     {
       const unsigned int first = j * n + i;
       Cell cell{
-          {{face[first], face[first + 1], face[first + n + 1], face[first + n]}}, {}, curved.area(i, j)};
+          {{face[first], face[first + 1], face[first + n + 1], face[first + n]}}, {}, {}, curved.area(i, j)};
+      auto &at = cell.positions;
       for (unsigned int corner = 0; corner < 4; ++corner)
-        cell.positions[corner] = surface.place(cell.nodes[corner]).position;
+        at[corner] = surface.place(cell.nodes[corner]).place();
+      cell.normal = (at[2] - at[0]).cross(at[3] - at[1]).normalized();
       cells_.push_back(cell);
     }
 }
@@ -154,27 +163,26 @@ double StickArea::operator()(const std::vector<StickSample> &samples) const
   return sum;
 }
 
-Eigen::Matrix2d StickArea::of_unknown_direction() const
+Eigen::Matrix3d StickArea::of_unknown_direction(const Vector3d &surface_normal) const
 {
-  return Eigen::Matrix2d::Identity() / (2 - poisson_ratio_);
+  return (Eigen::Matrix3d::Identity() - surface_normal * surface_normal.transpose()) / (2 - poisson_ratio_);
 }
 
 /// In-plane shear, slip across the border, is 1/(1 - nu) times as stiff as antiplane shear along it. Slip e
 /// changes the traction by both, and n of that counts against the reserve (docs/theory.md, "Stick area").
-double StickArea::edge_compliance(const StickSample &slipping, const Place &normal) const
+double StickArea::edge_compliance(const StickSample &slipping, const Vector3d &normal) const
 {
   constexpr double least = 0.05; // where slip hardly changes the reserve, higher orders decide
   if (slipping.normal_by_slip.isZero(0))
     return edge_compliance_;
-  const Eigen::Vector2d across(normal[0], normal[1]);
   const double stiffness = (1 - poisson_ratio_) * slipping.normal_by_slip.trace() +
-                           poisson_ratio_ * across.dot(slipping.normal_by_slip * across);
+                           poisson_ratio_ * normal.dot(slipping.normal_by_slip * normal);
   return edge_compliance_ / std::max(least, stiffness);
 }
 
 /// The place where stick ends between two nodes, only one of which sticks: 0 at the first, 1 at the second.
 double StickArea::border(const StickSample &first, const StickSample &second, const double length,
-                         const Place &normal) const
+                         const Vector3d &normal) const
 {
   const bool first_sticks = first.status == NodeStatus::stick;
   const StickSample &stuck = first_sticks ? first : second;
@@ -197,9 +205,9 @@ double StickArea::share(const Cell &cell, const std::vector<StickSample> &sample
     return sticks[0] ? 1 : 0;
   if (sides.size() == 4)
     return share_across(cell, samples);
-  constexpr std::array<Place, 4> corners{{{{0, 0}}, {{1, 0}}, {{1, 1}}, {{0, 1}}}};
+  static const std::array<Vector2d, 4> corners{{{0, 0}, {1, 0}, {1, 1}, {0, 1}}};
   const Borders borders = borders_of(cell, sides, samples);
-  std::vector<Place> polygon;
+  std::vector<Vector2d> polygon;
   auto next = borders.begin();
   for (unsigned int i = 0; i < 4; ++i)
   {
@@ -237,7 +245,7 @@ StickArea::Borders StickArea::borders_of(const Cell &cell, const std::vector<uns
                                          const std::vector<StickSample> &samples) const
 {
   const Borders borders = borders_of(cell, sides, samples, std::nullopt);
-  const auto normal = normal_of(borders);
+  const auto normal = normal_of(cell, borders);
   return normal ? borders_of(cell, sides, samples, normal) : borders;
 }
 
@@ -252,26 +260,25 @@ StickArea::Borders StickArea::borders_of(const Cell &cell, const std::vector<uns
     const unsigned int next = (i + 1) % 4;
     const Place &from = cell.positions[i];
     const Place &to = cell.positions[next];
-    const Place side{{to[0] - from[0], to[1] - from[1]}};
-    double length = std::hypot(side[0], side[1]);
-    const Place across = normal ? *normal : Place{{side[0] / length, side[1] / length}};
+    const Vector3d side = to - from;
+    double length = length_of(side);
+    const Vector3d across = normal ? *normal : Vector3d(side / length);
     if (normal)
-      length = std::max(least_length * length, std::abs(side[0] * (*normal)[0] + side[1] * (*normal)[1]));
+      length = std::max(least_length * length, std::abs(side.dot(*normal)));
     const double along = border(samples[cell.nodes[i]], samples[cell.nodes[next]], length, across);
-    borders.push_back({along, between(from, to, along)});
+    borders.push_back({along, between<Place>(from, to, along)});
   }
   return borders;
 }
 
-/// The normal of the line through two borders; nothing if both are at the same place.
-std::optional<StickArea::Place> StickArea::normal_of(const Borders &borders)
+/// The normal, within the surface, of the line through two borders; nothing if both are at the same place.
+std::optional<Vector3d> StickArea::normal_of(const Cell &cell, const Borders &borders)
 {
-  const Place &a = borders[0].place;
-  const Place &b = borders[1].place;
-  const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
+  const Vector3d along = borders[1].place - borders[0].place;
+  const double length = length_of(along);
   if (length == 0)
     return std::nullopt;
-  return Place{{(a[1] - b[1]) / length, (b[0] - a[0]) / length}};
+  return Vector3d(cell.normal.cross(along) / length);
 }
 
 double StickArea::area(const Ring &ring, const std::vector<StickSample> &samples) const
@@ -282,11 +289,12 @@ double StickArea::area(const Ring &ring, const std::vector<StickSample> &samples
   const bool outer_sticks = outer.status == NodeStatus::stick;
   if (!inner_sticks && !outer_sticks)
     return 0;
-  std::array<double, 2> places = ring.places;
+  std::array<Place, 2> places = ring.places;
+  const Vector3d along = places[1] - places[0];
+  const double length = length_of(along);
   if (inner_sticks != outer_sticks)
     places[inner_sticks ? 1 : 0] +=
-        (ring.places[1] - ring.places[0]) *
-        (border(inner, outer, ring.places[1] - ring.places[0], {{1, 0}}) - (inner_sticks ? 1 : 0));
-  return section_.length_at((places[0] + places[1]) / 2) * (places[1] - places[0]);
+        along * (border(inner, outer, length, along / length) - (inner_sticks ? 1 : 0));
+  return section_.length_at((places[0][0] + places[1][0]) / 2) * length_of(places[1] - places[0]);
 }
 } // namespace orthocone

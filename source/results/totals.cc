@@ -80,7 +80,7 @@ Totals compute_totals(const ContactFieldEvaluator &evaluator, const ContactState
     totals.max_pressure = std::max(totals.max_pressure, fields.pressure);
     totals.contact_area += fields.status == NodeStatus::open ? 0 : n_copies * place.area;
     count_status(fields.status, symmetry.n_counted(surface, place), totals);
-    totals.worn_volume += n_copies * fields.wear_depth * place.area;
+    totals.worn_volume += n_copies * fields.wear_depth * place.pressed_area;
     totals.max_wear_depth = std::max(totals.max_wear_depth, fields.wear_depth);
     totals.max_dissipated_energy = std::max(totals.max_dissipated_energy, fields.dissipated_energy);
     totals.total_dissipation += n_copies * state.dissipated_energy[node];

@@ -9,6 +9,7 @@
 #include <orthocone/scene/load_program.h>
 #include <orthocone/scene/obstacle.h>
 
+#include <algorithm>
 #include <initializer_list>
 #include <memory>
 
@@ -58,18 +59,22 @@ Asymmetry asymmetry_of(const Parameters &parameters)
   const auto obstacle = make_obstacle(parameters.obstacle);
   const LoadProgram program(parameters.load);
   SurfaceSample sample;
-  if (varies_over_surface(parameters) || program.is_driven_by_force(normal))
+  const std::vector<Load> &loads = parameters.load.loads;
+  const bool has_interference =
+      std::any_of(loads.begin(), loads.end(), [](const Load &load) { return load.kind->drives_overlap(); });
+  if (varies_over_surface(parameters) || program.is_driven_by_force(normal) || has_interference)
   {
     sample = surface_sample(parameters);
-    friction.check(sample.places);
-    obstacle->check(sample.places);
+    friction.check(sample.points);
+    obstacle->check(sample.points);
+    require_driven_overlap(parameters, *obstacle, sample.points);
     require_contact_before_force(parameters, *obstacle, sample);
   }
   const auto why = [&](const ModelSymmetry &symmetry)
   {
     return first_of({shape->asymmetry(symmetry), asymmetry_of_lower(lower.get(), symmetry),
                      material.asymmetry(symmetry), lower ? lower_material.asymmetry(symmetry) : "",
-                     friction.asymmetry(symmetry, sample), obstacle->asymmetry(symmetry, sample),
+                     friction.asymmetry(symmetry, sample, *obstacle), obstacle->asymmetry(symmetry, sample),
                      program.asymmetry(symmetry)});
   };
   const SymmetryPlanes of_file = shape->own_planes(),

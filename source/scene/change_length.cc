@@ -10,24 +10,29 @@
 
 namespace orthocone
 {
+using Eigen::Matrix3d;
 using Eigen::MatrixXd;
-using Eigen::Vector2d;
+using Eigen::Vector3d;
 using Eigen::VectorXd;
 
 namespace
 {
-using Values = std::function<VectorXd(const Vector2d &)>;
+using Values = std::function<VectorXd(const SurfacePoint &)>;
 
-/// Norms of the gradients of all values at a place, by central differences.
-VectorXd slopes(const Values &values, const Vector2d &place, const double step)
+/// Norms of the gradients along the surface of all values at a point, by central differences.
+VectorXd slopes(const Values &values, const SurfacePoint &point, const double step, const Matrix3d &axes)
 {
-  VectorXd squares = VectorXd::Zero(values(place).size());
-  for (const Vector2d &way : {Vector2d(step, 0), Vector2d(0, step)})
-    squares += ((values(place + way) - values(place - way)) / (2 * step)).cwiseAbs2();
+  VectorXd squares = VectorXd::Zero(values(point).size());
+  for (const Vector3d &way : {Vector3d(step * axes.col(1)), Vector3d(step * axes.col(2))})
+    squares +=
+        ((values({point.place + way, point.inward}) - values({point.place - way, point.inward})) / (2 * step))
+            .cwiseAbs2();
   return squares.cwiseSqrt();
 }
 
-void shorten(VectorXd &lengths, const Values &values, const std::vector<Vector2d> &places, const double step)
+/// `axes` are those of the points, or uniform. Values that differ by less than `rounding` are the same.
+void shorten(VectorXd &lengths, const Values &values, const std::vector<SurfacePoint> &places,
+             const double step, const LocalAxes &axes, const double rounding)
 {
   MatrixXd at_places(values(places.front()).size(), places.size());
   for (std::size_t i = 0; i < places.size(); ++i)
@@ -35,10 +40,11 @@ void shorten(VectorXd &lengths, const Values &values, const std::vector<Vector2d
   const VectorXd ranges = at_places.rowwise().maxCoeff() - at_places.rowwise().minCoeff();
   for (std::size_t i = 0; i < places.size(); ++i)
   {
-    const VectorXd slope = slopes(values, places[i], step);
+    const VectorXd slope = slopes(values, places[i], step, axes.global_in_local(i));
     double &length = lengths[static_cast<Eigen::Index>(i)];
     for (Eigen::Index k = 0; k < slope.size(); ++k)
-      if (slope[k] > 0 && std::isfinite(slope[k])) // just outside the surface there may be no value
+      if (ranges[k] > rounding && slope[k] > 0 &&
+          std::isfinite(slope[k])) // just outside the surface there may be no value
         length =
             std::min(length, std::max(step, ranges[k] / slope[k])); // all nodes may lie on zeros of a wave
   }
@@ -46,22 +52,30 @@ void shorten(VectorXd &lengths, const Values &values, const std::vector<Vector2d
 } // namespace
 
 VectorXd change_lengths(const Obstacle &obstacle, const FrictionField &friction,
-                        const ContactSurface &surface)
+                        const ContactSurface &surface, const LocalAxes &axes)
 {
   constexpr double fine = 1e-4; // step of the differences, relative to the reach of the surface
-  const std::vector<Vector2d> places = places_of(surface);
+  constexpr double rounding = 1e-12;
+  const std::vector<SurfacePoint> places = points_of(surface);
+  const LocalAxes along = obstacle.has_normal_z() ? LocalAxes(0.) : axes;
   double reach = 0;
-  for (const Vector2d &place : places)
-    reach = std::max(reach, place.norm());
+  for (const SurfacePoint &point : places)
+    reach = std::max(reach, obstacle.has_normal_z() ? point.in_plane().norm() : point.place.norm());
   VectorXd lengths =
       VectorXd::Constant(static_cast<Eigen::Index>(places.size()), std::numeric_limits<double>::infinity());
   if (!obstacle.is_plane())
     shorten(
-        lengths, [&](const Vector2d &place) { return VectorXd::Constant(1, obstacle.gap(place)).eval(); },
-        places, fine * reach);
+        lengths,
+        [&](const SurfacePoint &point)
+        {
+          const double height = obstacle.has_normal_z() ? point.place[2] : 0; // no part of the counterface
+          return VectorXd::Constant(1, obstacle.gap(point) - height).eval();
+        },
+        places, fine * reach, along, rounding * reach);
   if (friction.varies())
     shorten(
-        lengths, [&](const Vector2d &place) { return friction.numbers(place); }, places, fine * reach);
+        lengths, [&](const SurfacePoint &point) { return friction.numbers(point.place); }, places,
+        fine * reach, along, 0);
   return lengths;
 }
 } // namespace orthocone

@@ -173,10 +173,30 @@ void check_plane_strain(const Parameters &parameters)
     return check_lower_section(parameters, with);
 }
 
+/// Refuses an interference of the lower body, and a second one.
+void check_interference(const std::vector<Load> &loads)
+{
+  const Load *first = nullptr;
+  for (const Load &load : loads)
+  {
+    if (!load.kind->drives_overlap())
+      continue;
+    const std::string given = "Load program/Loads: '" + load.text() + "'";
+    if (load.is_on_lower)
+      throw InputError(given + ": allowed is 'interference' without 'on lower', because it is the overlap of "
+                               "the body and its counterface");
+    if (first != nullptr)
+      throw InputError(given + " beside '" + first->text() +
+                       "': allowed is one interference, the share of all negative gaps");
+    first = &load;
+  }
+}
+
 /// Refuses loads on a body that is not there, loads that do nothing, and names that no load has.
 void check_loads(const Parameters &parameters)
 {
   const std::vector<Load> &loads = parameters.load.loads;
+  check_interference(loads);
   for (const Load &load : loads)
   {
     const std::string given = "Load program/Loads: '" + load.text() + "'";
@@ -196,10 +216,38 @@ void check_loads(const Parameters &parameters)
                            ", which is no load: allowed are names of Load program/Loads");
 }
 
+/// Refuses a counterface that is told twice, and curved normals where the counterface is flat by its kind.
 void check_obstacle(const ObstacleOptions &obstacle)
 {
+  const std::string distance = "Obstacle/Distance = " + obstacle.distance;
   if (!obstacle.gap_file.empty())
     read_gap_file(obstacle.gap_file);
+  if (!obstacle.distance.empty() && (obstacle.gap != ObstacleOptions().gap || !obstacle.gap_file.empty()))
+    throw InputError(distance + " with " +
+                     (obstacle.gap_file.empty() ? "Obstacle/Gap = " + obstacle.gap
+                                                : "Obstacle/Gap file = " + shown_path(obstacle.gap_file)) +
+                     ": allowed is one of both, because each says where the counterface is");
+  if (!obstacle.distance.empty() && obstacle.normal == ObstacleNormal::surface)
+    throw InputError(distance + " with Obstacle/Normal = surface: allowed is Normal = plane, because the "
+                                "gradient of the distance is the normal");
+  if (obstacle.normal == ObstacleNormal::plane && obstacle.distance.empty() &&
+      Expression(obstacle.gap).has_z())
+    throw InputError("Obstacle/Gap = " + obstacle.gap +
+                     " contains z, but it is the gap below a place (x, y): allowed is Obstacle/Distance, the "
+                     "distance from a place (x, y, z), or Obstacle/Normal = surface");
+  if (!obstacle.has_normal_z() && obstacle.kind.chosen().gives_way())
+    throw InputError((obstacle.distance.empty() ? "Obstacle/Normal = surface" : distance) +
+                     " with Obstacle/Kind = " + obstacle.kind.word() +
+                     ", whose normal is z: allowed is Kind = rigid");
+}
+
+/// Refuses axes of friction that are told twice.
+void check_first_axis(const FrictionOptions &friction)
+{
+  if (friction.first_axis && (friction.angle != 0 || friction.varying_angle))
+    throw InputError("Friction/First axis with Friction/Orthotropy angle = " +
+                     (friction.varying_angle ? friction.varying_angle->text() : to_text(friction.angle)) +
+                     ": allowed is one of both, because each says where the axes of friction are");
 }
 } // namespace
 
@@ -220,5 +268,6 @@ void check_parameters(const Parameters &parameters)
   check_probes(parameters.geometry, parameters.output.probes);
   check_lower_body(parameters);
   check_obstacle(parameters.obstacle);
+  check_first_axis(parameters.friction);
 }
 } // namespace orthocone

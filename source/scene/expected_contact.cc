@@ -119,7 +119,7 @@ public:
 
   double width() const { return kind_.half_widths(geometry_)[0]; }
 
-  double at(const Vector2d &place) const { return obstacle_.gap(place); }
+  double at(const Vector2d &place) const { return obstacle_.gap({{place[0], place[1], 0}}); }
 
   /// The place of the smallest gap: the best of a grid, and then of ever smaller steps from there.
   Vector2d place_of_smallest() const
@@ -231,7 +231,8 @@ std::optional<ExpectedContact> expected_contact(const Parameters &parameters)
 {
   constexpr unsigned int n_rounds = 4; // of curvature over the width that the one before has
   constexpr double first_share = 0.05; // of the base, over which the curvature is measured first
-  if (parameters.obstacle.is_plane() || !kind_of(parameters.geometry).has_known_sizes())
+  if (parameters.obstacle.is_plane() || !kind_of(parameters.geometry).has_known_sizes() ||
+      !parameters.geometry.touches_with_base_only())
     return std::nullopt;
   const auto obstacle = make_obstacle(parameters.obstacle);
   const GapOverBase gap(parameters, *obstacle);

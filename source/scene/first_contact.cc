@@ -13,8 +13,6 @@
 
 namespace orthocone
 {
-using Eigen::Vector2d;
-
 namespace
 {
 constexpr unsigned int normal_component = 2;
@@ -40,16 +38,39 @@ RigidMotion motion_before(const PathLeg &leg)
 double least_gap(const Obstacle &obstacle, const SurfaceSample &sample, const RigidMotion &held)
 {
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 0; i < sample.places.size(); ++i)
+  const std::vector<Eigen::Vector3d> normals = obstacle.normals(sample.points);
+  for (std::size_t i = 0; i < sample.points.size(); ++i)
   {
-    const Vector2d &place = sample.places[i];
-    const double height = sample.heights.empty() ? 0 : sample.heights[i];
-    const Eigen::Vector3d arm = Eigen::Vector3d(place[0], place[1], height) - sample.held_centre;
-    least = std::min(least, obstacle.gap(place) + height + held.at(arm)[normal_component]);
+    const SurfacePoint &point = sample.points[i];
+    const Eigen::Vector3d moved = held.at(point.place - sample.held_centre);
+    least = std::min(least, obstacle.gap(point) + normals[i].dot(moved));
   }
   return least;
 }
 } // namespace
+
+void require_driven_overlap(const Parameters &parameters, const Obstacle &obstacle,
+                            const std::vector<SurfacePoint> &points)
+{
+  const std::vector<Load> &loads = parameters.load.loads;
+  const auto load =
+      std::find_if(loads.begin(), loads.end(), [](const Load &one) { return one.kind->drives_overlap(); });
+  const bool is_driven = load != loads.end();
+  const auto deepest = std::min_element(points.begin(), points.end(),
+                                        [&](const SurfacePoint &a, const SurfacePoint &b)
+                                        { return obstacle.gap(a) < obstacle.gap(b); });
+  const double overlap = deepest == points.end() ? 0 : -obstacle.gap(*deepest);
+  if (is_driven && !(overlap > 0))
+    throw InputError("Load program/Loads: '" + load->text() + "' drives nothing, because " +
+                     obstacle.entry() +
+                     " is negative at no place of the contact surface: allowed is a negative gap there, "
+                     "such as -0.01, or no such load");
+  if (!is_driven && parameters.obstacle.normal == ObstacleNormal::surface && overlap > 0)
+    throw InputError(obstacle.entry() + " = " + parameters.obstacle.gap + " is " + to_text(-overlap) +
+                     " mm at " + place_text(deepest->place) +
+                     " of the contact surface, so that body and counterface overlap there: allowed is a "
+                     "gap >= 0, or Load program/Loads = fit: interference, which legs drive from 0 to 1");
+}
 
 void require_contact_before_force(const Parameters &parameters, const Obstacle &obstacle,
                                   const SurfaceSample &sample)

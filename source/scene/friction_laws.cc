@@ -14,7 +14,7 @@ namespace
 {
 /// Throws InputError unless both numbers at a place are positive, or, if `may_be_none`, both 0.
 void check_pair(const FrictionOptions &options, const std::string &entry, const std::array<double, 2> &pair,
-                const bool may_be_none, const Eigen::Vector2d &place)
+                const bool may_be_none, const Eigen::Vector3d &place)
 {
   const auto is_fine = [](const double number) { return number > 0 && std::isfinite(number); };
   if ((is_fine(pair[0]) && is_fine(pair[1])) || (may_be_none && pair[0] == 0 && pair[1] == 0))
@@ -36,9 +36,9 @@ public:
   {
     return friction.varying_mu || friction.varying_slip_potential;
   }
-  FrictionLaw law(const FrictionOptions &friction, const Eigen::Vector2d &place) const override
+  FrictionLaw law(const FrictionOptions &friction, const Eigen::Vector3d &place) const override
   {
-    const FrictionOptions there = friction.at(place[0], place[1]);
+    const FrictionOptions there = friction.at(place[0], place[1], place[2]);
     check_pair(friction, "Friction/Coefficients", there.mu, true, place);
     if (!there.is_frictionless())
       check_pair(friction, "Friction/Slip potential", there.p(), false, place);

@@ -81,8 +81,10 @@ void assign_slip_potential(const std::string &text, FrictionOptions &friction)
 /// Semi-axes of the friction ellipse, numbers or expressions: both positive, or both 0.
 Entry::Binding coefficients_binding(FrictionOptions &friction)
 {
-  const auto allowed = [](const std::string &text) {
-    return describe_pair(text, " (or both 0: no friction) separated by a comma, or expressions of x and y");
+  const auto allowed = [](const std::string &text)
+  {
+    return describe_pair(text,
+                         " (or both 0: no friction) separated by a comma, or expressions of x, y and z");
   };
   return {allowed("1, 1"),
           [&friction, allowed](const std::string &text, std::string &instead)
@@ -102,7 +104,7 @@ Entry::Binding slip_potential_binding(FrictionOptions &friction)
   const auto allowed = [](const std::string &text)
   {
     return "associated, or " +
-           describe_pair(text, " separated by a comma, or collinear, or expressions of x and y");
+           describe_pair(text, " separated by a comma, or collinear, or expressions of x, y and z");
   };
   return {allowed("1, 1"),
           [&friction, allowed](const std::string &text, std::string &instead)
@@ -140,12 +142,44 @@ Entry::Binding angle_binding(FrictionOptions &friction)
           [&friction]
           { return friction.varying_angle ? friction.varying_angle->text() : to_text(friction.angle); }};
 }
+/// A direction, three expressions, or nothing.
+Entry::Binding first_axis_binding(FrictionOptions &friction)
+{
+  return {"three expressions of x, y and z separated by commas, which are not all 0, or nothing",
+          [&friction](const std::string &text, std::string &instead)
+          {
+            friction.first_axis = std::nullopt;
+            if (text.empty())
+              return true;
+            const auto pieces = arguments(text);
+            if (const std::string fault = fault_in_expressions(pieces); pieces.size() != 3 || !fault.empty())
+            {
+              instead += pieces.size() == 3 ? fault : "";
+              return false;
+            }
+            const std::array<Expression, 3> axis{
+                {Expression(pieces[0]), Expression(pieces[1]), Expression(pieces[2])}};
+            const bool is_zero =
+                std::all_of(axis.begin(), axis.end(),
+                            [](const Expression &e) { return e.is_constant() && e.value(0, 0) == 0; });
+            if (!is_zero)
+              friction.first_axis = axis;
+            return !is_zero;
+          },
+          [&friction]
+          {
+            return friction.first_axis
+                       ? (*friction.first_axis)[0].text() + ", " + (*friction.first_axis)[1].text() + ", " +
+                             (*friction.first_axis)[2].text()
+                       : std::string();
+          }};
+}
 } // namespace
 
-FrictionOptions FrictionOptions::at(const double x, const double y) const
+FrictionOptions FrictionOptions::at(const double x, const double y, const double z) const
 {
   const auto numbers = [&](const std::array<Expression, 2> &pair) {
-    return std::array<double, 2>{{pair[0].value(x, y), pair[1].value(x, y)}};
+    return std::array<double, 2>{{pair[0].value(x, y, z), pair[1].value(x, y, z)}};
   };
   FrictionOptions there = *this;
   if (varying_mu)
@@ -153,7 +187,7 @@ FrictionOptions FrictionOptions::at(const double x, const double y) const
   if (varying_slip_potential)
     there.slip_potential = numbers(*varying_slip_potential);
   if (varying_angle)
-    there.angle = varying_angle->value(x, y);
+    there.angle = varying_angle->value(x, y, z);
   there.varying_mu = there.varying_slip_potential = std::nullopt;
   there.varying_angle = std::nullopt;
   return there;
@@ -183,5 +217,9 @@ void declare_friction(FrictionOptions &friction, Section &section)
            "axes radial and circumferential.")
       .unit("degrees")
       .also_called({"angle"});
+  section.add("First axis", first_axis_binding(friction),
+              "a_x, a_y, a_z: direction whose projection on the tangent plane is the first axis of both "
+              "ellipses, such as 0, 0, 1 on the side of a shaft; with nothing it is x, turned by Orthotropy "
+              "angle.");
 }
 } // namespace orthocone

@@ -22,8 +22,8 @@ public:
   }
 
   bool is_plane() const override { return surface_->is_plane(); }
-  double gap(const Eigen::Vector2d &place) const override { return surface_->gap(place); }
-  void check(const std::vector<Eigen::Vector2d> &places) const override { surface_->check(places); }
+  double gap(const SurfacePoint &point) const override { return surface_->gap(point); }
+  void check(const std::vector<SurfacePoint> &points) const override { surface_->check(points); }
   std::optional<MaterialOptions> material() const override { return material_; }
   Eigen::MatrixXd compliance(const ContactSurface &surface, const ModelSymmetry &symmetry,
                              const LocalAxes &axes) const override

@@ -31,7 +31,7 @@ void require(const SurfaceCover &cover)
     throw InputError("Obstacle/Kind = body: the lower body is under " +
                      to_text(std::round(percent * cover.least)) +
                      " % of the face of the contact surface about " +
-                     place_text({cover.uncovered[0], cover.uncovered[1]}) +
+                     place_text(Eigen::Vector2d(cover.uncovered[0], cover.uncovered[1])) +
                      ": allowed are 90 and more of every face; the larger contact surface is that of the "
                      "lower body");
 }

@@ -19,10 +19,27 @@ std::vector<Kind<ObstacleKindOptions>> &kinds_of<ObstacleKindOptions>()
   return kinds;
 }
 
+static Entry::Binding distance_binding(ObstacleOptions &obstacle)
+{
+  const Codec<Expression> codec = expression_codec(any_number);
+  return {"an expression of x, y and z, or nothing",
+          [&obstacle, codec](const std::string &text, std::string &instead)
+          {
+            const bool is_nothing = text.empty();
+            const auto given =
+                is_nothing ? std::optional<Expression>(Expression()) : codec.parse(text, instead);
+            const bool is_allowed = is_nothing || (given && !given->is_constant());
+            if (is_allowed)
+              obstacle.distance = text;
+            return is_allowed;
+          },
+          [&obstacle] { return obstacle.distance; }};
+}
+
 bool ObstacleOptions::is_plane() const
 {
   const Expression expression(gap);
-  return kind.chosen().keeps_surface() && gap_file.empty() && expression.is_constant() &&
+  return kind.chosen().keeps_surface() && has_normal_z() && gap_file.empty() && expression.is_constant() &&
          expression.value(0, 0) == 0;
 }
 
@@ -49,6 +66,19 @@ void declare_obstacle(ObstacleOptions &obstacle, Section &section)
            "line 'x0 dx nx y0 dy ny', then ny lines of nx numbers, all lengths in mm. The path is relative "
            "to the folder of the parameter file.")
       .path(obstacle.gap_file);
+  section
+      .add("Distance", distance_binding(obstacle),
+           "Signed distance in mm of a rigid counterface of any shape from a place (x, y, z), positive "
+           "outside of it: the gap of a contact node is its value there, and the normal its gradient. "
+           "z*cos(pi/4) - x*sin(pi/4) is a plane at 45 degrees, 20 - sqrt(x^2+y^2) a bore of radius 20 "
+           "mm, and min(A, B) two counterfaces at once. It takes the place of Gap.")
+      .unit("mm")
+      .also_called({"level set", "signed distance", "sdf"});
+  section.add_word("Normal", obstacle.normal,
+                   "Normal of the counterface. plane: z, and Gap is a distance along z. surface: the "
+                   "counterface fits the body, and Gap is a distance along the normals of its contact "
+                   "surface; where Gap is negative, both overlap by that much, which a load of kind "
+                   "interference drives from 0 to 1.");
   obstacle.kind.declare(
       "Kind",
       "The counterface, on which the body is pressed; Gap is the distance between both, whichever of them is "

@@ -54,7 +54,7 @@ double largest_friction(const FrictionOptions &friction)
   if (friction.has_ellipses())
     return std::max(friction.mu[0], friction.mu[1]);
   return friction.varies() ? std::numeric_limits<double>::infinity()
-                           : friction.law.chosen().law(friction, {0, 0}).largest_friction();
+                           : friction.law.chosen().law(friction, {0, 0, 0}).largest_friction();
 }
 
 /// The largest motion (mm) by which friction can shear the body sideways under a compression by `compression`

@@ -24,13 +24,14 @@ namespace
 void check_fields(const Obstacle &obstacle, const FrictionField &friction, const ContactSurface &surface,
                   const ModelSymmetry &symmetry)
 {
-  const std::vector<Eigen::Vector2d> places = places_of(surface);
-  obstacle.check(places);
-  friction.check(places);
+  const std::vector<SurfacePoint> points = points_of(surface);
+  obstacle.check(points);
+  friction.check(points);
   if (symmetry.name() == ModelSymmetry().name() && !symmetry.is_section())
     return; // the whole body
-  const SurfaceSample sample{places, places};
-  for (const std::string &why : {friction.asymmetry(symmetry, sample), obstacle.asymmetry(symmetry, sample)})
+  const SurfaceSample sample{points, points};
+  for (const std::string &why :
+       {friction.asymmetry(symmetry, sample, obstacle), obstacle.asymmetry(symmetry, sample)})
     if (!why.empty())
       throw InputError(
           "Mesh/Model: on the nodes of a mesh with smaller cells the scene is not as symmetric as its " +
@@ -106,7 +107,7 @@ Scene::Scene(const Parameters &parameters, const ModelChoice &choice, const Obst
       friction_(parameters.friction),
       body_(make_body(
           parameters, choice.symmetry,
-          [&](const ContactSurface &on) { return friction_.axes(on, choice.symmetry); },
+          [&](const ContactSurface &on) { return friction_.axes(on, obstacle, choice.symmetry); },
           [&](const Body &meshed)
           {
             check_fields(obstacle, friction_, meshed.unknowns().contact_surface(), choice.symmetry);
@@ -115,7 +116,7 @@ Scene::Scene(const Parameters &parameters, const ModelChoice &choice, const Obst
               on_meshed(meshed);
           },
           seconds_)),
-      axes_(friction_.axes(surface(), choice.symmetry)),
+      axes_(friction_.axes(surface(), obstacle, choice.symmetry)),
       lower_(make_lower(parameters, choice.symmetry, *body_, axes_, seconds_)),
       gaps_(gaps_of(obstacle, surface())),
       sum_(timed(seconds_.condensation,
@@ -124,12 +125,33 @@ Scene::Scene(const Parameters &parameters, const ModelChoice &choice, const Obst
                    return sum_of(*body_, lower_ ? lower_->compliance()
                                                 : obstacle.compliance(surface(), choice.symmetry, axes_));
                  })),
-      system_(compliance(), friction_.laws(surface(), choice.symmetry))
+      system_(compliance(), friction_.laws(surface(), obstacle, choice.symmetry))
 {
   if (lower_)
     gaps_ += lower_->gaps();
+  part_overlap();
   if (friction_.varies() || !obstacle.is_plane())
-    change_lengths_ = orthocone::change_lengths(obstacle, friction_, surface());
+    change_lengths_ = orthocone::change_lengths(obstacle, friction_, surface(), axes_);
+}
+
+/// Takes the negative gaps g out of gaps(), so that the gap is max(g, 0) + lambda min(g, 0) under an
+/// interference lambda.
+void Scene::part_overlap()
+{
+  const std::vector<Load> &loads = parameters_.load.loads;
+  const auto found =
+      std::find_if(loads.begin(), loads.end(), [](const Load &load) { return load.kind->drives_overlap(); });
+  if (found == loads.end())
+    return;
+  interference_ = found - loads.begin();
+  overlap_ = gaps_.cwiseMin(0);
+  gaps_ = gaps_.cwiseMax(0);
+}
+
+double Scene::undeformed_gap(const Eigen::Index node, const VectorXd &loads) const
+{
+  const double gap = gaps_[3 * node];
+  return interference_ && loads.size() > 0 ? gap + loads[*interference_] * overlap_[3 * node] : gap;
 }
 
 NodeVector Scene::given_way(const NodeVector &force) const
@@ -168,6 +190,8 @@ VectorXd Scene::load_conjugates(const NodeVector &force, const RigidMotion &moti
     all += body_->conjugates(force, motion, loads).tail(m);
   if (lower_ && lower_->body().driven() != nullptr)
     all += lower_->body().conjugates(lower_->own_force(force), {}, loads).tail(m);
+  if (interference_)
+    all[*interference_] -= force.dot(overlap_);
   return symmetry().n_copies() * all;
 }
 
@@ -200,6 +224,8 @@ NodeVector Scene::driven_displacement(const RigidMotion &motion, const VectorXd 
   NodeVector moved = body_->moved_with(motion, loads);
   if (lower_ && lower_->body().driven() != nullptr)
     moved += lower_->parted(lower_->body().moved_with({}, loads));
+  if (interference_ && loads.size() > 0)
+    moved += loads[*interference_] * overlap_;
   return moved;
 }
 

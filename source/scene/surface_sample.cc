@@ -21,7 +21,7 @@ using Eigen::Vector2d;
 
 namespace
 {
-/// A mesh with the same contact surface and the smallest body above it.
+/// A mesh with the same contact surface, and the smallest body above it where that is the base.
 MeshOptions flat_mesh(const Parameters &parameters, const ModelSymmetry &symmetry)
 {
   constexpr unsigned int most_of_solids = 3;
@@ -29,7 +29,8 @@ MeshOptions flat_mesh(const Parameters &parameters, const ModelSymmetry &symmetr
   MeshOptions mesh = parameters.mesh.accuracy != 0
                          ? ladder_mesh(parameters, is_axisymmetric, n_ladder_levels(is_axisymmetric) - 1)
                          : resolved_mesh(parameters, is_axisymmetric);
-  mesh.layers = mesh.cells[2] = 1;
+  if (parameters.geometry.touches_with_base_only())
+    mesh.layers = mesh.cells[2] = 1;
   mesh.refined_cells.clear(); // numbers of other cells
   mesh.degree = symmetry.is_section() ? mesh.degree : std::min(mesh.degree, most_of_solids);
   return mesh;
@@ -47,21 +48,18 @@ SurfaceSample sample_of_file(const Parameters &parameters)
   for (const double x : {1., -1.})
     for (const double y : {1., -1.})
       if ((x > 0 || planes.normal_to_x) && (y > 0 || planes.normal_to_y))
-        for (const ContactNode &node : body.unknowns().contact_surface().nodes)
-        {
-          sample.places.emplace_back(x * node.position[0], y * node.position[1]);
-          sample.heights.push_back(node.height);
-        }
+        for (const SurfacePoint &point : points_of(body.unknowns().contact_surface()))
+          sample.points.push_back(point.mapped(Eigen::Affine2d(Eigen::Scaling(x, y))));
   sample.held_centre = body.unknowns().held_centre();
   return sample;
 }
 
-std::vector<Vector2d> contact_places(const Parameters &given, const ModelSymmetry &symmetry)
+std::vector<SurfacePoint> contact_points(const Parameters &given, const ModelSymmetry &symmetry)
 {
   Parameters parameters = given;
   parameters.mesh = flat_mesh(given, symmetry);
   parameters.geometry.top_face = TopFace::clamped;
-  return places_of(Body(parameters, symmetry).unknowns().contact_surface());
+  return points_of(Body(parameters, symmetry).unknowns().contact_surface());
 }
 } // namespace
 
@@ -71,12 +69,12 @@ ModelSymmetry plane_strain(const Parameters &parameters, const bool has_third, c
                                         is_mirrored_about_x);
 }
 
-std::vector<Vector2d> places_of(const ContactSurface &surface)
+std::vector<SurfacePoint> points_of(const ContactSurface &surface)
 {
-  std::vector<Vector2d> places;
+  std::vector<SurfacePoint> points;
   for (const ContactNode &node : surface.nodes)
-    places.emplace_back(node.position[0], node.position[1]);
-  return places;
+    points.push_back({node.place(), node.inward});
+  return points;
 }
 
 SurfaceSample surface_sample(const Parameters &parameters)
@@ -85,11 +83,11 @@ SurfaceSample surface_sample(const Parameters &parameters)
     return sample_of_file(parameters);
   const ModelSymmetry whole =
       parameters.geometry.is_plane_strain() ? plane_strain(parameters, false) : ModelSymmetry();
-  SurfaceSample sample{contact_places(parameters, whole), {}};
+  SurfaceSample sample{contact_points(parameters, whole), {}};
   sample.held_centre[2] = parameters.geometry.held_height();
   const auto shape = make_shape(parameters.geometry, parameters.mesh);
   if (const auto section = ModelSymmetry::of_revolution(); shape->asymmetry(section).empty())
-    sample.radii = contact_places(parameters, section);
+    sample.rings = contact_points(parameters, section);
   return sample;
 }
 
@@ -140,6 +138,15 @@ std::string place_text(const Vector2d &place)
 {
   std::ostringstream text;
   text << std::setprecision(4) << "(" << place[0] << ", " << place[1] << ") mm";
+  return text.str();
+}
+
+std::string place_text(const Eigen::Vector3d &place)
+{
+  if (place[2] == 0)
+    return place_text(Vector2d(place.head<2>()));
+  std::ostringstream text;
+  text << std::setprecision(4) << "(" << place[0] << ", " << place[1] << ", " << place[2] << ") mm";
   return text.str();
 }
 } // namespace orthocone

@@ -8,15 +8,14 @@
 #include <cmath>
 #include <functional>
 #include <stdexcept>
+#include <utility>
 
 namespace orthocone
 {
-using Eigen::Matrix2d;
 using Eigen::Matrix3d;
+using Eigen::Vector3d;
 
-namespace
-{
-Matrix2d turn_by(const double angle)
+Matrix3d axes_about_z(const double angle)
 {
   constexpr double right_angle = 90;
   const double quarters = angle / right_angle;
@@ -27,14 +26,26 @@ Matrix2d turn_by(const double angle)
     cosine = std::round(cosine);
     sine = std::round(sine);
   }
-  Matrix2d turn;
-  turn << cosine, -sine, sine, cosine;
-  return turn;
+  Matrix3d axes;
+  axes << 0, cosine, -sine, 0, sine, cosine, 1, 0, 0;
+  return axes;
 }
-} // namespace
+
+Matrix3d axes_along(const Vector3d &normal, const Vector3d &along)
+{
+  constexpr double least = 1e-6; // sine of the angle between both
+  const Vector3d first = along - along.dot(normal) * normal;
+  if (!(first.norm() > least * along.norm()))
+    throw std::domain_error("a direction along the normal has no projection on the tangent plane");
+  Matrix3d axes;
+  axes.col(0) = normal;
+  axes.col(1) = first.normalized();
+  axes.col(2) = normal.cross(axes.col(1));
+  return axes;
+}
 
 LocalAxes::LocalAxes(const double angle)
-    : turns_{turn_by(angle)}
+    : frames_{axes_about_z(angle)}
 {
 }
 
@@ -44,14 +55,15 @@ LocalAxes::LocalAxes(const std::vector<double> &angles)
     throw std::logic_error("local axes need at least one angle");
   const bool is_one = std::adjacent_find(angles.begin(), angles.end(), std::not_equal_to<>()) == angles.end();
   for (std::size_t node = 0; node < (is_one ? 1 : angles.size()); ++node)
-    turns_.push_back(turn_by(angles[node]));
+    frames_.push_back(axes_about_z(angles[node]));
 }
 
-Matrix3d LocalAxes::global_in_local(const std::size_t node) const
+LocalAxes::LocalAxes(std::vector<Matrix3d> frames)
+    : frames_(std::move(frames))
 {
-  Matrix3d axes = Matrix3d::Zero();
-  axes.topRightCorner<2, 2>() = turn(node);
-  axes(2, 0) = 1;
-  return axes;
+  if (frames_.empty())
+    throw std::logic_error("local axes need at least one node");
+  if (std::adjacent_find(frames_.begin(), frames_.end(), std::not_equal_to<>()) == frames_.end())
+    frames_.resize(1);
 }
 } // namespace orthocone

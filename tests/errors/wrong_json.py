@@ -9,7 +9,7 @@ ROWS = [
      '{file}:5: is not valid JSON at column 1; allowed is {"Section": {"Entry": value}}'),
     ("coefficients_list", '{"Friction": {"Coefficients": [0.3, 0.15]}}\n',
      "{file}: Friction/Coefficients = [0.3,0.15]: allowed is two numbers > 0 (or both 0: no friction) separated by "
-     "a comma, or expressions of x and y; in '[0.3' '[0.3' is not known"),
+     "a comma, or expressions of x, y and z; in '[0.3' '[0.3' is not known"),
     ("comma_at_end", '{"Mesh": {"Degree": 2,}}\n',
      '{file}:1: is not valid JSON at column 23; allowed is {"Section": {"Entry": value}}'),
     ("comma_missing", '{"Mesh": {"Degree": 2 "Layers": 4}}\n',

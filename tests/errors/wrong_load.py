@@ -16,26 +16,26 @@ ROWS = [
     ("coefficients_blank",
      "subsection Friction\n  set Slip potential = 0.30, 0.15\n  set Coefficients = 0.30 0.15\nend\n",
      "{file}:4: Friction/Coefficients = 0.30 0.15: allowed is two numbers > 0 (or both 0: no friction) separated "
-     "by a comma, or expressions of x and y"),
+     "by a comma, or expressions of x, y and z"),
     ("coefficients_comma_at_end",
      "subsection Friction\n  set Slip potential = 0.30, 0.15\n  set Coefficients = 0.3, 0.15,\nend\n",
      "{file}:4: Friction/Coefficients = 0.3, 0.15,: allowed is two numbers > 0 (or both 0: no friction) separated "
-     "by a comma, or expressions of x and y"),
+     "by a comma, or expressions of x, y and z"),
     ("coefficients_decimal_comma",
      "subsection Friction\n  set Slip potential = 0.30, 0.15\n  set Coefficients = 0,30, 0,15\nend\n",
      "{file}:4: Friction/Coefficients = 0,30, 0,15: allowed is two numbers > 0 (or both 0: no friction) separated "
-     "by a comma, or expressions of x and y"),
+     "by a comma, or expressions of x, y and z"),
     ("coefficients_negative",
      "subsection Friction\n  set Slip potential = 0.30, 0.15\n  set Coefficients = -0.3, 0.15\nend\n",
      "{file}:4: Friction/Coefficients = -0.3, 0.15: allowed is two numbers > 0 (or both 0: no friction) separated "
-     "by a comma, or expressions of x and y"),
+     "by a comma, or expressions of x, y and z"),
     ("coefficients_one", "subsection Friction\n  set Slip potential = 0.30, 0.15\n  set Coefficients = 0.3\nend\n",
      "{file}:4: Friction/Coefficients = 0.3: allowed is two numbers > 0 (or both 0: no friction) separated by a "
-     "comma, or expressions of x and y"),
+     "comma, or expressions of x, y and z"),
     ("coefficients_zero",
      "subsection Friction\n  set Slip potential = 0.30, 0.15\n  set Coefficients = 0.3, 0\nend\n",
      "{file}:4: Friction/Coefficients = 0.3, 0: allowed is two numbers > 0 (or both 0: no friction) separated by a "
-     "comma, or expressions of x and y"),
+     "comma, or expressions of x, y and z"),
     ("contact_fields_negative", "subsection Output\n  set Probes = P: 6.72 6.72\n  set Contact fields = -1\nend\n",
      "{file}:4: Output/Contact fields = -1: allowed is a whole number from 0 to 1000000"),
     ("contact_fields_too_many",
@@ -266,15 +266,15 @@ ROWS = [
     ("slip_potential_negative",
      "subsection Friction\n  set Coefficients = 0.30, 0.15\n  set Slip potential = 1, -1\nend\n",
      "{file}:4: Friction/Slip potential = 1, -1: allowed is associated, or two numbers > 0 separated by a comma, "
-     "or collinear, or expressions of x and y"),
+     "or collinear, or expressions of x, y and z"),
     ("slip_potential_word",
      "subsection Friction\n  set Coefficients = 0.30, 0.15\n  set Slip potential = isotropic\nend\n",
      "{file}:4: Friction/Slip potential = isotropic: allowed is associated, or two numbers > 0 separated by a "
-     "comma, or collinear, or expressions of x and y"),
+     "comma, or collinear, or expressions of x, y and z"),
     ("slip_potential_zero",
      "subsection Friction\n  set Coefficients = 0.30, 0.15\n  set Slip potential = 0, 1\nend\n",
      "{file}:4: Friction/Slip potential = 0, 1: allowed is associated, or two numbers > 0 separated by a comma, or "
-     "collinear, or expressions of x and y"),
+     "collinear, or expressions of x, y and z"),
     ("stop_when_periodic_one", "subsection Load program\n  set Stop when periodic = 1\nend\n",
      "{file}:3: Load program/Stop when periodic = 1: allowed is a number >= 0 and < 1"),
     ("stop_when_periodic_word", "subsection Load program\n  set Cycles = 1000\n  set Stop when periodic = yes\nend\n",

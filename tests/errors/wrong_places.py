@@ -3,8 +3,8 @@
 """Expressions of the place and legs of named components: name of the file, its text without the message, the message."""
 FOLDER = "values"
 
-PAIR = "two numbers > 0 (or both 0: no friction) separated by a comma, or expressions of x and y"
-EXPRESSION = "a number, or an expression of x and y"
+PAIR = "two numbers > 0 (or both 0: no friction) separated by a comma, or expressions of x, y and z"
+EXPRESSION = "a number, or an expression of x, y and z"
 NAMES = "a name of ux, uy, uz, rx, ry, rz, Fx, Fy, Fz, Mx, My, Mz; "
 
 
@@ -36,15 +36,15 @@ ROWS = [
     ("mu_random", *friction("0.3+0.01*rand(), 0.1", "; in '0.3+0.01*rand()' random numbers are not allowed in it")),
     ("slip_expression_operator_missing",
      *setting("Friction", "Slip potential", "2x, 1", "associated, or two numbers > 0 separated by a comma, or collinear, "
-              "or expressions of x and y; in '2x' 'x' needs an operator before it")),
+              "or expressions of x, y and z; in '2x' 'x' needs an operator before it")),
     ("slip_potential_colinear",
      *setting("Friction", "Slip potential", "colinear", "associated, or two numbers > 0 separated by a comma, or "
-              "collinear, or expressions of x and y")),
+              "collinear, or expressions of x, y and z")),
     ("slip_potential_huge",
      *setting("Friction", "Slip potential", "1, 1e305", "associated, or two numbers > 0 and < 1e+300 separated by a "
-              "comma, or collinear, or expressions of x and y")),
+              "comma, or collinear, or expressions of x, y and z")),
     ("angle_too_few_arguments",
-     *setting("Friction", "Orthotropy angle", "atan2(x)", "a number >= -360 and <= 360, or an expression of x and y; "
+     *setting("Friction", "Orthotropy angle", "atan2(x)", "a number >= -360 and <= 360, or an expression of x, y and z; "
               "'atan2' has too few arguments")),
     ("gap_word", *gap("curved", "; 'curved' is not known")),
     ("gap_infinite", *gap("1/0")),

@@ -44,10 +44,7 @@ public:
   const Eigen::Vector3d &held_centre() const { return held_centre_; }
 
   /// Vector from the centre of the held face to a contact node, mm.
-  Eigen::Vector3d arm(const ContactNode &node) const
-  {
-    return Eigen::Vector3d(node.position[0], node.position[1], node.height) - held_centre_;
-  }
+  Eigen::Vector3d arm(const ContactNode &node) const { return node.place() - held_centre_; }
 
   const ContactSurface &contact_surface() const { return contact_surface_; }
 

@@ -149,10 +149,10 @@ struct GeometryOptions
   double height = 10;
   TopFace top_face = TopFace::clamped;
   BodyShape shape = BodyShape::cylinder;
-  std::array<double, 3> sizes{{20, 20, 10}}; ///< of a box, along x, y, z
-  std::string mesh_file{};                   ///< path, or empty
+  std::array<double, 3> sizes{{20, 20, 10}};   ///< of a box, along x, y, z
+  std::string mesh_file{};                     ///< path, or empty
+  std::vector<std::string> contact_surfaces{}; ///< by name; none: the base, of a shape that has one
   // Physical groups of that file, by name or number:
-  std::string contact_surface{};
   std::string held_surface{};
   std::vector<std::string> symmetry_surfaces{};
   std::vector<Support> supports{};         ///< of any shape
@@ -160,7 +160,8 @@ struct GeometryOptions
   GeometryKind kind = GeometryKind::solid; ///< of the scene: the lower body has the upper one's
   double thickness = 1;                    ///< of a file in plane strain, mm
   SectionName section = "Geometry";
-  bool is_lower = false; ///< whether this is the second body
+  bool is_lower = false;  ///< whether this is the second body
+  bool faces_down = true; ///< whether the counterface has the normal z; an entry of section Obstacle
 
   /// Whether a load acts on this body.
   bool has(const Load &load) const { return load.is_on_lower == is_lower; }
@@ -169,6 +170,15 @@ struct GeometryOptions
   std::string shape_entry() const { return section + "/Shape = " + std::string(shape.word); }
 
   bool is_plane_strain() const { return kind == GeometryKind::plane_strain; }
+
+  /// Whether the base alone may touch the counterface; false for a file, whose surfaces may be anywhere.
+  bool touches_with_base_only() const;
+
+  /// Whether the surface with this name may touch it. It means nothing for a file.
+  bool touches_with(const std::string &surface) const;
+
+  std::string contact_names() const; ///< as the entry has them
+  std::string contact_entry() const { return section + "/Contact surface = " + contact_names(); }
 
   bool is_from_file() const { return shape == BodyShape::file; } ///< whether Mesh file and the surfaces count
 

@@ -62,7 +62,7 @@ Codec<std::array<unsigned int, 3>> three_counts_codec(unsigned int most);
 /// Path of a file, or nothing.
 Codec<std::string> path_codec();
 
-/// A number, or an expression of x and y. Constant ones must lie in the range.
+/// A number, or an expression of x, y and z. Constant ones must lie in the range.
 Codec<Expression> expression_codec(const NumberRange &range);
 
 /// What is wrong with the first of these texts that is no expression, behind "; ", or "".

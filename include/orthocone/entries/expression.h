@@ -7,18 +7,22 @@
 
 namespace orthocone
 {
-/// A number, or an expression of x and y (mm) in the syntax of muParser, with pi and without random numbers.
+/// A number, or an expression of x, y and z (mm) in the syntax of muParser, with pi and without random
+/// numbers.
 class Expression
 {
 public:
   /// Throws InputError for a text that is no expression; the sentence quotes the part that is wrong.
   explicit Expression(const std::string &text = "0");
 
-  /// The value at x, y (mm): any number, also infinite or NaN.
-  double value(const double x, const double y) const { return value_(x, y); }
+  /// The value at x, y, z (mm): any number, also infinite or NaN.
+  double value(const double x, const double y, const double z = 0) const { return value_(x, y, z); }
 
-  /// Whether the expression contains neither x nor y.
+  /// Whether the expression contains none of x, y and z.
   bool is_constant() const { return is_constant_; }
+
+  /// Whether the expression contains z.
+  bool has_z() const { return has_z_; }
 
   /// The text as it was given.
   const std::string &text() const { return text_; }
@@ -26,6 +30,7 @@ public:
 private:
   std::string text_;
   bool is_constant_ = true;
-  std::function<double(double, double)> value_;
+  bool has_z_ = false;
+  std::function<double(double, double, double)> value_;
 };
 } // namespace orthocone

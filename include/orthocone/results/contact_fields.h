@@ -96,7 +96,6 @@ private:
   const Compliance &compliance_;
   LocalAxes axes_;
   const ContactSystem &system_;
-  const NodeVector &gaps_;
   Eigen::VectorXd shares_;      ///< ModelSymmetry::force_shares()
   Eigen::VectorXd compliances_; ///< node_compliance()
   double tolerance_;            ///< of the solver

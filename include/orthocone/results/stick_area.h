@@ -20,8 +20,8 @@ struct StickSample
   double slip = 0;    ///< since the node last stuck, and its gap, mm; of nodes that do not stick
   /// n e^T of nodes that slip: the normal n of the cone at their friction force, as long that its component
   /// along the force is 1, and the direction e of slip. Zero or StickArea::of_unknown_direction() where these
-  /// are not known.
-  Eigen::Matrix2d normal_by_slip = Eigen::Matrix2d::Zero();
+  /// are not known. In global axes.
+  Eigen::Matrix3d normal_by_slip = Eigen::Matrix3d::Zero();
 };
 
 /// Where the stick zone ends between a node that sticks and one that slips, `length` mm away across the
@@ -43,23 +43,25 @@ public:
   /// The area (mm^2) of the modelled part that sticks; one sample for each place.
   double operator()(const std::vector<StickSample> &samples) const;
 
-  /// The StickSample::normal_by_slip with which slip is as compliant as in-plane shear, whatever the border.
-  Eigen::Matrix2d of_unknown_direction() const;
+  /// The StickSample::normal_by_slip with which slip is as compliant as in-plane shear, whatever the border,
+  /// on a surface with this normal.
+  Eigen::Matrix3d of_unknown_direction(const Eigen::Vector3d &surface_normal) const;
 
 private:
-  using Place = std::array<double, 2>; ///< mm
+  using Place = Eigen::Vector3d; ///< mm
   /// A cell between four nodes (anticlockwise) of a face.
   struct Cell
   {
     std::array<unsigned int, 4> nodes;
     std::array<Place, 4> positions;
-    double area; ///< mm^2
+    Eigen::Vector3d normal; ///< of length 1
+    double area;            ///< mm^2
   };
   /// A ring or strip between two nodes of the face of a section.
   struct Ring
   {
     std::array<unsigned int, 2> nodes;
-    std::array<double, 2> places; ///< radii, or places along x, mm
+    std::array<Place, 2> places;
   };
   /// The point where stick ends on a side of a cell.
   struct Border
@@ -71,13 +73,13 @@ private:
 
   void add_cells(const ContactSurface &surface, const std::vector<unsigned int> &face);
   double border(const StickSample &first, const StickSample &second, double length,
-                const Place &normal) const;
-  double edge_compliance(const StickSample &slipping, const Place &normal) const;
+                const Eigen::Vector3d &normal) const;
+  double edge_compliance(const StickSample &slipping, const Eigen::Vector3d &normal) const;
   Borders borders_of(const Cell &cell, const std::vector<unsigned int> &sides,
                      const std::vector<StickSample> &samples) const;
   Borders borders_of(const Cell &cell, const std::vector<unsigned int> &sides,
                      const std::vector<StickSample> &samples, const std::optional<Place> &normal) const;
-  static std::optional<Place> normal_of(const Borders &borders);
+  static std::optional<Place> normal_of(const Cell &cell, const Borders &borders);
   double share(const Cell &cell, const std::vector<StickSample> &samples) const;
   double share_across(const Cell &cell, const std::vector<StickSample> &samples) const;
   double area(const Ring &ring, const std::vector<StickSample> &samples) const;

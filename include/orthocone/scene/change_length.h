@@ -12,5 +12,5 @@ namespace orthocone
 /// taken at the reference position of the nodes, which is right for slips that are small against this length
 /// (docs/theory.md, section 3, "Gaps and friction that varies").
 Eigen::VectorXd change_lengths(const Obstacle &obstacle, const FrictionField &friction,
-                               const ContactSurface &surface);
+                               const ContactSurface &surface, const LocalAxes &axes);
 } // namespace orthocone

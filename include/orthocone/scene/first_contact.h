@@ -10,4 +10,9 @@ namespace orthocone
 /// until contact would not be determined. `sample` is of the whole body.
 void require_contact_before_force(const Parameters &parameters, const Obstacle &obstacle,
                                   const SurfaceSample &sample);
+
+/// Throws InputError where a counterface that fits the body overlaps it and no interference drives that, or
+/// where an interference has nothing to drive.
+void require_driven_overlap(const Parameters &parameters, const Obstacle &obstacle,
+                            const std::vector<SurfacePoint> &points);
 } // namespace orthocone

@@ -13,21 +13,38 @@
 
 namespace orthocone
 {
-/// The obstacle that the body rests on: a surface at a gap (mm, > 0 open) below the plane z = 0, rigid or
-/// with a compliance of its own. A new obstacle is a class derived from this one and a line in
-/// make_obstacle().
+/// The obstacle that the body is pressed on, rigid or with a compliance of its own: its distance from the
+/// places of the body's contact surface (mm, > 0 open), and its normals there. A new obstacle is a class
+/// derived from this one and a kind in kinds_of<ObstacleKindOptions>().
 class Obstacle
 {
 public:
   virtual ~Obstacle() = default;
 
+  /// Whether it is the plane z = 0.
   virtual bool is_plane() const { return false; }
 
-  /// Gap below the plane z = 0 at a place (mm), mm; it may be NaN at places that check() has not accepted.
-  virtual double gap(const Eigen::Vector2d &place) const = 0;
+  /// The entry that says where it is, as messages name it.
+  virtual std::string entry() const { return "Obstacle/Gap"; }
 
-  /// Throws InputError unless there is a gap at all these places (mm).
-  virtual void check(const std::vector<Eigen::Vector2d> &places) const = 0;
+  /// Gap between a point of the body's surface and the obstacle, along the normal there, mm; it may be NaN at
+  /// points that check() has not accepted.
+  virtual double gap(const SurfacePoint &point) const = 0;
+
+  /// Whether its normal is z at every point.
+  virtual bool has_normal_z() const { return true; }
+
+  /// Its normals at all of these points, of length 1 and into the body. Throws InputError where it has none.
+  virtual std::vector<Eigen::Vector3d> normals(const std::vector<SurfacePoint> &points) const
+  {
+    return std::vector<Eigen::Vector3d>(points.size(), Eigen::Vector3d::UnitZ());
+  }
+
+  /// Throws InputError unless there is a gap at all these points.
+  virtual void check(const std::vector<SurfacePoint> &points) const = 0;
+
+  /// What is doubtful about it at these points, a sentence each.
+  virtual std::vector<std::string> warnings(const std::vector<SurfacePoint> &) const { return {}; }
 
   /// Material of the half-space that stands for what deforms below the contact nodes; nothing for a rigid
   /// obstacle.
@@ -43,8 +60,8 @@ public:
   std::string asymmetry(const ModelSymmetry &symmetry, const SurfaceSample &sample) const;
 };
 
-/// The obstacle of the options: the plane z = 0, or the gap of an expression and a file, on a rigid or an
-/// elastic ground. Throws FileError or InputError for the file.
+/// The obstacle of the options: the plane z = 0, the gap of an expression and a file, or a distance, on a
+/// rigid or an elastic ground. Throws FileError or InputError for the file.
 std::unique_ptr<const Obstacle> make_obstacle(const ObstacleOptions &options);
 
 /// Gaps of the contact nodes before anything moves, without slip: 3 n, mm.

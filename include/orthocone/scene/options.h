@@ -104,17 +104,17 @@ public:
   /// Whether the law depends on the place.
   virtual bool varies(const FrictionOptions &) const { return false; }
 
-  /// The law at a place (x, y) of the contact surface, mm, along the axes that Friction/Orthotropy angle
-  /// turns. Throws InputError if there is none.
-  virtual FrictionLaw law(const FrictionOptions &friction, const Eigen::Vector2d &place) const = 0;
+  /// The law at a place (x, y, z) of the contact surface, mm, along its axes of friction. Throws InputError
+  /// if there is none.
+  virtual FrictionLaw law(const FrictionOptions &friction, const Eigen::Vector3d &place) const = 0;
 };
 
 template<>
 std::vector<Kind<FrictionLawOptions>> &kinds_of<FrictionLawOptions>();
 
 /// The entries of section Friction: the law, and for that of two ellipses the semi-axes of the friction
-/// ellipse (mu) and of the slip ellipse (p). Axes are turned by `angle` degrees from x to y. Where numbers
-/// vary, those here are at the centre x = y = 0.
+/// ellipse (mu) and of the slip ellipse (p). Their first axis is the projection on the tangent plane of x
+/// turned by `angle` degrees to y, or of `first_axis`. Where numbers vary, those here are at x = y = z = 0.
 struct FrictionOptions
 {
   std::array<double, 2> mu{{0.3, 0.15}};                 ///< both 0: no friction
@@ -125,10 +125,11 @@ struct FrictionOptions
   std::optional<std::array<Expression, 2>> varying_mu{};
   std::optional<std::array<Expression, 2>> varying_slip_potential{};
   std::optional<Expression> varying_angle{};
+  std::optional<std::array<Expression, 3>> first_axis{}; ///< its projection is the first axis
   Choice<FrictionLawOptions> law{};
 
   bool has_ellipses() const { return law == FrictionLawKind::ellipses; }
-  bool varies() const { return varying_angle || law.chosen().varies(*this); }
+  bool varies() const { return varying_angle || first_axis || law.chosen().varies(*this); }
   bool is_frictionless() const { return has_ellipses() && mu[0] == 0 && !varying_mu; }
 
   /// Semi-axes p_x, p_y of the slip ellipse; without friction (1, 1), which means nothing.
@@ -158,16 +159,35 @@ struct FrictionOptions
   }
 
   /// Friction at a place (mm): the same with numbers only. These may be any numbers, also NaN.
-  FrictionOptions at(double x, double y) const;
+  FrictionOptions at(double x, double y, double z = 0) const;
 };
 
-/// The entries of section Obstacle. The gap between the plane z = 0 and the obstacle is the sum of `gap` and
-/// of the gap in the file, mm.
+/// Which normal the counterface has: z, as the plane below its gap, or that of the body, which it fits.
+enum class ObstacleNormal
+{
+  plane,
+  surface,
+};
+
+template<>
+struct Words<ObstacleNormal>
+{
+  static constexpr std::array<std::pair<ObstacleNormal, std::string_view>, 2> table{
+      {{ObstacleNormal::plane, "plane"}, {ObstacleNormal::surface, "surface"}}};
+};
+
+/// The entries of section Obstacle. The gap is the sum of `gap` and of the gap in the file, mm, below the
+/// plane z = 0 or along the normals of the body; or it is `distance`.
 struct ObstacleOptions
 {
   std::string gap = "0";  ///< an Expression
   std::string gap_file{}; ///< path, or empty
   Choice<ObstacleKindOptions> kind{};
+  std::string distance{}; ///< an Expression of x, y and z, or empty
+  ObstacleNormal normal = ObstacleNormal::plane;
+
+  /// Whether its normal is z everywhere.
+  bool has_normal_z() const { return distance.empty() && normal == ObstacleNormal::plane; }
 
   /// Whether the surface of the obstacle is the plane z = 0.
   bool is_plane() const;

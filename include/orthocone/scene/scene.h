@@ -94,6 +94,9 @@ public:
   /// Displacement of the contact nodes relative to the obstacle before anything moves: their gaps, 3 n, mm.
   const NodeVector &gaps() const { return gaps_; }
 
+  /// Gap of the undeformed surfaces at a contact node under these loads, mm: an interference closes it.
+  double undeformed_gap(Eigen::Index node, const Eigen::VectorXd &loads) const;
+
   /// The same (3 n, mm) after motions have driven the held face, without contact forces. Components that
   /// forces drive have not moved.
   NodeVector free_displacement(const FaceTarget &target) const;
@@ -114,6 +117,7 @@ public:
 
 private:
   bool is_loose(unsigned int component) const;
+  void part_overlap();
   Eigen::VectorXd given_loads(const FaceTarget &target) const;
   Eigen::VectorXd conjugates(const NodeVector &force, const RigidMotion &motion,
                              const Eigen::VectorXd &loads) const;
@@ -128,6 +132,8 @@ private:
   LocalAxes axes_;
   std::unique_ptr<const LowerBody> lower_;
   NodeVector gaps_;
+  std::optional<Eigen::Index> interference_; ///< its number among the loads
+  NodeVector overlap_;                       ///< what it drives: negative gaps, 3 n, mm
   Eigen::VectorXd change_lengths_;
   std::unique_ptr<const Compliance> sum_; ///< null on a rigid obstacle
   ContactSystem system_;

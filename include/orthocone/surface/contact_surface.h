@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
+#include <Eigen/Core>
+
 #include <array>
 #include <limits>
 #include <vector>
@@ -17,8 +19,29 @@ struct ContactNode
   double area;                        ///< lumped weight on the model's faces, or on their rings (mm^2)
   std::array<unsigned int, 3> dofs;   ///< of u_x, u_y, u_z, where this process has them
   std::array<bool, 3> is_free;        ///< false where symmetry or a support holds the direction
-  double height = 0;                  ///< z in mm; 0 where the base is flat
+  double height = 0;                  ///< z in mm
   std::array<bool, 3> is_supported{}; ///< whether it is a support that holds the direction
+  /// Of length 1, into the body: the mean of the faces that meet here, by what the node weighs on each.
+  Eigen::Vector3d inward = Eigen::Vector3d::UnitZ();
+  /// The integral of the node's weight times the normal, along `inward` (mm^2): forces by it are tractions,
+  /// which are exact on curved faces if they are even. It is `area` where the counterface has the normal z.
+  double pressed_area = area;
+
+  Eigen::Vector3d place() const { return {position[0], position[1], height}; } ///< mm
+
+  /// A normal (of any length) without the component that a plane of symmetry excludes, of length 1. Of a node
+  /// that is held in all directions it is the normal itself.
+  Eigen::Vector3d with_symmetry(Eigen::Vector3d normal) const
+  {
+    if (is_on_plane(0) != is_on_plane(1) || is_free[2])
+      for (unsigned int d = 0; d < 2; ++d)
+        if (is_on_plane(d))
+          normal[d] = 0;
+    normal.normalize();
+    // Axes that are those of the scene but for rounding are these: a held direction stays one.
+    constexpr double rounding = 1e-11;
+    return (normal.array().abs() < rounding).select(0, normal).normalized();
+  }
 
   /// Whether the node lies on the plane of symmetry that is normal to x (0) or y (1), or on the axis.
   bool is_on_plane(const unsigned int direction) const

@@ -9,37 +9,48 @@
 
 namespace orthocone
 {
-/// Local axes of the contact nodes: the normal z, and tangents x, y that are turned about it, by one angle
-/// for all nodes or by one for each.
+/// Local axes of the contact nodes: the normal, which points from the counterface into the body, and two
+/// tangents. They are orthonormal, and right-handed in the order normal, first, second tangent.
 class LocalAxes
 {
 public:
-  /// `angle`, in degrees, leads from the global to the local x axis of all nodes. Multiples of 90 degrees
-  /// turn without rounding.
+  /// The normal z and tangents x, y that are turned about it. `angle`, in degrees, leads from the global to
+  /// the local x axis of all nodes. Multiples of 90 degrees turn without rounding.
   explicit LocalAxes(double angle);
 
   /// One angle (degrees) for each node. Throws std::logic_error if there is none.
   explicit LocalAxes(const std::vector<double> &angles);
 
-  /// Whether all nodes have one angle.
-  bool is_uniform() const { return turns_.size() == 1; }
+  /// One orthogonal matrix for each node, as global_in_local() returns them. Throws std::logic_error if there
+  /// is none.
+  explicit LocalAxes(std::vector<Eigen::Matrix3d> frames);
 
-  /// Tangential vectors (x, y), in any unit, in the local axes of a node, and back in global axes.
-  Eigen::Vector2d to_local(const std::size_t node, const Eigen::Vector2d &global) const
+  /// Whether all nodes have the same axes.
+  bool is_uniform() const { return frames_.size() == 1; }
+
+  /// Row d: the global direction d (x, y, z) in local components (normal, first, second) of the node. Columns
+  /// are the local axes in global components.
+  const Eigen::Matrix3d &global_in_local(const std::size_t node) const
   {
-    return turn(node).transpose() * global;
-  }
-  Eigen::Vector2d to_global(const std::size_t node, const Eigen::Vector2d &local) const
-  {
-    return turn(node) * local;
+    return frames_[is_uniform() ? 0 : node];
   }
 
-  /// Row d: the global direction d (x, y, z) in local components (normal, x, y) of the node.
-  Eigen::Matrix3d global_in_local(std::size_t node) const;
+  Eigen::Vector3d normal(const std::size_t node) const { return global_in_local(node).col(0); }
+
+  /// A vector along the surface, given by its components along both tangents, in global axes and in its unit.
+  Eigen::Vector3d to_global(const std::size_t node, const Eigen::Vector2d &tangential) const
+  {
+    return global_in_local(node).rightCols<2>() * tangential;
+  }
 
 private:
-  const Eigen::Matrix2d &turn(const std::size_t node) const { return turns_[is_uniform() ? 0 : node]; }
-
-  std::vector<Eigen::Matrix2d> turns_; ///< one for all nodes, or one a node
+  std::vector<Eigen::Matrix3d> frames_; ///< one for all nodes, or one a node
 };
+
+/// The axes of one node with the normal z, as those of LocalAxes(angle).
+Eigen::Matrix3d axes_about_z(double angle);
+
+/// The axes of one node with this normal (of length 1), whose first tangent is the projection of `along` on
+/// the tangent plane. Throws std::domain_error where `along` has no projection, because it is normal itself.
+Eigen::Matrix3d axes_along(const Eigen::Vector3d &normal, const Eigen::Vector3d &along);
 } // namespace orthocone

@@ -25,8 +25,8 @@ NodeVector ContactFrame::moved_with(const RigidMotion &held) const
   NodeVector moved(3 * nodes().size());
   for (std::size_t i = 0; i < nodes().size(); ++i)
   {
-    const Vector3d global = held.at(unknowns_.arm(nodes()[i]));
-    moved.segment<3>(3 * static_cast<Index>(i)) << global[2], axes_.to_local(i, global.head<2>());
+    moved.segment<3>(3 * static_cast<Index>(i)) =
+        global_in_local(i).transpose() * held.at(unknowns_.arm(nodes()[i]));
   }
   return moved;
 }

@@ -16,8 +16,10 @@ namespace
 class SurfaceBuilder
 {
 public:
-  SurfaceBuilder(const unsigned int degree, const dealii::Utilities::MPI::Partitioner &partitioner)
-      : partitioner_(partitioner)
+  SurfaceBuilder(const unsigned int degree, const dealii::Utilities::MPI::Partitioner &partitioner,
+                 const bool faces_down)
+      : partitioner_(partitioner),
+        faces_down_(faces_down)
   {
     surface_.degree = degree;
   }
@@ -31,6 +33,7 @@ public:
       if (is_new)
         all_.emplace_back(contact_node(node), node);
       all_[entry->second].first.area += node.weight;
+      all_[entry->second].first.inward += Eigen::Map<const Eigen::Vector3d>(node.inward.data());
       places.push_back(entry->second);
     }
     surface_.faces.push_back(places);
@@ -38,6 +41,12 @@ public:
 
   ContactSurface finished()
   {
+    for (auto &[node, on_face] : all_)
+    {
+      const Eigen::Vector3d inward = node.inward;
+      node.inward = node.with_symmetry(inward); // the faces of the other side count, too
+      node.pressed_area = faces_down_ ? node.area : inward.dot(node.inward);
+    }
     std::vector<unsigned int> place(all_.size());
     for (std::size_t i = 0; i < all_.size(); ++i)
       if (!all_[i].second.hangs)
@@ -58,7 +67,8 @@ private:
   ContactNode contact_node(const FaceNode &node) const
   {
     ContactNode result{
-        {{node.place[0], node.place[1]}}, 0, {}, node.is_free, node.place[2], node.is_supported};
+        {{node.place[0], node.place[1]}}, 0, {}, node.is_free, node.place[2], node.is_supported,
+        Eigen::Vector3d::Zero()};
     for (unsigned int d = 0; d < 3; ++d)
       result.dofs[d] =
           node.dofs[d] != dealii::numbers::invalid_dof_index && partitioner_.in_local_range(node.dofs[d])
@@ -76,15 +86,17 @@ private:
     {
       terms.push_back({number_.at(dof), weight});
       surface_.nodes[terms.back().node].area += weight * hanging.area;
+      surface_.nodes[terms.back().node].pressed_area += weight * hanging.pressed_area;
     }
     if (terms.size() == 1)
       return terms.front().node;
-    hanging.area = 0;
+    hanging.area = hanging.pressed_area = 0;
     surface_.hanging.push_back({hanging, terms});
     return static_cast<unsigned int>(surface_.n_places()) - 1;
   }
 
   const dealii::Utilities::MPI::Partitioner &partitioner_;
+  bool faces_down_;
   ContactSurface surface_;
   std::vector<std::pair<ContactNode, FaceNode>> all_;
   std::unordered_map<FaceNode::Dof, unsigned int> number_; ///< of u_z
@@ -104,9 +116,10 @@ ContactFaces::ContactFaces(std::vector<ContactFace> of_this_process, const bool 
 }
 
 ContactSurface ContactFaces::surface(const unsigned int degree,
-                                     const dealii::Utilities::MPI::Partitioner &partitioner) const
+                                     const dealii::Utilities::MPI::Partitioner &partitioner,
+                                     const bool faces_down) const
 {
-  SurfaceBuilder builder(degree, partitioner);
+  SurfaceBuilder builder(degree, partitioner, faces_down);
   for (const ContactFace &face : faces_)
     builder.add(face);
   return builder.finished();

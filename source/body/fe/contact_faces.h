@@ -24,15 +24,16 @@ struct FaceNode
 
   std::array<Dof, 3> dofs; ///< of u_x, u_y, u_z
   std::array<bool, 3> is_free, is_supported;
-  std::array<double, 3> place; ///< mm
-  double weight;               ///< mm^2
+  std::array<double, 3> place;  ///< mm
+  double weight;                ///< mm^2
+  std::array<double, 3> inward; ///< the weight times the normal into the body, mm^2
   bool hangs;
   std::vector<std::pair<Dof, double>> movers; ///< of u_z, where it hangs
 
   template<typename Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &dofs &is_free &is_supported &place &weight &hangs &movers;
+    archive &dofs &is_free &is_supported &place &weight &inward &hangs &movers;
   }
 };
 
@@ -61,7 +62,9 @@ public:
   /// In the order of the surface's faces.
   const std::vector<ContactFace> &faces() const { return faces_; }
 
-  ContactSurface surface(unsigned int degree, const dealii::Utilities::MPI::Partitioner &partitioner) const;
+  /// `faces_down`: the counterface has the normal z.
+  ContactSurface surface(unsigned int degree, const dealii::Utilities::MPI::Partitioner &partitioner,
+                         bool faces_down) const;
 
 private:
   std::vector<ContactFace> faces_;

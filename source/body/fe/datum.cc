@@ -4,11 +4,13 @@
 
 #include "dof_places.h"
 
+#include <orthocone/base/errors.h>
 #include <orthocone/base/ranks.h>
 #include <orthocone/body/shapes/boundary.h>
 #include <orthocone/surface/rigid_motion.h>
 
 #include <algorithm>
+#include <set>
 
 namespace orthocone
 {
@@ -56,7 +58,10 @@ public:
   Datum run(const HeldSurfaces &held)
   {
     const MatrixXd free = free_motions(held);
-    std::vector<RigidRow> rows = rows_of_top();
+    const std::vector<RigidRow> rows = rows_of_top();
+    if (static_cast<Index>(rows.size()) < free.cols())
+      throw InputError("Geometry/Top face = free: too few corners of cells on the top are off the contact "
+                       "surface to tell how the body moves: allowed are more cells there, or supports");
     MatrixXd moved(static_cast<Index>(rows.size()), free.cols()),
         all(moved.rows(), static_cast<Index>(components_.size()));
     for (std::size_t i = 0; i < rows.size(); ++i)
@@ -142,14 +147,27 @@ private:
     return modes.eigenvectors().leftCols(n_free);
   }
 
+  /// Vertices of the contact surface, which the counterface alone may hold.
+  std::set<unsigned int> vertices_of_contact() const
+  {
+    std::set<unsigned int> vertices;
+    for (const auto &cell : triangulation_.cell_iterators_on_level(0))
+      for (const auto &face : cell->face_iterators())
+        if (face->at_boundary() && face->boundary_id() == Boundary::contact_surface)
+          for (const unsigned int v : face->vertex_indices())
+            vertices.insert(face->vertex_index(v));
+    return vertices;
+  }
+
   std::vector<RigidRow> rows_of_top() const
   {
+    const std::set<unsigned int> touching = vertices_of_contact();
     std::vector<RigidRow> rows;
     for_vertices_of_top(
         [&](const unsigned int vertex, const Vector3d &place)
         {
           for (unsigned int d = 0; d < 3; ++d)
-            if (dim == 3 || d != 1 || section_.has_third)
+            if (touching.count(vertex) == 0 && (dim == 3 || d != 1 || section_.has_third))
               rows.push_back({vertex, d, row_at(place, d)});
         });
     return rows;

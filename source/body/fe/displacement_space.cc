@@ -14,6 +14,7 @@
 #include <deal.II/fe/fe_tools.h>
 #include <deal.II/fe/fe_values.h>
 
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -60,6 +61,7 @@ DisplacementSpace<dim>::DisplacementSpace(const dealii::Triangulation<dim> &tria
                                           const MeshOptions &options, const HeldSurfaces &held,
                                           const SectionModel &section)
     : section_(section),
+      contact_faces_down_(held.contact_faces_down),
       scalar_fe_(options.degree),
       fe_(scalar_fe_, n_components()),
       mapping_(dim == 2 ? 1 : options.degree), // the cells of sections have straight edges
@@ -125,11 +127,36 @@ typename DisplacementSpace<dim>::HeldDofs DisplacementSpace<dim>::held_dofs(cons
   for (const HeldBoundary &support : held.supports)
     dofs.supported.add_indices(dofs_on(support.id, support.directions));
   if (!held.supports.empty())
-    dofs.supported.subtract_set(dofs_on(Boundary::contact_surface, z));
+    dofs.supported.subtract_set(held.contact_faces_down ? dofs_on(Boundary::contact_surface, z)
+                                                        : dofs_along_contact_normals());
   dofs.supported.subtract_set(dofs.all);
   dofs.all.add_indices(dofs.supported);
   dofs.all.compress();
   return dofs;
+}
+
+/// Degrees of freedom of contact nodes with a part along the normal of the body there.
+template<int dim>
+dealii::IndexSet DisplacementSpace<dim>::dofs_along_contact_normals() const
+{
+  constexpr double least = 0.1; // component of the normal
+  dealii::IndexSet all(dof_handler_.n_dofs());
+  dealii::FEFaceValues<dim> values(mapping_, scalar_fe_, dealii::QMidpoint<dim - 1>(),
+                                   dealii::update_normal_vectors);
+  std::vector<dealii::types::global_dof_index> dofs(fe_.n_dofs_per_face());
+  for (const auto &cell : dof_handler_.active_cell_iterators())
+    for (const unsigned int face : cell->face_indices())
+      if (!cell->is_artificial() && cell->face(face)->at_boundary() &&
+          cell->face(face)->boundary_id() == Boundary::contact_surface)
+      {
+        values.reinit(typename dealii::Triangulation<dim>::active_cell_iterator(cell), face);
+        const Eigen::Vector3d normal = in_space(dealii::Point<dim>(values.normal_vector(0)));
+        cell->face(face)->get_dof_indices(dofs);
+        for (unsigned int i = 0; i < dofs.size(); ++i)
+          if (std::abs(normal[direction_of(fe_.face_system_to_component_index(i).first)]) > least)
+            all.add_index(dofs[i]);
+      }
+  return all;
 }
 
 template<int dim>
@@ -196,7 +223,7 @@ void DisplacementSpace<dim>::find_contact_surface(const dealii::AffineConstraint
 {
   dealii::FEFaceValues<dim> values(mapping_, scalar_fe_, dealii::QGauss<dim - 1>(scalar_fe_.degree + 1),
                                    dealii::update_values | dealii::update_quadrature_points |
-                                       dealii::update_JxW_values);
+                                       dealii::update_normal_vectors | dealii::update_JxW_values);
   std::vector<ContactFace> faces;
   std::map<dealii::CellId, unsigned int> cells;
   for (const auto &cell : dof_handler_.active_cell_iterators())
@@ -210,7 +237,7 @@ void DisplacementSpace<dim>::find_contact_surface(const dealii::AffineConstraint
           cells[common_id(cell)] = cell->active_cell_index();
         }
   const ContactFaces all(std::move(faces), is_shared());
-  contact_surface_ = all.surface(scalar_fe_.degree, *partitioner_);
+  contact_surface_ = all.surface(scalar_fe_.degree, *partitioner_, contact_faces_down_);
   for (const ContactFace &face : all.faces())
     contact_cells_.push_back(cells.count(face.cell) > 0 ? cells[face.cell]
                                                         : dealii::numbers::invalid_unsigned_int);
@@ -221,17 +248,18 @@ void DisplacementSpace<dim>::find_contact_surface(const dealii::AffineConstraint
 
 template<int dim>
 ContactFace DisplacementSpace<dim>::contact_face(const Cell &cell, const std::vector<unsigned int> &nodes,
-                                                 Eigen::VectorXd weights,
+                                                 Eigen::MatrixX4d weights,
                                                  const dealii::AffineConstraints<double> &hanging)
 {
   if (has_axis_face(cell))
     weights = axis_face_values_.transpose() * weights;
   ContactFace face{common_id(cell), {}};
-  for (unsigned int point = 0; point < weights.size(); ++point)
+  for (unsigned int point = 0; point < weights.rows(); ++point)
   {
     face.nodes.push_back(face_node(cell, nodes[point]));
     FaceNode &node = face.nodes.back();
-    node.weight = weights[point];
+    node.weight = weights(point, 0);
+    node.inward = {{weights(point, 1), weights(point, 2), weights(point, 3)}};
     node.hangs = hanging.is_constrained(node.dofs[2]) && !held_.all.is_element(node.dofs[2]);
     if (node.hangs)
       for (const auto &mover : *hanging.get_constraint_entries(node.dofs[2]))
@@ -267,16 +295,24 @@ FaceNode DisplacementSpace<dim>::face_node(const Cell &cell, const unsigned int 
   return node;
 }
 
-/// Integrals of the shape functions of FE_Q over a contact face, its ring or its strip, mm^2.
+/// Integrals of the shape functions of FE_Q over a contact face, its ring or its strip, and behind them the
+/// same times the normal (x, y, z) into the body, mm^2.
 template<int dim>
-Eigen::VectorXd DisplacementSpace<dim>::face_weights(const dealii::FEFaceValues<dim> &values,
-                                                     const std::vector<unsigned int> &nodes) const
+Eigen::MatrixX4d DisplacementSpace<dim>::face_weights(const dealii::FEFaceValues<dim> &values,
+                                                      const std::vector<unsigned int> &nodes) const
 {
-  Eigen::VectorXd weights = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(nodes.size()));
-  for (unsigned int i = 0; i < weights.size(); ++i)
-    for (const unsigned int q : values.quadrature_point_indices())
-      weights[i] += values.shape_value(hierarchic_[nodes[i]], q) *
-                    ((dim == 2 ? section_.length_at(values.quadrature_point(q)[0]) : 1) * values.JxW(q));
+  Eigen::MatrixX4d weights = Eigen::MatrixX4d::Zero(static_cast<Eigen::Index>(nodes.size()), 4);
+  for (const unsigned int q : values.quadrature_point_indices())
+  {
+    const double area = (dim == 2 ? section_.length_at(values.quadrature_point(q)[0]) : 1) * values.JxW(q);
+    const Eigen::Vector3d inward = in_space(dealii::Point<dim>(-values.normal_vector(q)));
+    for (unsigned int i = 0; i < weights.rows(); ++i)
+    {
+      const double weight = values.shape_value(hierarchic_[nodes[i]], q) * area;
+      weights(i, 0) += weight;
+      weights.row(i).tail<3>() += weight * inward.transpose();
+    }
+  }
   return weights;
 }
 

@@ -13,4 +13,5 @@ const LoadKind &traction_load();
 const LoadKind &motion_load();
 const LoadKind &force_load();
 const LoadKind &temperature_load();
+const LoadKind &interference_load();
 } // namespace orthocone

@@ -16,8 +16,8 @@ namespace orthocone
 {
 std::vector<const LoadKind *> &load_kinds()
 {
-  static std::vector<const LoadKind *> kinds{&pressure_load(), &traction_load(), &motion_load(),
-                                             &force_load(), &temperature_load()};
+  static std::vector<const LoadKind *> kinds{&pressure_load(), &traction_load(),    &motion_load(),
+                                             &force_load(),    &temperature_load(), &interference_load()};
   return kinds;
 }
 

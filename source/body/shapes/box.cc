@@ -43,6 +43,7 @@ public:
   ModelSize size(const ModelSymmetry &symmetry) const override;
 
 private:
+  /// Of one of its faces but the top.
   dealii::types::boundary_id side(const std::string &name) const
   {
     return boundary_of_surface(geometry_, name, Boundary::lateral_surface);
@@ -119,7 +120,7 @@ void Box::make_solid(const SymmetryPlanes &planes, dealii::Triangulation<3> &tri
   // The order of the faces of a coloured box: left, right, front, back, lower, upper.
   const std::array<dealii::types::boundary_id, 6> boundaries{
       {planes.normal_to_x ? Boundary::plane_normal_to_x : side("x-"), side("x+"),
-       planes.normal_to_y ? Boundary::plane_normal_to_y : side("y-"), side("y+"), Boundary::contact_surface,
+       planes.normal_to_y ? Boundary::plane_normal_to_y : side("y-"), side("y+"), side("base"),
        Boundary::top_face}};
   set_boundaries(boundaries, triangulation);
 }
@@ -131,7 +132,7 @@ void Box::make_section(const ModelSymmetry &symmetry, dealii::Triangulation<2> &
   const SymmetryPlanes &planes = symmetry.planes();
   make_cells<2>(planes, {{0, 2}}, triangulation);
   const std::array<dealii::types::boundary_id, 4> boundaries{
-      {planes.normal_to_x ? Boundary::plane_normal_to_x : side("x-"), side("x+"), Boundary::contact_surface,
+      {planes.normal_to_x ? Boundary::plane_normal_to_x : side("x-"), side("x+"), side("base"),
        Boundary::top_face}};
   set_boundaries(boundaries, triangulation);
 }
@@ -154,13 +155,24 @@ std::string Box::asymmetry(const ModelSymmetry &symmetry) const
 ModelSize Box::size(const ModelSymmetry &symmetry) const
 {
   const SymmetryPlanes planes = symmetry.planes();
-  if (symmetry.is_plane_strain())
-    return section_size(mesh_.cells[0] / (planes.normal_to_x ? 2. : 1.), mesh_.cells[2], mesh_.degree,
-                        geometry_.top_face, symmetry);
   const double nx = mesh_.cells[0] / (planes.normal_to_x ? 2. : 1.);
-  const double ny = mesh_.cells[1] / (planes.normal_to_y ? 2. : 1.);
-  return solid_size({nx * ny, 2 * (nx + ny), {{planes.normal_to_x ? ny : 0, planes.normal_to_y ? nx : 0}}},
-                    mesh_.cells[2], mesh_.degree, geometry_.top_face);
+  const double ny = symmetry.is_plane_strain() ? 0 : mesh_.cells[1] / (planes.normal_to_y ? 2. : 1.);
+  ModelSize size =
+      symmetry.is_plane_strain()
+          ? section_size(nx, mesh_.cells[2], mesh_.degree, geometry_.top_face, symmetry)
+          : solid_size({nx * ny, 2 * (nx + ny), {{planes.normal_to_x ? ny : 0, planes.normal_to_y ? nx : 0}}},
+                       mesh_.cells[2], mesh_.degree, geometry_.top_face);
+  if (geometry_.touches_with_base_only())
+    return size;
+  const auto touches = [&](const char *const name, const bool is_there)
+  { return is_there && geometry_.touches_with(name) ? 1 : 0; };
+  const double degree = mesh_.degree;
+  const std::array<double, 3> nodes{{nx * degree + 1, ny * degree + 1, mesh_.cells[2] * degree + 1}};
+  const double without = (nodes[0] - touches("x-", !planes.normal_to_x) - touches("x+", true)) *
+                         (nodes[1] - touches("y-", ny > 0 && !planes.normal_to_y) - touches("y+", ny > 0)) *
+                         (nodes[2] - touches("base", true));
+  size.contact_nodes = nodes[0] * nodes[1] * nodes[2] - without;
+  return size;
 }
 
 class BoxKind : public ShapeKind

@@ -50,7 +50,7 @@ dealii::types::boundary_id boundary_of(const dealii::Triangulation<3>::face_iter
   const double z_tolerance = relative_tolerance * geometry.height;
   const double r_tolerance = relative_tolerance * geometry.radius;
   if (lies_in_plane(face, 2, 0, z_tolerance))
-    return Boundary::contact_surface;
+    return boundary_of_surface(geometry, "base", Boundary::lateral_surface);
   if (lies_in_plane(face, 2, geometry.height, z_tolerance))
     return Boundary::top_face;
   if (planes.normal_to_x && lies_in_plane(face, 0, 0, r_tolerance))
@@ -81,10 +81,6 @@ std::vector<double> differences(const std::vector<double> &positions)
   return steps;
 }
 
-/// The boundaries of a coloured rectangle: left, right, lower, upper.
-constexpr std::array<Boundary, 4> section_boundaries{
-    {Boundary::axis, Boundary::lateral_surface, Boundary::contact_surface, Boundary::top_face}};
-
 class Cylinder : public Shape
 {
 public:
@@ -101,6 +97,7 @@ public:
 
 private:
   void curve_rings(dealii::Triangulation<3> &triangulation) const;
+  ModelSize with_contact(double n_rim, ModelSize size) const;
 
   const GeometryOptions geometry_;
   const MeshOptions mesh_;
@@ -150,11 +147,14 @@ void Cylinder::make_section(const ModelSymmetry &symmetry, dealii::Triangulation
       {differences(radii(geometry_.radius, mesh_)),
        differences(positions_graded_to_both_ends(geometry_.height, mesh_.layers, mesh_.layer_grading))},
       dealii::Point<2>(0, 0), dealii::Point<2>(geometry_.radius, geometry_.height), colourize);
+  const auto named = [&](const char *const name)
+  { return boundary_of_surface(geometry_, name, Boundary::lateral_surface); };
+  // The order of the faces of a coloured rectangle: left, right, lower, upper.
+  const std::array<dealii::types::boundary_id, 4> boundaries{
+      {Boundary::axis, named("side"), named("base"), Boundary::top_face}};
   for (const auto &face : triangulation.active_face_iterators())
     if (face->at_boundary())
-      face->set_boundary_id(section_boundaries[face->boundary_id()] == Boundary::lateral_surface
-                                ? boundary_of_surface(geometry_, "side", Boundary::lateral_surface)
-                                : section_boundaries[face->boundary_id()]);
+      face->set_boundary_id(boundaries[face->boundary_id()]);
 }
 
 ModelSize Cylinder::size(const ModelSymmetry &symmetry) const
@@ -162,15 +162,26 @@ ModelSize Cylinder::size(const ModelSymmetry &symmetry) const
   const double core = mesh_.core_cells;
   const double rings = mesh_.n_rings();
   if (symmetry.is_axisymmetric())
-    return section_size(std::ceil(core / 2) + rings, mesh_.layers, mesh_.degree, geometry_.top_face,
-                        symmetry);
+    return with_contact(1, section_size(std::ceil(core / 2) + rings, mesh_.layers, mesh_.degree,
+                                        geometry_.top_face, symmetry));
   const unsigned int n_copies = symmetry.n_copies();
   const double faces = (core * core + 4 * core * rings) / n_copies;
   const double diameter = n_copies == 1 ? 0 : core + 2 * rings; // or two radii of a quarter
   const std::array<double, 2> planes{
       {n_copies == 4 ? diameter / 2 : diameter, n_copies == 4 ? diameter / 2 : 0}};
-  return solid_size({faces, 4 * core / n_copies + diameter, planes}, mesh_.layers, mesh_.degree,
-                    geometry_.top_face);
+  return with_contact(4 * core / n_copies * mesh_.degree + (n_copies == 1 ? 0 : 1),
+                      solid_size({faces, 4 * core / n_copies + diameter, planes}, mesh_.layers, mesh_.degree,
+                                 geometry_.top_face));
+}
+
+/// Of `size` as if the base alone touched, with `n_rim` of its nodes at the rim.
+ModelSize Cylinder::with_contact(const double n_rim, ModelSize size) const
+{
+  const double of_base = size.contact_nodes, over_height = mesh_.layers * mesh_.degree + 1.;
+  const double inside = of_base - (geometry_.touches_with("side") ? n_rim : 0);
+  const double above = over_height - (geometry_.touches_with("base") ? 1 : 0);
+  size.contact_nodes = of_base * over_height - inside * above;
+  return size;
 }
 
 class CylinderKind : public ShapeKind

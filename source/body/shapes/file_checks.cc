@@ -93,7 +93,10 @@ void check_mesh_file(const GeometryOptions &geometry)
       geometry.mesh_file,
       geometry.is_plane_strain() ? std::optional(geometry.section_thickness()) : std::nullopt);
   SurfaceCheck check(file);
-  check.require(geometry.section + "/Contact surface", geometry.contact_surface);
+  if (geometry.contact_surfaces.empty())
+    check.require(geometry.section + "/Contact surface", "");
+  for (const std::string &surface : geometry.contact_surfaces)
+    check.require(geometry.section + "/Contact surface", surface);
   const bool holds_itself = geometry.section + "" != "Geometry" && !geometry.supports.empty();
   if (!geometry.held_surface.empty() || !holds_itself) // no load drives the lower body
     check.require(geometry.section + "/Held surface", geometry.held_surface);

@@ -182,15 +182,6 @@ Codec<std::string> group_codec()
           [](const std::string &name) { return name; }};
 }
 
-Codec<std::vector<std::string>> groups_codec()
-{
-  return list_codec<std::string>(
-      "names or numbers separated by commas, or nothing", ',', ", ",
-      [](const std::string &text)
-      { return !text.empty() && is_group_name(text) ? std::optional<std::string>(text) : std::nullopt; },
-      [](const std::string &name) { return name; });
-}
-
 class FileKind : public ShapeKind
 {
 public:
@@ -203,14 +194,9 @@ public:
              "Mesh by Gmsh for Shape = file (format 2.1, 2.2 or 4.1, ASCII, lengths in mm); its path is "
              "relative to the folder of the parameter file. The mesh consists of hexahedra, or in plane "
              "strain of quadrangles in the plane y = 0, whose surfaces are physical lines. It covers the "
-             "modelled part of the body, and its contact surface lies at z >= 0, because the height of a "
-             "contact node is added to Gap.")
+             "modelled part of the body. On a counterface by Gap its contact surface lies at z >= 0, because "
+             "the height of a contact node is added to Gap.")
         .path(geometry.mesh_file)
-        .only_if(is_chosen);
-    section
-        .add("Contact surface", geometry.contact_surface, group_codec(),
-             "Contact surface of a Mesh file, which may touch the counterface: the name or number of a "
-             "physical group, or a place such as z min.")
         .only_if(is_chosen);
     section
         .add("Held surface", geometry.held_surface, group_codec(),
@@ -218,7 +204,7 @@ public:
              "a physical group, or a place such as z max. A lower body with Supports may have none.")
         .only_if(is_chosen);
     section
-        .add("Symmetry surfaces", geometry.symmetry_surfaces, groups_codec(),
+        .add("Symmetry surfaces", geometry.symmetry_surfaces, group_names_codec(),
              "Surfaces of a Mesh file in the planes x = 0 and y = 0 about which the body is symmetric, by "
              "their names, numbers or places.")
         .only_if(is_chosen);

@@ -69,7 +69,10 @@ ImportedMesh::ImportedMesh(const GeometryOptions &geometry)
     }
   for (unsigned int d = 0; d < 3; ++d)
     extent_ = std::max(extent_, highest_[d] - lowest_[d]);
-  contact_ = faces_of(geometry_.contact_surface);
+  for (const std::string &surface : geometry_.contact_surfaces)
+    for (const Face &face : faces_of(surface))
+      contact_.push_back(face);
+  std::sort(contact_.begin(), contact_.end());
   held_ = faces_of(geometry_.held_surface);
   for (const std::string &surface : marked_surfaces(geometry_))
     marked_.push_back(faces_of(surface));
@@ -113,6 +116,9 @@ void ImportedMesh::align()
   double of_symmetry = rounding * extent_;
   for (const std::string &surface : geometry_.symmetry_surfaces)
     of_symmetry = std::max(of_symmetry, tolerance_of(surface));
+  double of_contact = 0;
+  for (const std::string &surface : geometry_.contact_surfaces)
+    of_contact = std::max(of_contact, tolerance_of(surface));
   const auto settle = [](double &coordinate, const double tolerance)
   { coordinate = std::abs(coordinate) <= tolerance ? 0 : coordinate; };
   for (const auto &cell : triangulation_.active_cell_iterators())
@@ -123,7 +129,7 @@ void ImportedMesh::align()
       if (planes_.normal_to_y)
         settle(cell->vertex(v)[1], of_symmetry);
       if (in_contact.count(cell->vertex_index(v)) > 0)
-        settle(cell->vertex(v)[2], tolerance_of(geometry_.contact_surface));
+        settle(cell->vertex(v)[2], of_contact);
     }
 }
 
@@ -165,7 +171,7 @@ void ImportedMesh::check_outside(const std::string &given, const std::string &su
 /// Finds places where the contact surface is below its plane or does not look down on it.
 void ImportedMesh::check_contact(FaultList &faults) const
 {
-  const std::string given = geometry_.section + "/Contact surface = " + shown(geometry_.contact_surface);
+  const std::string given = geometry_.contact_entry();
   std::vector<std::string> below, upwards;
   for (const auto vertex : vertices_of(contact_))
     if (const Point<3> &at = triangulation_.get_vertices()[vertex]; at[2] < 0)
@@ -178,10 +184,12 @@ void ImportedMesh::check_contact(FaultList &faults) const
           upwards.push_back(place(face->center()));
   if (!below.empty())
     faults.add(given + " is below the plane at " + enumeration(below) +
-               ": allowed is z >= 0, because the height of a contact node is its gap");
+               ": allowed is z >= 0, because the height of a contact node is its gap, or a counterface by "
+               "Obstacle/Distance");
   if (!upwards.empty())
     faults.add(given + " does not look down at " + enumeration(upwards) +
-               ": allowed is a surface that faces downwards, towards the counterface");
+               ": allowed is a surface that faces downwards, towards the counterface, or a counterface by "
+               "Obstacle/Distance or with Obstacle/Normal = surface");
 }
 
 void ImportedMesh::check_surfaces() const
@@ -189,7 +197,8 @@ void ImportedMesh::check_surfaces() const
   FaultList faults;
   const auto check = [&](const std::string &entry, const std::string &surface)
   { check_outside(geometry_.section + "/" + entry + " = " + shown(surface), surface, faults); };
-  check("Contact surface", geometry_.contact_surface);
+  for (const std::string &surface : geometry_.contact_surfaces)
+    check("Contact surface", surface);
   check("Held surface", geometry_.held_surface);
   const std::set<unsigned int> vertices = vertices_of(contact_);
   std::vector<std::string> common;
@@ -201,7 +210,8 @@ void ImportedMesh::check_surfaces() const
                " has nodes of the contact surface, such as " + common.front() +
                ": allowed are surfaces that do not touch");
   check_marked(faults);
-  check_contact(faults);
+  if (geometry_.faces_down)
+    check_contact(faults);
   faults.throw_if_any();
 }
 

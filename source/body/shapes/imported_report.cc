@@ -74,7 +74,8 @@ std::string ImportedMesh::describe() const
   text << std::setprecision(6) << "mesh file      " << file_.path << "\n";
   append(text, file_, 3, volumes);
   append(text, file_, 2, surfaces);
-  std::vector<std::string> named{geometry_.contact_surface, geometry_.held_surface};
+  std::vector<std::string> named = geometry_.contact_surfaces;
+  named.push_back(geometry_.held_surface);
   named.insert(named.end(), geometry_.symmetry_surfaces.begin(), geometry_.symmetry_surfaces.end());
   for (const std::string &surface : marked_surfaces(geometry_))
     named.push_back(surface);

@@ -2,10 +2,12 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/body/shapes/shape_kind.h>
 
+#include "../names_of_groups.h"
 #include "shapes.h"
 
 #include <orthocone/base/errors.h>
 #include <orthocone/base/grading.h>
+#include <orthocone/base/text.h>
 
 #include <cmath>
 
@@ -68,7 +70,33 @@ void declare_shape(GeometryOptions &geometry, Section &section)
     kind->declare(geometry,
                   where_shape(geometry, [kind](const ShapeKind &chosen) { return &chosen == kind; }),
                   section);
+  section.add("Contact surface", geometry.contact_surfaces, group_names_codec(),
+              "Surfaces that may touch the counterface, one or several: base (where nothing is named) and "
+              "side of a cylinder; base, x-, x+, y- and y+ of a box; of a Mesh file the names or numbers of "
+              "physical groups, or places such as z min. The counterface of all but a base needs "
+              "Obstacle/Distance, or Obstacle/Normal = surface.");
   declare_supports(geometry, section);
+}
+
+bool GeometryOptions::touches_with_base_only() const
+{
+  return !is_from_file() &&
+         (contact_surfaces.empty() || contact_surfaces == std::vector<std::string>{"base"});
+}
+
+bool GeometryOptions::touches_with(const std::string &surface) const
+{
+  return contact_surfaces.empty()
+             ? surface == "base"
+             : std::find(contact_surfaces.begin(), contact_surfaces.end(), surface) != contact_surfaces.end();
+}
+
+std::string GeometryOptions::contact_names() const
+{
+  std::string all;
+  for (const std::string &name : contact_surfaces)
+    all += (all.empty() ? "" : ", ") + shown(name);
+  return all;
 }
 
 void declare_top_face(GeometryOptions &geometry, Section &section)

@@ -105,6 +105,7 @@ dealii::types::boundary_id boundary_of_marked(const GeometryOptions &geometry, c
 HeldSurfaces held_surfaces(const GeometryOptions &geometry)
 {
   HeldSurfaces held(geometry.top_face);
+  held.contact_faces_down = geometry.faces_down;
   held.has_datum = geometry.top_face == TopFace::free && !geometry.is_lower;
   for (const Support &support : geometry.supports)
     held.supports.push_back({boundary_of_marked(geometry, support.surface), support.directions});
@@ -121,6 +122,8 @@ HeldSurfaces held_surfaces(const GeometryOptions &geometry)
 dealii::types::boundary_id boundary_of_surface(const GeometryOptions &geometry, const std::string &surface,
                                                const Boundary otherwise)
 {
+  if (geometry.touches_with(surface))
+    return Boundary::contact_surface;
   const std::vector<std::string> names = marked_surfaces(geometry);
   const auto found = std::find(names.begin(), names.end(), surface);
   return found == names.end()
@@ -190,6 +193,48 @@ std::string asymmetry_of_surfaces(const GeometryOptions &geometry, const ModelSy
   return {};
 }
 
+/// Names of surfaces that may not touch the counterface.
+static std::vector<std::string> without_contact(const GeometryOptions &geometry,
+                                                std::vector<std::string> surfaces)
+{
+  surfaces.erase(std::remove_if(surfaces.begin(), surfaces.end(),
+                                [&](const std::string &name) { return geometry.touches_with(name); }),
+                 surfaces.end());
+  return surfaces;
+}
+
+void check_contact_surfaces(const GeometryOptions &geometry, const std::vector<std::string> &surfaces)
+{
+  if (geometry.is_from_file() || geometry.touches_with_base_only())
+    return;
+  const std::string given = geometry.contact_entry();
+  if (surfaces.empty())
+    throw InputError(given + " with " + geometry.shape_entry() +
+                     ", whose surfaces have no names: allowed is nothing");
+  for (const std::string &name : geometry.contact_surfaces)
+  {
+    std::vector<std::string> allowed = surfaces;
+    allowed.erase(allowed.begin() + 1); // the top, which is the held face
+    if (std::find(allowed.begin(), allowed.end(), name) == allowed.end())
+      throw InputError(given +
+                       (name == surfaces[1]
+                            ? " is the held face: allowed are "
+                            : " names no surface of " + geometry.shape_entry() +
+                                  (geometry.is_plane_strain() ? " in plane strain" : "") + ": allowed are ") +
+                       enumerated(allowed));
+    if (std::count(geometry.contact_surfaces.begin(), geometry.contact_surfaces.end(), name) > 1)
+      throw InputError(given + " names " + name + " twice: allowed is once");
+    if (name != surfaces.front() && geometry.top_face == TopFace::clamped)
+      throw InputError(given + " with " + geometry.section + "/Top face = clamped, so that the rim of " +
+                       name +
+                       " is a part of the held face, too: allowed is Top face = guided or free, or a Mesh "
+                       "file whose contact surface ends below the held face");
+    if (geometry.faces_down && name != surfaces.front())
+      throw InputError(given + " on a counterface with the normal z: allowed is " + surfaces.front() +
+                       ", or a counterface by Obstacle/Distance or with Obstacle/Normal = surface");
+  }
+}
+
 void check_supports(const GeometryOptions &geometry, const std::vector<std::string> &surfaces)
 {
   const std::vector<Support> &supports = geometry.supports;
@@ -204,10 +249,10 @@ void check_supports(const GeometryOptions &geometry, const std::vector<std::stri
     if (surfaces.empty())
       throw InputError(entry_with(geometry, *support) + " with " + geometry.shape_entry() +
                        ", whose surfaces have no names: allowed is nothing");
-    const std::vector<std::string> allowed(surfaces.begin() + 1, surfaces.end());
+    const std::vector<std::string> allowed = without_contact(geometry, surfaces);
     if (std::find(allowed.begin(), allowed.end(), support->surface) == allowed.end())
       throw InputError(entry_with(geometry, *support) +
-                       (support->surface == surfaces.front()
+                       (geometry.touches_with(support->surface)
                             ? " is the contact surface, which only the counterface may hold: allowed are "
                             : " names no surface of " + geometry.shape_entry() +
                                   (geometry.is_plane_strain() ? " in plane strain" : "") + ": allowed are ") +
@@ -225,14 +270,14 @@ void check_surfaces_of_loads(const GeometryOptions &geometry, const std::vector<
     if (surfaces.empty())
       throw InputError(given + " with " + geometry.shape_entry() +
                        ", whose surfaces have no names: allowed are loads without surfaces");
-    std::vector<std::string> allowed(surfaces.begin() + 1, surfaces.end());
+    std::vector<std::string> allowed = without_contact(geometry, surfaces);
     const bool is_clamped = geometry.top_face == TopFace::clamped;
     if (is_clamped)
-      allowed.erase(allowed.begin());
+      allowed.erase(std::find(allowed.begin(), allowed.end(), surfaces[1]));
     for (const std::string &surface : load.surfaces)
       if (std::find(allowed.begin(), allowed.end(), surface) == allowed.end())
         throw InputError(given +
-                         (surface == surfaces.front()
+                         (geometry.touches_with(surface)
                               ? " acts on the contact surface, where the counterface alone may: allowed are "
                           : surface == surfaces[1]
                               ? " acts on the held face, which " + geometry.section +

@@ -56,8 +56,10 @@ ContactStep::ContactStep(const ContactSystem &system, NodeVector q, FreeFace fac
       face_(std::move(face))
 {
   eigen_assert(q_.size() == 3 * n_nodes());
-  // The gap that a free face leaves is not known yet, but what it must carry is.
-  least_force_ = face_.n() == 0 ? penetration(q_) / system.softness() : face_.balance().norm();
+  // The gap that a free face leaves is not known yet, but what it must carry is. If that is nothing, as in a
+  // press fit around a free body, an overlap presses alone.
+  const double carried = face_.n() == 0 ? 0 : face_.balance().norm();
+  least_force_ = carried > 0 ? carried : penetration(q_) / system.softness();
   rounding_force_ = 2 * std::numeric_limits<double>::epsilon() * holding_force(system, q_);
 }
 

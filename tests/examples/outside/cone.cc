@@ -19,8 +19,11 @@ public:
   {
   }
 
-  double gap(const Eigen::Vector2d &place) const override { return slope_ * std::hypot(place[0], place[1]); }
-  void check(const std::vector<Eigen::Vector2d> &) const override {} // there is a gap everywhere
+  double gap(const orthocone::SurfacePoint &point) const override
+  {
+    return slope_ * std::hypot(point.place[0], point.place[1]) + point.place[2];
+  }
+  void check(const std::vector<orthocone::SurfacePoint> &) const override {} // there is a gap everywhere
 
 private:
   double slope_;

@@ -82,7 +82,7 @@ public:
         .only_if(is_chosen);
   }
 
-  orthocone::FrictionLaw law(const orthocone::FrictionOptions &, const Vector2d &) const override
+  orthocone::FrictionLaw law(const orthocone::FrictionOptions &, const Eigen::Vector3d &) const override
   {
     return orthocone::FrictionLaw(std::make_shared<const Superellipse>(Vector2d(mu_x_, mu_y_), exponent_));
   }

@@ -87,7 +87,7 @@ inline GeometryOptions imported(const std::string &file, const std::vector<std::
   GeometryOptions geometry;
   geometry.shape = BodyShape::file;
   geometry.mesh_file = file;
-  geometry.contact_surface = "base";
+  geometry.contact_surfaces = {"base"};
   geometry.held_surface = "top";
   geometry.symmetry_surfaces = symmetry;
   return geometry;

@@ -133,12 +133,12 @@ inline void expect_checked_steps(TestScene &scene)
       });
 }
 
-/// Node of the scene at a position, or -1.
-inline int node_at(const TestScene &scene, const std::array<double, 2> &position)
+/// Node of the scene at a place, or -1.
+inline int node_at(const TestScene &scene, const Eigen::Vector3d &place)
 {
   const auto &nodes = scene.discretization.contact_surface().nodes;
   for (std::size_t i = 0; i < nodes.size(); ++i)
-    if (std::hypot(nodes[i].position[0] - position[0], nodes[i].position[1] - position[1]) < 1e-9)
+    if ((nodes[i].place() - place).norm() < 1e-9)
       return static_cast<int>(i);
   return -1;
 }
@@ -153,7 +153,7 @@ inline void expect_same_fields(const TestScene &part, const TestScene &whole, co
   const auto &nodes = part.discretization.contact_surface().nodes;
   for (unsigned int i = 0; i < nodes.size(); ++i)
   {
-    const int other = node_at(whole, nodes[i].position);
+    const int other = node_at(whole, nodes[i].place());
     ASSERT_GE(other, 0);
     const ContactFields a = part.evaluator.fields(part.state, i);
     const ContactFields b = whole.evaluator.fields(whole.state, other);

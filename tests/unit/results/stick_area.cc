@@ -216,7 +216,8 @@ TEST(StickArea, KnowsHowCompliantSlipAlongTheBorderIs)
     antiplane.push_back(in_plane.back());
     if (in_plane.back().status != NodeStatus::slip)
       continue;
-    const Eigen::Vector2d across = place.normalized(), along(-across[1], across[0]);
+    const Eigen::Vector2d radial = place.normalized();
+    const Eigen::Vector3d across(radial[0], radial[1], 0), along(-radial[1], radial[0], 0);
     in_plane.back().normal_by_slip = across * across.transpose();
     antiplane.back().normal_by_slip = along * along.transpose();
     antiplane.back().slip /= 1 - material.poisson_ratio;

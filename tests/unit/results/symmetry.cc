@@ -181,7 +181,7 @@ TEST(Symmetry, FieldsTurnWithTheScene)
   const auto &nodes = original.discretization.contact_surface().nodes;
   for (unsigned int i = 0; i < nodes.size(); ++i)
   {
-    const int other = node_at(turned, {{nodes[i].position[1], nodes[i].position[0]}});
+    const int other = node_at(turned, {nodes[i].position[1], nodes[i].position[0], 0});
     ASSERT_GE(other, 0);
     const Eigen::Vector3d a = original.evaluator.fields(original.state, i).slip;
     const Eigen::Vector3d b = turned.evaluator.fields(turned.state, other).slip;

@@ -94,22 +94,23 @@ TEST(FieldEntries, ReplaceEachOther)
 
 TEST(FieldEntries, TellWhatIsWrongInAnExpression)
 {
-  const std::string pair =
-      ": allowed is two numbers > 0 (or both 0: no friction) separated by a comma, or expressions of x and y";
+  const std::string pair = ": allowed is two numbers > 0 (or both 0: no friction) separated by a comma, or "
+                           "expressions of x, y and z";
   EXPECT_EQ(fault_of_setting("Friction/Coefficients=0.1, foo(x)"),
             "--set: Friction/Coefficients = 0.1, foo(x)" + pair + "; in 'foo(x)' 'foo' is not known");
   EXPECT_EQ(fault_of_setting("Friction/Coefficients=atan2(x,y)"),
             "--set: Friction/Coefficients = atan2(x,y)" + pair);
   EXPECT_EQ(fault_of_setting("Friction/Coefficients=0, 1+x^2"),
             "--set: Friction/Coefficients = 0, 1+x^2" + pair);
-  EXPECT_EQ(fault_of_setting("Obstacle/Gap=x^"),
-            "--set: Obstacle/Gap = x^: allowed is a number, or an expression of x and y; it ends too early");
+  EXPECT_EQ(
+      fault_of_setting("Obstacle/Gap=x^"),
+      "--set: Obstacle/Gap = x^: allowed is a number, or an expression of x, y and z; it ends too early");
   EXPECT_EQ(fault_of_setting("Obstacle/Gap=1/0"),
-            "--set: Obstacle/Gap = 1/0: allowed is a number, or an expression of x and y");
+            "--set: Obstacle/Gap = 1/0: allowed is a number, or an expression of x, y and z");
   EXPECT_EQ(
       fault_of_setting("Friction/Orthotropy angle=500-1"),
       "--set: Friction/Orthotropy angle = 500-1: allowed is a number >= -360 and <= 360, or an expression "
-      "of x and y");
+      "of x, y and z");
 }
 
 TEST(FieldEntries, TellTheLimitThatAPairIsBeyond)
@@ -117,7 +118,7 @@ TEST(FieldEntries, TellTheLimitThatAPairIsBeyond)
   EXPECT_EQ(
       fault_of_setting("Friction/Slip potential=1, 1e301"),
       "--set: Friction/Slip potential = 1, 1e301: allowed is associated, or two numbers > 0 and < 1e+300 "
-      "separated by a comma, or collinear, or expressions of x and y");
+      "separated by a comma, or collinear, or expressions of x, y and z");
   EXPECT_NE(
       fault_of_setting("Friction/Coefficients=1e300, 1").find("two numbers > 0 and < 1e+300 (or both 0"),
       std::string::npos);

@@ -21,7 +21,7 @@ public:
   unsigned int n_free() const { return unknowns_.n_free(); }
 
   /// 3 x 3; row d is the global direction d (x, y, z) in local components (normal, x, y) of the node.
-  Eigen::Matrix3d global_in_local(const std::size_t node) const { return axes_.global_in_local(node); }
+  const Eigen::Matrix3d &global_in_local(const std::size_t node) const { return axes_.global_in_local(node); }
 
   /// ElasticBody::moved_with(), wrench() and with_motion(); `elastic` may also have all local degrees of
   /// freedom.

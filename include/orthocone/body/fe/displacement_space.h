@@ -108,14 +108,16 @@ private:
   HeldDofs held_dofs(const HeldSurfaces &held, const Datum &datum) const;
   void add_datum(const Datum &datum, dealii::IndexSet &dofs) const;
   void make_axis_face_basis();
+  dealii::IndexSet dofs_along_contact_normals() const;
   void find_contact_surface(const dealii::AffineConstraints<double> &hanging);
-  ContactFace contact_face(const Cell &cell, const std::vector<unsigned int> &nodes, Eigen::VectorXd weights,
+  ContactFace contact_face(const Cell &cell, const std::vector<unsigned int> &nodes, Eigen::MatrixX4d weights,
                            const dealii::AffineConstraints<double> &hanging);
   FaceNode face_node(const Cell &cell, unsigned int point);
-  Eigen::VectorXd face_weights(const dealii::FEFaceValues<dim> &values,
-                               const std::vector<unsigned int> &nodes) const;
+  Eigen::MatrixX4d face_weights(const dealii::FEFaceValues<dim> &values,
+                                const std::vector<unsigned int> &nodes) const;
 
   SectionModel section_;
+  bool contact_faces_down_;
   dealii::FE_Q<dim> scalar_fe_;
   dealii::FESystem<dim> fe_;
   dealii::MappingQ<dim> mapping_;

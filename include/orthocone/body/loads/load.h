@@ -57,6 +57,9 @@ public:
   /// Strain of an unloaded body under a unit of the load.
   virtual Strain free_strain(const MaterialOptions & /*material*/) const { return {}; }
 
+  /// Whether it is the share of negative gaps between body and counterface that is there.
+  virtual bool drives_overlap() const { return false; }
+
   /// The entry of section Material without which the load does nothing, or nothing.
   virtual std::string lacking_entry(const MaterialOptions & /*material*/) const { return {}; }
 

@@ -30,7 +30,7 @@ public:
   /// Throws InputError where its entries contradict each other, and FileError for a file that cannot be read.
   virtual void check(const BodyOptions &body) const = 0;
 
-  /// Names of its surfaces, first the contact surface and then the held one; none for a file.
+  /// Names of its surfaces, first the base and then the held one; none for a file.
   virtual std::vector<std::string> surfaces(const GeometryOptions &) const { return {}; }
 
   /// What chooses the mesh where neither Resolution nor Accuracy can, a clause; "" where they can.

@@ -34,6 +34,7 @@ struct HeldSurfaces
 
   TopFace top_face;
   std::vector<HeldBoundary> supports;
+  bool contact_faces_down = true; ///< GeometryOptions::faces_down
   bool has_datum =
       false; ///< whether contact may hold what nothing else does: of the upper body with a free top
 };
@@ -59,9 +60,13 @@ std::string mirrored_surface(const std::string &surface, unsigned int plane);
 /// modelled part and are symmetric.
 std::string asymmetry_of_surfaces(const GeometryOptions &geometry, const ModelSymmetry &symmetry);
 
-/// Throws InputError where a support names a surface that the shape does not have, its contact surface, or
-/// one twice. `surfaces` are the names, first the contact surface and then the held one; those of a file are
+/// Throws InputError where Contact surface names what the shape does not have, what is held, or what does not
+/// face the counterface. `surfaces` are the names, first the base and then the held one; those of a file are
 /// checked with its mesh.
+void check_contact_surfaces(const GeometryOptions &geometry, const std::vector<std::string> &surfaces);
+
+/// Throws InputError where a support names a surface that the shape does not have, its contact surface, or
+/// one twice. `surfaces` are as for check_contact_surfaces().
 void check_supports(const GeometryOptions &geometry, const std::vector<std::string> &surfaces);
 
 /// The same of the surfaces on which loads act.

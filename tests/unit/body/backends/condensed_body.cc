@@ -128,18 +128,34 @@ TEST(LocalAxes, TurnVectors)
 {
   const LocalAxes axes(30);
   EXPECT_TRUE(axes.is_uniform());
-  EXPECT_NEAR((axes.to_global(7, {1, 0}) - Vector2d(std::sqrt(0.75), 0.5)).norm(), 0, 1e-15);
-  EXPECT_NEAR((axes.to_local(0, axes.to_global(1, {0.3, -2})) - Vector2d(0.3, -2)).norm(), 0, 1e-15);
-  EXPECT_EQ(LocalAxes(90).to_global(0, {1, 0}), Vector2d(0, 1));
-  EXPECT_EQ(LocalAxes(-180).to_global(0, {1, 0}), Vector2d(-1, 0));
+  EXPECT_NEAR((axes.to_global(7, {1, 0}) - Vector3d(std::sqrt(0.75), 0.5, 0)).norm(), 0, 1e-15);
+  EXPECT_NEAR(
+      (axes.global_in_local(0).transpose() * axes.to_global(1, {0.3, -2}) - Vector3d(0, 0.3, -2)).norm(), 0,
+      1e-15);
+  EXPECT_EQ(LocalAxes(90).to_global(0, {1, 0}), Vector3d(0, 1, 0));
+  EXPECT_EQ(LocalAxes(-180).to_global(0, {1, 0}), Vector3d(-1, 0, 0));
 
   const LocalAxes different(std::vector<double>{0, 90, 30});
   EXPECT_FALSE(different.is_uniform());
-  EXPECT_EQ(different.to_global(0, {1, 0}), Vector2d(1, 0));
-  EXPECT_EQ(different.to_global(1, {1, 0}), Vector2d(0, 1));
+  EXPECT_EQ(different.to_global(0, {1, 0}), Vector3d(1, 0, 0));
+  EXPECT_EQ(different.to_global(1, {1, 0}), Vector3d(0, 1, 0));
   EXPECT_EQ(different.to_global(2, {1, 0}), axes.to_global(2, {1, 0}));
   EXPECT_EQ(different.global_in_local(2), axes.global_in_local(0));
   EXPECT_TRUE(LocalAxes(std::vector<double>{30, 30, 30}).is_uniform());
+}
+
+TEST(LocalAxes, StandOnAnyNormal)
+{
+  const Vector3d normal = Vector3d(1, -2, 2) / 3;
+  const Eigen::Matrix3d axes = axes_along(normal, {0, 0, 5});
+  EXPECT_LE((axes.transpose() * axes - Eigen::Matrix3d::Identity()).norm(), 1e-15);
+  EXPECT_NEAR(axes.determinant(), 1, 1e-15);
+  EXPECT_EQ(axes.col(0), normal);
+  EXPECT_NEAR(axes.col(1).dot(Vector3d(2, 1, 0)), 0, 1e-15) << "in the plane of normal and z";
+  EXPECT_GT(axes(2, 1), 0);
+  EXPECT_LE((axes_along(Vector3d::UnitZ(), {1, 0, 0}) - axes_about_z(0)).norm(), 0);
+  EXPECT_THROW(axes_along(normal, -2 * normal), std::domain_error);
+  EXPECT_THROW(axes_along(normal, Vector3d::Zero()), std::domain_error);
 }
 
 namespace
@@ -152,7 +168,7 @@ void expect_same_body_in(const LocalAxes &axes)
   const NodeVector local = uneven_forces(turned.condensed.compliance().n_nodes());
   NodeVector global = local;
   for (Index i = 0; i < turned.condensed.compliance().n_nodes(); ++i)
-    global.segment<2>(3 * i + 1) = axes.to_global(i, local.segment<2>(3 * i + 1));
+    global.segment<2>(3 * i + 1) = axes.to_global(i, local.segment<2>(3 * i + 1)).head<2>();
   NodeVector moved_local;
   NodeVector moved_global;
   turned.condensed.compliance().vmult(moved_local, local);

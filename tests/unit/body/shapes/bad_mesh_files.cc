@@ -90,7 +90,7 @@ TEST(BadMeshFile, WrongPlacesAreRefused)
   const auto expect = [](const std::string &file, const std::string &held, const std::string &expected)
   {
     GeometryOptions geometry = imported(file);
-    geometry.contact_surface = "z min";
+    geometry.contact_surfaces = {"z min"};
     geometry.held_surface = held;
     EXPECT_NE(sentence(geometry).find(expected), std::string::npos) << sentence(geometry);
   };
@@ -127,7 +127,7 @@ TEST(BadMeshFile, AllFaultsAreToldAtOnce)
   for (unsigned int &node : box.elements[3].nodes)
     node += 90;
   GeometryOptions geometry = imported(folder.write("bad.msh", box.text()), {"z0", "x = 9", "0"});
-  geometry.contact_surface = "bse";
+  geometry.contact_surfaces = {"bse"};
   const std::string message = sentence(geometry);
   for (const char *const fault :
        {": has 1 elements of second order", "; has elements of type 92", "; is mixed, of 5 hexahedra and 1 ",

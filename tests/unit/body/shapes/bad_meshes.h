@@ -268,12 +268,12 @@ inline std::vector<Row> wrong_names()
   };
   return {
       {"contact missing", good, "Geometry/Contact surface = bse is no physical surface: allowed in",
-       [](auto &g) { g.contact_surface = "bse"; }},
+       [](auto &g) { g.contact_surfaces = {"bse"}; }},
       {"held a number", good, "Geometry/Held surface = 9 is no physical surface: allowed in",
        [](auto &g) { g.held_surface = "9"; }},
       {"held none", good, "are " + list, [](auto &g) { g.held_surface = ""; }},
       {"a volume", good, "Geometry/Contact surface = body is no physical surface",
-       [](auto &g) { g.contact_surface = "body"; }},
+       [](auto &g) { g.contact_surfaces = {"body"}; }},
       {"symmetry missing", good, "Geometry/Symmetry surfaces = z0 is no physical surface",
        [](auto &g) { g.symmetry_surfaces = {"z0"}; }},
       {"held is contact", good,
@@ -286,7 +286,7 @@ inline std::vector<Row> wrong_names()
       {"held touches contact", good, "Geometry/Held surface = side has nodes of the contact surface",
        [](auto &g) { g.held_surface = "side"; }},
       {"contact looks up", good, "Geometry/Contact surface = top does not look down at",
-       [](auto &g) { std::swap(g.contact_surface, g.held_surface); }},
+       [](auto &g) { std::swap(g.contact_surfaces[0], g.held_surface); }},
       {"symmetry inclined", good, "side reaches to |x| = 2 mm: allowed are surfaces in the plane",
        [](auto &g) { g.symmetry_surfaces = {"side"}; }},
       {"no file", good, "Geometry/Mesh file is empty with Geometry/Shape = file",

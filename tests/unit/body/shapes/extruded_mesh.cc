@@ -65,7 +65,7 @@ BodyOptions of_file(const std::string &path)
   body.geometry.shape = BodyShape::file;
   body.geometry.mesh_file = path;
   body.geometry.thickness = 1.5;
-  body.geometry.contact_surface = "base";
+  body.geometry.contact_surfaces = {"base"};
   body.geometry.held_surface = "top";
   return body;
 }

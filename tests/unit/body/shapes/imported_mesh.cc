@@ -140,7 +140,7 @@ TEST(ImportedMesh, IsTheSameToTheLastBitByNamesAndByPlaces)
     GeometryOptions geometry = imported(folder.write(name, box.text()), {"x0", "y0"});
     if (by_place)
     {
-      geometry.contact_surface = "z min";
+      geometry.contact_surfaces = {"z min"};
       geometry.held_surface = "z = 6";
       geometry.symmetry_surfaces = {"x = 0", "y min"};
     }
@@ -190,7 +190,7 @@ TEST(ImportedMesh, MovesNodesIntoThePlanesThatNameThem)
       coordinate += coordinate == 0 ? (i % 2 == 0 ? 4e-6 : -4e-6) : 0;
   GeometryOptions geometry = imported(folder.write("box.msh", box.text()));
   EXPECT_THROW(ImportedMesh{geometry}, InputError);
-  geometry.contact_surface = "z = 0";
+  geometry.contact_surfaces = {"z = 0"};
   geometry.held_surface = "z max";
   geometry.symmetry_surfaces = {"x = 0", "y = 0"};
   const std::string text = ImportedMesh(geometry).describe();
