@@ -31,7 +31,7 @@ public:
   {
     for (const auto &cell : space.dof_handler().active_cell_iterators())
       is_on_border_[cell->active_cell_index()] =
-          cell->is_locally_owned() && is_at(cell, Boundary::contact_surface) &&
+          cell->is_locally_owned() && is_at_contact(cell) &&
           (is_at(cell, Boundary::lateral_surface) || is_at_support(cell));
   }
 
@@ -108,6 +108,14 @@ private:
   {
     for (const unsigned int face : cell->face_indices())
       if (cell->face(face)->at_boundary() && cell->face(face)->boundary_id() == boundary)
+        return true;
+    return false;
+  }
+
+  static bool is_at_contact(const typename DisplacementSpace<dim>::Cell &cell)
+  {
+    for (const unsigned int face : cell->face_indices())
+      if (cell->face(face)->at_boundary() && is_contact(cell->face(face)->boundary_id()))
         return true;
     return false;
   }

@@ -29,6 +29,8 @@ void print_warnings(const Parameters &parameters, const std::string &lack)
 {
   for (const std::string &warning : mesh_file_warnings(parameters))
     std::cout << "warning: " << warning << "\n";
+  for (const std::string &warning : counterface_warnings(parameters))
+    std::cout << "warning: " << warning << "\n";
   for (const std::string &warning : layer_warnings(parameters))
     std::cout << "warning: " << warning << "\n";
   for (const std::string &warning : parameter_warnings(parameters))

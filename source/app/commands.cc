@@ -11,6 +11,7 @@
 #include <orthocone/body/shapes/body_mesh.h>
 #include <orthocone/output/checkpoint.h>
 #include <orthocone/output/step_problem.h>
+#include <orthocone/scene/first_contact.h>
 #include <orthocone/scene/line_points.h>
 #include <orthocone/scene/lower_body.h>
 #include <orthocone/scene/model_choice.h>
@@ -53,6 +54,7 @@ void require_bodies_that_meet(const CommandLine &line, const Parameters &paramet
               {
                 require_hold(parameters, symmetry);
                 require_cover(parameters, symmetry);
+                require_shallow_overlap(parameters, symmetry);
                 require_lines_inside(parameters, symmetry);
               });
 }

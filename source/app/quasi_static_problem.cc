@@ -39,9 +39,9 @@ QuasiStaticProblem::QuasiStaticProblem(ChosenModel chosen, const ModelChoice &ch
       state_(scene_.gaps(), scene_.n_loads()),
       critical_friction_(critical_friction_of_model()),
       checker_(scene_, parameters_.checks, parameters_.contact_solver.tolerance),
-      cycles_(parameters_.load, scene_.symmetry().force_shares(scene_.surface()), areas_of(scene_.surface()),
+      cycles_(parameters_.load, scene_.symmetry().force_shares(scene_.surface()), scene_.pressed_areas(),
               reach_of(scene_.body().unknowns()),
-              WearJumps(parameters_.wear, scene_.symmetry().n_copies() * areas_of(scene_.surface()))),
+              WearJumps(parameters_.wear, scene_.symmetry().n_copies() * scene_.pressed_areas())),
       output_(folder_, parameters_.output, scene_, evaluator_),
       gap_file_(input_files_checksum(parameters_)),
       checkpoint_pause_(parameters_.output.checkpoint_seconds)
@@ -54,6 +54,8 @@ QuasiStaticProblem::QuasiStaticProblem(ChosenModel chosen, const ModelChoice &ch
   if (parameters_.mesh.backend == BodyBackend::multigrid)
     record_.stretch = scene_.body().mesh().stretch();
   record_.of_files = mesh_file_warnings(parameters_);
+  for (std::string &warning : counterface_warnings(parameters_))
+    record_.of_files.push_back(std::move(warning));
   for (std::string &warning : layer_warnings(parameters_))
     record_.of_files.push_back(std::move(warning));
   record_.seconds = scene_.seconds();

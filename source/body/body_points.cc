@@ -88,7 +88,7 @@ double face_at(const typename DisplacementSpace<dim>::Cell &cell, const dealii::
 {
   std::size_t k = 0;
   for (const unsigned int face : cell->face_indices())
-    if (cell->face(face)->at_boundary() && cell->face(face)->boundary_id() == Boundary::contact_surface)
+    if (cell->face(face)->at_boundary() && is_contact(cell->face(face)->boundary_id()))
     {
       if (std::abs(unit[face / 2] - face % 2) <= rounding && k < faces.size())
         return faces[k];

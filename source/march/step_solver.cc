@@ -69,7 +69,7 @@ StepSolver::StepSolver(const Scene &scene)
 StepSolver::StepSolver(const Scene &scene, const ContactSolverOptions &options)
     : scene_(scene),
       opening_(node_compliance(scene.surface(), scene.symmetry(), scene.contact_material())),
-      wear_(scene.parameters().wear, scene.surface()),
+      wear_(scene.parameters().wear, scene.pressed_areas()),
       implicit_wear_(wear_, options, opening_),
       tolerance_(options.tolerance),
       solver_(make_contact_solver(scene.system(), options)),

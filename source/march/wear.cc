@@ -2,19 +2,13 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/march/wear.h>
 
+#include <utility>
+
 namespace orthocone
 {
-Eigen::VectorXd areas_of(const ContactSurface &surface)
-{
-  Eigen::VectorXd areas(static_cast<Eigen::Index>(surface.nodes.size()));
-  for (Eigen::Index node = 0; node < areas.size(); ++node)
-    areas[node] = surface.nodes[static_cast<std::size_t>(node)].pressed_area;
-  return areas;
-}
-
-WearLaw::WearLaw(const WearOptions &options, const ContactSurface &surface)
+WearLaw::WearLaw(const WearOptions &options, Eigen::VectorXd areas)
     : options_(options),
-      areas_(areas_of(surface))
+      areas_(std::move(areas))
 {
 }
 

@@ -36,6 +36,7 @@ std::vector<std::array<std::int32_t, 4>> quadrilaterals(const WholeSurface &whol
 std::string contact_vtu(const ContactFieldEvaluator &evaluator, const std::vector<ContactFields> &fields)
 {
   const ContactSurface &surface = evaluator.surface();
+  const GeometryOptions &geometry = evaluator.scene().parameters().geometry;
   const WholeSurface whole = evaluator.symmetry().whole(surface);
   const auto n_points = static_cast<Eigen::Index>(whole.nodes.size());
   QuadrilateralSurface drawn{surface.degree, Eigen::Matrix3Xf::Zero(3, n_points),
@@ -46,7 +47,8 @@ std::string contact_vtu(const ContactFieldEvaluator &evaluator, const std::vecto
     const ContactNode &place = surface.place(node);
     drawn.points.col(point).head<2>() = whole.place(whole.nodes[point], place.position).cast<float>();
     drawn.points(2, point) = static_cast<float>(place.height);
-    const ContactFields seen = mapped(fields[node], whole.images[image]);
+    ContactFields seen = mapped(fields[node], whole.images[image]);
+    seen.surface = image_of_surface(geometry, seen.surface, whole.images[image]);
     for (std::size_t i = 0; i < drawn.fields.size(); ++i)
     {
       const ContactField &field = contact_field_list()[i];

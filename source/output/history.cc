@@ -30,9 +30,10 @@ unsigned int nearest_node(const ContactSurface &surface, const Vector2d &positio
 }
 } // namespace
 
-History::History(RunFolder &folder, const std::vector<Load> &loads)
+History::History(RunFolder &folder, const Parameters &parameters)
     : folder_(folder),
-      columns_(with_loads(history_columns(), loads))
+      columns_(with_surfaces(with_loads(history_columns(), parameters.load.loads),
+                             parameters.geometry.contact_surfaces))
 {
 }
 

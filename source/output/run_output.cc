@@ -15,7 +15,7 @@ RunOutput::RunOutput(RunFolder &folder, const OutputOptions &options, const Scen
       last_step_(scene.program().n_steps()),
       scene_(scene),
       evaluator_(evaluator),
-      history_(folder, scene.parameters().load.loads),
+      history_(folder, scene.parameters()),
       probes_(folder, options.probes, evaluator),
       lines_(folder, options.lines, evaluator),
       cycles_(folder),

@@ -4,6 +4,7 @@
 
 #include <orthocone/base/numbers.h>
 #include <orthocone/body/node_compliance.h>
+#include <orthocone/body/shapes/supports.h>
 #include <orthocone/march/slip_memory.h>
 
 #include <algorithm>
@@ -46,8 +47,22 @@ const std::vector<ContactField> &contact_field_list()
       {"nodal_force", "N", "force of the counterface on the node", &F::nodal_force},
       {"dissipated_energy", "N/mm", "energy that friction has dissipated per area since the start",
        &F::dissipated_energy},
-      {"wear_depth", "mm", "depth that slip has worn off", &F::wear_depth}};
+      {"wear_depth", "mm", "depth that slip has worn off", &F::wear_depth},
+      {"surface_id", "", "number of the contact surface in Geometry/Contact surface, counted from 0",
+       [](const F &f) { return static_cast<double>(f.surface); }}};
   return list;
+}
+
+unsigned int image_of_surface(const GeometryOptions &geometry, const unsigned int number,
+                              const Eigen::Matrix2d &map)
+{
+  if (geometry.is_from_file() || geometry.contact_surfaces.size() < 2)
+    return number;
+  std::string name = geometry.contact_surfaces[number];
+  for (const unsigned int plane : {0u, 1u})
+    if (map(plane, plane) < 0)
+      name = mirrored_surface(name, plane);
+  return geometry.number_of_contact(name);
 }
 
 ContactFields mapped(ContactFields fields, const Eigen::Matrix2d &map)
@@ -77,6 +92,7 @@ ContactFields between(const HangingNode &hanging, const std::vector<ContactField
       else if (const auto *const scalar = std::get_if<ContactField::Scalar>(&field.of))
         fields.*(*scalar) += weight * all[node].*(*scalar);
   fields.status = all[nearest(hanging)].status;
+  fields.surface = all[nearest(hanging)].surface;
   fields.friction_criterion = all[nearest(hanging)].friction_criterion;
   if (fields.status == NodeStatus::open)
     fields.slip.setZero();
@@ -155,14 +171,16 @@ ContactFields ContactFieldEvaluator::fields(const ContactState &state, const uns
     fields.slip = slip;
   fields.accumulated_slip = state.accumulated_slip[node];
   fields.gap = d[0];
-  fields.pressure = r[0] / place.pressed_area;
-  fields.friction_traction = friction / place.pressed_area;
+  const double area = scene_.pressed_areas()[node];
+  fields.pressure = r[0] / area;
+  fields.friction_traction = friction / area;
   if (const FrictionLaw &law = system_.law(first / 3); state.status[node] != NodeStatus::open)
     fields.friction_criterion = law.is_frictionless() ? 0 : law.load(r.tail<2>()) / r[0] - 1;
   fields.status = state.status[node];
   fields.nodal_force = friction / share + axes.col(0) * (r[0] / share);
-  fields.dissipated_energy = state.dissipated_energy[node] / place.pressed_area;
+  fields.dissipated_energy = state.dissipated_energy[node] / area;
   fields.wear_depth = state.wear_depth[node];
+  fields.surface = place.surface;
   return fields;
 }
 

@@ -58,6 +58,39 @@ void add_loads(const Scene &scene, const ContactState &state, Totals &totals)
     if (scene.parameters().load.loads[static_cast<std::size_t>(k)].kind->is_force_of_surface())
       totals.conjugates[k] = state.loads[k];
 }
+
+/// The maps (2 x 2) from the modelled part to all copies of it.
+std::vector<Eigen::Matrix2d> copies_of(const SymmetryPlanes &planes)
+{
+  std::vector<Eigen::Matrix2d> maps;
+  for (const double x : {1., -1.})
+    for (const double y : {1., -1.})
+      if ((x > 0 || planes.normal_to_x) && (y > 0 || planes.normal_to_y))
+        maps.emplace_back(Eigen::Vector2d(x, y).asDiagonal());
+  return maps;
+}
+
+/// Adds a node of the model to the sums of its surface, or of their images, copy by copy.
+void add_node(const ContactFieldEvaluator &evaluator, const ContactState &state, const unsigned int node,
+              const ContactFields &fields, std::vector<SurfaceTotals> &surfaces)
+{
+  const ModelSymmetry &symmetry = evaluator.symmetry();
+  const ContactNode &place = evaluator.surface().nodes[node];
+  const Vector3d force = evaluator.model_force(state, node);
+  for (const Eigen::Matrix2d &map : copies_of(symmetry.planes()))
+  {
+    SurfaceTotals &totals =
+        surfaces[image_of_surface(evaluator.scene().parameters().geometry, place.surface, map)];
+    if (!symmetry.is_axisymmetric()) // around a ring forces across the axis cancel
+      totals.force.head<2>() += map * force.head<2>();
+    totals.force[2] += force[2];
+    totals.normal_force += state.force[3 * static_cast<Eigen::Index>(node)];
+    totals.contact_area += fields.status == NodeStatus::open ? 0 : place.area;
+    totals.max_pressure = std::max(totals.max_pressure, fields.pressure);
+    totals.max_slip = std::max(totals.max_slip, fields.slip.norm());
+    totals.total_dissipation += state.dissipated_energy[node];
+  }
+}
 } // namespace
 
 Totals compute_totals(const ContactFieldEvaluator &evaluator, const ContactState &state)
@@ -65,8 +98,11 @@ Totals compute_totals(const ContactFieldEvaluator &evaluator, const ContactState
   const ModelSymmetry &symmetry = evaluator.symmetry();
   const ContactSurface &surface = evaluator.surface();
   const unsigned int n_copies = symmetry.n_copies();
+  const Scene &scene = evaluator.scene();
   Totals totals;
   totals.min_pressure = std::numeric_limits<double>::max();
+  if (const std::size_t n = scene.parameters().geometry.contact_surfaces.size(); n > 1)
+    totals.surfaces.resize(n);
   for (unsigned int node = 0; node < surface.nodes.size(); ++node)
   {
     const ContactNode &place = surface.nodes[node];
@@ -80,15 +116,16 @@ Totals compute_totals(const ContactFieldEvaluator &evaluator, const ContactState
     totals.max_pressure = std::max(totals.max_pressure, fields.pressure);
     totals.contact_area += fields.status == NodeStatus::open ? 0 : n_copies * place.area;
     count_status(fields.status, symmetry.n_counted(surface, place), totals);
-    totals.worn_volume += n_copies * fields.wear_depth * place.pressed_area;
+    totals.worn_volume += n_copies * fields.wear_depth * scene.pressed_areas()[node];
     totals.max_wear_depth = std::max(totals.max_wear_depth, fields.wear_depth);
     totals.max_dissipated_energy = std::max(totals.max_dissipated_energy, fields.dissipated_energy);
     totals.total_dissipation += n_copies * state.dissipated_energy[node];
+    if (!totals.surfaces.empty())
+      add_node(evaluator, state, node, fields, totals.surfaces);
   }
   leave_out_what_cancels(symmetry, totals);
   totals.stick_area = evaluator.stick_area(state);
   totals.zones = evaluator.zones(state);
-  const Scene &scene = evaluator.scene();
   totals.elastic_energy = scene.elastic_energy(state.force, state.motion, state.loads);
   totals.held.components << -totals.force, -totals.moment; // without supports it balances the counterface
   if (scene.body().driven() != nullptr)

@@ -34,6 +34,25 @@ std::string asymmetry_of_lower(const Shape *const lower, const ModelSymmetry &sy
                                     : lower->asymmetry(symmetry);
 }
 
+/// Where fields are compared, or nothing where none varies and no force presses.
+SurfaceSample checked_sample(const Parameters &parameters, const FrictionField &friction,
+                             const Obstacle &obstacle)
+{
+  constexpr unsigned int normal = 2;
+  const std::vector<Load> &loads = parameters.load.loads;
+  const bool has_interference =
+      std::any_of(loads.begin(), loads.end(), [](const Load &load) { return load.kind->drives_overlap(); });
+  if (!varies_over_surface(parameters) && !LoadProgram(parameters.load).is_driven_by_force(normal) &&
+      !has_interference)
+    return {};
+  SurfaceSample sample = surface_sample(parameters);
+  friction.check(sample.points);
+  obstacle.check(sample.points);
+  require_driven_overlap(parameters, obstacle, sample.points);
+  require_contact_before_force(parameters, obstacle, sample);
+  return sample;
+}
+
 std::string first_of(const std::initializer_list<std::string> reasons)
 {
   for (const std::string &reason : reasons)
@@ -51,25 +70,13 @@ std::string Asymmetry::of_planes() const
 
 Asymmetry asymmetry_of(const Parameters &parameters)
 {
-  constexpr unsigned int normal = 2;
   const auto shape = make_shape(parameters.geometry, parameters.mesh);
   const auto lower = lower_shape(parameters);
   const Material material(parameters.material), lower_material(parameters.lower.material);
   const FrictionField friction(parameters.friction);
   const auto obstacle = make_obstacle(parameters.obstacle);
   const LoadProgram program(parameters.load);
-  SurfaceSample sample;
-  const std::vector<Load> &loads = parameters.load.loads;
-  const bool has_interference =
-      std::any_of(loads.begin(), loads.end(), [](const Load &load) { return load.kind->drives_overlap(); });
-  if (varies_over_surface(parameters) || program.is_driven_by_force(normal) || has_interference)
-  {
-    sample = surface_sample(parameters);
-    friction.check(sample.points);
-    obstacle->check(sample.points);
-    require_driven_overlap(parameters, *obstacle, sample.points);
-    require_contact_before_force(parameters, *obstacle, sample);
-  }
+  const SurfaceSample sample = checked_sample(parameters, friction, *obstacle);
   const auto why = [&](const ModelSymmetry &symmetry)
   {
     return first_of({shape->asymmetry(symmetry), asymmetry_of_lower(lower.get(), symmetry),

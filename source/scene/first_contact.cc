@@ -5,10 +5,12 @@
 #include <orthocone/base/errors.h>
 #include <orthocone/base/numbers.h>
 #include <orthocone/base/text.h>
+#include <orthocone/body/body.h>
 #include <orthocone/scene/load_path.h>
 #include <orthocone/surface/rigid_motion.h>
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace orthocone
@@ -70,6 +72,40 @@ void require_driven_overlap(const Parameters &parameters, const Obstacle &obstac
                      " mm at " + place_text(deepest->place) +
                      " of the contact surface, so that body and counterface overlap there: allowed is a "
                      "gap >= 0, or Load program/Loads = fit: interference, which legs drive from 0 to 1");
+}
+
+/// Size of the cells around a node, mm.
+static double cell_size(const ContactSurface &surface, const ContactNode &node, const ModelSymmetry &symmetry)
+{
+  const double degree = surface.degree;
+  if (!symmetry.is_section())
+    return degree * std::sqrt(node.area);
+  const double length = symmetry.section()->length_at(node.position[0]);
+  return length > 0 ? degree * node.area / length : 0;
+}
+
+void require_shallow_overlap(const Obstacle &obstacle, const ContactSurface &surface,
+                             const ModelSymmetry &symmetry)
+{
+  if (obstacle.has_normal_z())
+    return;
+  for (const ContactNode &node : surface.nodes)
+  {
+    const double depth = -obstacle.gap({node.place(), node.inward}),
+                 size = cell_size(surface, node, symmetry);
+    if (size > 0 && depth > size)
+      throw InputError(obstacle.entry() + " is " + to_text(-depth) + " mm at " + place_text(node.place()) +
+                       " of the contact surface, which is inside of the counterface by more than a cell: "
+                       "allowed are overlaps smaller than that, and a distance that is positive outside of "
+                       "the counterface");
+  }
+}
+
+void require_shallow_overlap(const Parameters &parameters, const ModelSymmetry &symmetry)
+{
+  if (!parameters.obstacle.has_normal_z())
+    require_shallow_overlap(*make_obstacle(parameters.obstacle),
+                            Body(parameters, symmetry).unknowns().contact_surface(), symmetry);
 }
 
 void require_contact_before_force(const Parameters &parameters, const Obstacle &obstacle,

@@ -99,7 +99,17 @@ void GivenDistance::check(const std::vector<SurfacePoint> &points) const
     if (const double value = at(point.place); !std::isfinite(value))
       throw InputError(entry() + " = " + distance_.text() + " is " + value_text(value) + " at " +
                        place_text(point.place) + " of the contact surface: allowed is a finite number (mm)");
-  normals(points);
+  const auto nearest = std::min_element(points.begin(), points.end(),
+                                        [&](const SurfacePoint &a, const SurfacePoint &b)
+                                        { return at(a.place) < at(b.place); });
+  if (nearest == points.end())
+    return;
+  const std::vector<Vector3d> normals = this->normals(points);
+  if (!(normals[static_cast<std::size_t>(nearest - points.begin())].dot(nearest->inward) > 0))
+    throw InputError(
+        entry() + " = " + distance_.text() + " is least at " + place_text(nearest->place) +
+        " of the contact surface, and grows out of the body there: allowed is a distance that grows "
+        "into the body, positive outside of the counterface");
 }
 
 std::vector<std::string> GivenDistance::warnings(const std::vector<SurfacePoint> &points) const

@@ -3,6 +3,7 @@
 #include <orthocone/scene/mesh_files.h>
 
 #include <orthocone/body/shapes/imported_mesh.h>
+#include <orthocone/scene/obstacle.h>
 
 #include <sstream>
 
@@ -36,5 +37,12 @@ std::vector<std::string> mesh_file_warnings(const Parameters &parameters)
     for (std::string &warning : ImportedMesh(parameters.lower.geometry).warnings(parameters.lower.mesh))
       warnings.push_back(std::move(warning));
   return warnings;
+}
+
+std::vector<std::string> counterface_warnings(const Parameters &parameters)
+{
+  if (parameters.obstacle.has_normal_z())
+    return {};
+  return make_obstacle(parameters.obstacle)->warnings(surface_sample(parameters).points);
 }
 } // namespace orthocone

@@ -19,6 +19,20 @@ std::vector<Kind<ObstacleKindOptions>> &kinds_of<ObstacleKindOptions>()
   return kinds;
 }
 
+static Entry::Binding gap_binding(ObstacleOptions &obstacle)
+{
+  const Codec<Expression> gap = expression_codec(any_number);
+  return {gap.allowed,
+          [&obstacle, gap](const std::string &text, std::string &instead)
+          {
+            const auto given = gap.parse(text, instead);
+            if (given)
+              obstacle.gap = given->text();
+            return given.has_value();
+          },
+          [&obstacle] { return obstacle.gap; }};
+}
+
 static Entry::Binding distance_binding(ObstacleOptions &obstacle)
 {
   const Codec<Expression> codec = expression_codec(any_number);
@@ -45,18 +59,8 @@ bool ObstacleOptions::is_plane() const
 
 void declare_obstacle(ObstacleOptions &obstacle, Section &section)
 {
-  const Codec<Expression> gap = expression_codec(any_number);
   section
-      .add("Gap",
-           {gap.allowed,
-            [&obstacle, gap](const std::string &text, std::string &instead)
-            {
-              const auto given = gap.parse(text, instead);
-              if (given)
-                obstacle.gap = given->text();
-              return given.has_value();
-            },
-            [&obstacle] { return obstacle.gap; }},
+      .add("Gap", gap_binding(obstacle),
            "Gap in mm between the contact surface and the counterface, before the body moves; "
            "(x^2+y^2)/(2*1000) describes a sphere of radius 1000 mm.")
       .unit("mm");

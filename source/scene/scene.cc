@@ -8,6 +8,7 @@
 #include <orthocone/multigrid/multigrid_body.h>
 #include <orthocone/scene/change_length.h>
 #include <orthocone/scene/contact_material.h>
+#include <orthocone/scene/first_contact.h>
 
 #include <algorithm>
 #include <stdexcept>
@@ -27,6 +28,7 @@ void check_fields(const Obstacle &obstacle, const FrictionField &friction, const
   const std::vector<SurfacePoint> points = points_of(surface);
   obstacle.check(points);
   friction.check(points);
+  require_shallow_overlap(obstacle, surface, symmetry);
   if (symmetry.name() == ModelSymmetry().name() && !symmetry.is_section())
     return; // the whole body
   const SurfaceSample sample{points, points};
@@ -58,6 +60,14 @@ std::unique_ptr<const ElasticBody> make_body(const Parameters &parameters, const
     return make_multigrid_body(parameters, symmetry, accuracy_of_solutions(parameters), axes_of, on_meshed,
                                seconds);
   return std::make_unique<FactorizedBody>(parameters, symmetry, axes_of, on_meshed, seconds);
+}
+
+VectorXd areas_pressed(const ContactSurface &surface, const LocalAxes &axes)
+{
+  VectorXd areas(static_cast<Eigen::Index>(surface.nodes.size()));
+  for (std::size_t node = 0; node < surface.nodes.size(); ++node)
+    areas[static_cast<Eigen::Index>(node)] = surface.nodes[node].pressed_area(axes.normal(node));
+  return areas;
 }
 
 /// Null where the obstacle is not a body.
@@ -117,6 +127,7 @@ Scene::Scene(const Parameters &parameters, const ModelChoice &choice, const Obst
           },
           seconds_)),
       axes_(friction_.axes(surface(), obstacle, choice.symmetry)),
+      pressed_areas_(areas_pressed(surface(), axes_)),
       lower_(make_lower(parameters, choice.symmetry, *body_, axes_, seconds_)),
       gaps_(gaps_of(obstacle, surface())),
       sum_(timed(seconds_.condensation,

@@ -33,9 +33,10 @@ Matrix3d axes_about_z(const double angle)
 
 Matrix3d axes_along(const Vector3d &normal, const Vector3d &along)
 {
-  constexpr double least = 1e-6; // sine of the angle between both
-  const Vector3d first = along - along.dot(normal) * normal;
-  if (!(first.norm() > least * along.norm()))
+  constexpr double least = 1e-6;                       // sine of the angle between both
+  const Vector3d direction = along.stableNormalized(); // also of a length that has no square
+  const Vector3d first = direction - direction.dot(normal) * normal;
+  if (!(first.norm() > least))
     throw std::domain_error("a direction along the normal has no projection on the tangent plane");
   Matrix3d axes;
   axes.col(0) = normal;

@@ -14,7 +14,7 @@ def row(name, section, entry, value, allowed):
 
 ROWS = [
     row("mesh_file_of_windows", "Geometry", "Mesh file", "parts\\pin.msh", "a path without '#' and '\\', or nothing"),
-    row("contact_surface_list", "Geometry", "Contact surface", "base, side", NAME),
+    row("contact_surface_comma_twice", "Geometry", "Contact surface", "base,, side", "names or numbers separated by commas, or nothing"),
     row("held_surface_colon", "Geometry", "Held surface", "top: clamped", NAME),
     row("symmetry_surfaces_comma_twice", "Geometry", "Symmetry surfaces", "x0,, y0", "names or numbers separated by commas, or nothing"),
     *(row(f"supports_{name}", "Geometry", "Supports", value, SUPPORTS)

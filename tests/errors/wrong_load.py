@@ -213,12 +213,12 @@ ROWS = [
      "'_', used once), separated by ';'"),
     ("orthotropy_angle_infinite",
      "subsection Friction\n  set Coefficients = 0.30, 0.15\n  set Orthotropy angle = -inf\nend\n",
-     "{file}:4: Friction/Orthotropy angle = -inf: allowed is a number >= -360 and <= 360, or an expression of x "
-     "and y; 'inf' is not known"),
+     "{file}:4: Friction/Orthotropy angle = -inf: allowed is a number >= -360 and <= 360, or an expression of x, "
+     "y and z; 'inf' is not known"),
     ("orthotropy_angle_unit",
      "subsection Friction\n  set Coefficients = 0.30, 0.15\n  set Orthotropy angle = 30 mm\nend\n",
-     "{file}:4: Friction/Orthotropy angle = 30 mm: allowed is a number >= -360 and <= 360, or an expression of x "
-     "and y; 'mm' is not known; mm is a unit of length, and this entry has degrees, degree, deg, \u00b0, rad, mrad"),
+     "{file}:4: Friction/Orthotropy angle = 30 mm: allowed is a number >= -360 and <= 360, or an expression of x, "
+     "y and z; 'mm' is not known; mm is a unit of length, and this entry has degrees, degree, deg, \u00b0, rad, mrad"),
     ("preload_none", "subsection Load program\n  set Legs = 0 0 -0.1 : 5 ; 0 0 0 : 10\n  set Preload = none\nend\n",
      '{file}:4: Load program/Preload = none: allowed is legs "ux uy uz : steps" (numbers in mm, at least one step) '
      'or "NAME value ... : steps" (ux, uy, uz in mm, rx, ry, rz in degrees, Fx, Fy, Fz in N, Mx, My, Mz in N mm, or with a unit as in \"ux 10 um\"), '

@@ -4,7 +4,7 @@
 FOLDER = "values"
 BOX = "subsection Geometry\n  set Shape = box\nend\n"
 NAME = "a name of letters, digits and '-' before ':', which begins with a letter"
-KIND = "a kind of load behind the name, of pressure, traction, motion, force, temperature"
+KIND = "a kind of load behind the name, of pressure, traction, motion, force, temperature, interference"
 ALONG = "'along' with x, y, z, -x, -y, -z, or with three numbers 'a, b, c' that are not all 0"
 TAKEN = "a name that legs and tables do not use otherwise, as they use '{}'"
 SIDES = "x-, x+, y-, y+"
@@ -24,7 +24,7 @@ def scene(name, load, fault, before=BOX):
 
 ROWS = [
     form("without_colon", "a pressure on x+", 'nothing, or loads "NAME: KIND on SURFACE" or "NAME: KIND on SURFACE along '
-         'x", separated by \';\', where KIND is one of pressure, traction, motion, force, temperature'),
+         'x", separated by \';\', where KIND is one of pressure, traction, motion, force, temperature, interference'),
     form("without_kind", "a: on x+", KIND),
     form("of_unknown_kind", "a: presure on x+", KIND),
     form("without_name", ": pressure on x+", NAME),

@@ -4,6 +4,7 @@
 FOLDER = "values"
 
 PAIR = "two numbers > 0 (or both 0: no friction) separated by a comma, or expressions of x, y and z"
+AXIS = "three expressions of x, y and z separated by commas, which are not all 0, or nothing"
 EXPRESSION = "a number, or an expression of x, y and z"
 NAMES = "a name of ux, uy, uz, rx, ry, rz, Fx, Fy, Fz, Mx, My, Mz; "
 
@@ -54,7 +55,12 @@ ROWS = [
     ("gap_ends_early", *gap("x^2+", "; it ends too early")),
     ("gap_power_of_python", *gap("x**2", "; '*' has nothing before it")),
     ("gap_equation", *gap("z = x^2", "; '=' is no comparison; '==' is one")),
-    ("gap_of_z", *gap("x+z", "; 'z' is not known")),
+    ("distance_constant", *setting("Obstacle", "Distance", "2", "an expression of x, y and z, or nothing")),
+    ("distance_of_r", *setting("Obstacle", "Distance", "r - 5", "an expression of x, y and z, or nothing; 'r' is not known")),
+    ("normal_along_z", *setting("Obstacle", "Normal", "z", "plane | surface")),
+    ("first_axis_zero", *setting("Friction", "First axis", "0, 0, 0", AXIS)),
+    ("first_axis_of_two_numbers", *setting("Friction", "First axis", "1, 2", AXIS)),
+    ("gap_of_w", *gap("x+w", "; 'w' is not known")),
     ("gap_decimal_comma", *gap("0,1*x", "; a ',' stands outside of parentheses")),
     ("gap_unit", *gap("0.1 MPa", "; 'MPa' is not known; MPa is a unit of stress, and this entry has mm, um, \u00b5m, nm, cm, m")),
     ("gap_file_of_windows", *setting("Obstacle", "Gap file", "measured\\gap.txt", "a path without '#' and '\\', or nothing")),

@@ -22,7 +22,7 @@ import rejection  # noqa: E402
 SOURCE = pathlib.Path(__file__).resolve().parent.parent / "errors"
 SCRATCH = tempfile.TemporaryDirectory()
 ERRORS = pathlib.Path(SCRATCH.name)
-KINDS = {"contradictions", "files", "grammar", "json", "names", "values"}
+KINDS = {"contradictions", "files", "grammar", "json", "names", "surfaces", "values"}
 MARK = "# expect: "
 
 # Messages on a file as a whole quote nothing of it: there the content distinguishes one fault from another.

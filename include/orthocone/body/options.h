@@ -8,6 +8,8 @@
 #include <orthocone/body/loads/load.h>
 #include <orthocone/body/materials/material_law.h>
 
+#include <algorithm>
+
 namespace orthocone
 {
 /// How the upper face is held: clamped (it moves as a rigid plate), guided (u_z is prescribed, and it is free
@@ -176,6 +178,13 @@ struct GeometryOptions
 
   /// Whether the surface with this name may touch it. It means nothing for a file.
   bool touches_with(const std::string &surface) const;
+
+  /// The number of a surface that touches it, in the order of their names.
+  unsigned int number_of_contact(const std::string &surface) const
+  {
+    const auto found = std::find(contact_surfaces.begin(), contact_surfaces.end(), surface);
+    return found == contact_surfaces.end() ? 0 : static_cast<unsigned int>(found - contact_surfaces.begin());
+  }
 
   std::string contact_names() const; ///< as the entry has them
   std::string contact_entry() const { return section + "/Contact surface = " + contact_names(); }

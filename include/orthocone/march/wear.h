@@ -3,15 +3,11 @@
 #pragma once
 
 #include <orthocone/scene/options.h>
-#include <orthocone/surface/contact_surface.h>
 
 #include <Eigen/Core>
 
 namespace orthocone
 {
-/// Areas of the contact nodes, mm^2.
-Eigen::VectorXd areas_of(const ContactSurface &surface);
-
 /// The depth that slip wears off the base of the body, by the law that is chosen.
 class WearLaw
 {
@@ -19,8 +15,8 @@ public:
   /// A law without wear.
   WearLaw() = default;
 
-  /// The law of the options, with the areas of the nodes of `surface`.
-  WearLaw(const WearOptions &options, const ContactSurface &surface);
+  /// The law of the options, with the areas (mm^2) of the contact nodes, Scene::pressed_areas().
+  WearLaw(const WearOptions &options, Eigen::VectorXd areas);
 
   /// Depth that a node (index in the model) loses, mm.
   double depth(Eigen::Index node, const Rubbing &rubbing) const;

@@ -17,7 +17,7 @@ namespace orthocone
 class History
 {
 public:
-  History(RunFolder &folder, const std::vector<Load> &loads);
+  History(RunFolder &folder, const Parameters &parameters);
 
   /// Starts the tables with the names of their columns.
   void start();

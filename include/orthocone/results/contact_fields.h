@@ -27,7 +27,13 @@ struct ContactFields
   Eigen::Vector3d nodal_force = Eigen::Vector3d::Zero(); ///< N, of one node of the whole surface
   double dissipated_energy = 0;                          ///< N/mm, accumulated, per area
   double wear_depth = 0;                                 ///< mm, accumulated
+  unsigned int surface = 0;                              ///< number of the contact surface
 };
+
+/// The number of the contact surface at an image of a node on surface `number`: a mirror exchanges x- and x+
+/// of a box.
+unsigned int image_of_surface(const GeometryOptions &geometry, unsigned int number,
+                              const Eigen::Matrix2d &map);
 
 /// The same at an image of the node; `map` is the map (2 x 2) from the model to the image.
 ContactFields mapped(ContactFields fields, const Eigen::Matrix2d &map);
@@ -66,6 +72,12 @@ public:
 
   /// Fields of a contact node; its displacement is that relative to the counterface.
   ContactFields fields(const ContactState &state, unsigned int node) const;
+  /// Force (N) of the counterface on a node of the model, in global axes.
+  Eigen::Vector3d model_force(const ContactState &state, const unsigned int node) const
+  {
+    return axes_.global_in_local(node) * state.force.segment<3>(3 * static_cast<Eigen::Index>(node));
+  }
+
   /// Fields of all places: contact nodes, then hanging nodes. Only one thread at a time may use the scene,
   /// whose compliance remembers its last product.
   std::vector<ContactFields> all_fields(const ContactState &state) const;

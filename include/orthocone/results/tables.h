@@ -24,6 +24,10 @@ const Columns<SolvedStep> &history_columns();
 
 /// The columns of history.csv with two more for each load: the load, and its conjugate.
 Columns<SolvedStep> with_loads(Columns<SolvedStep> columns, const std::vector<Load> &loads);
+
+/// The same with the columns of several contact surfaces behind, whose names begin with those of the
+/// surfaces.
+Columns<SolvedStep> with_surfaces(Columns<SolvedStep> columns, const std::vector<std::string> &surfaces);
 const Columns<SolvedStep> &checks_columns();
 const Columns<SolvedStep> &timing_columns();
 const Columns<ProbedStep> &probe_columns();

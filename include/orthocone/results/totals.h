@@ -6,6 +6,17 @@
 
 namespace orthocone
 {
+/// Results of one of several contact surfaces of the whole body.
+struct SurfaceTotals
+{
+  Eigen::Vector3d force = Eigen::Vector3d::Zero(); ///< of the counterface on it (x, y, z), N
+  double normal_force = 0;                         ///< sum of the normal forces of its nodes, N
+  double contact_area = 0;                         ///< mm^2
+  double max_pressure = 0;                         ///< MPa
+  double max_slip = 0;                             ///< of its nodes in contact, mm
+  double total_dissipation = 0;                    ///< N mm
+};
+
 /// Results of the whole body after a step, whatever part of it is modelled.
 struct Totals
 {
@@ -30,6 +41,7 @@ struct Totals
   Eigen::VectorXd load_areas{}; ///< Scene::load_areas(), mm^2
   double worn_volume = 0;       ///< mm^3
   double max_wear_depth = 0;    ///< mm
+  std::vector<SurfaceTotals> surfaces{}; ///< of each of several contact surfaces; none of one alone
 };
 
 /// The totals of a state.

@@ -15,4 +15,12 @@ void require_contact_before_force(const Parameters &parameters, const Obstacle &
 /// where an interference has nothing to drive.
 void require_driven_overlap(const Parameters &parameters, const Obstacle &obstacle,
                             const std::vector<SurfacePoint> &points);
+
+/// Throws InputError where a body begins inside a counterface with normals of its own, deeper than its cells
+/// are wide: that is no small overlap, and the distance most likely has the wrong sign.
+void require_shallow_overlap(const Obstacle &obstacle, const ContactSurface &surface,
+                             const ModelSymmetry &symmetry);
+
+/// The same of the parameters, whose mesh it makes.
+void require_shallow_overlap(const Parameters &parameters, const ModelSymmetry &symmetry);
 } // namespace orthocone

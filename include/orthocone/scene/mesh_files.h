@@ -15,4 +15,7 @@ std::string describe_mesh_files(const Parameters &parameters);
 
 /// ImportedMesh::warnings() of the same bodies, with the names of their own entries.
 std::vector<std::string> mesh_file_warnings(const Parameters &parameters);
+
+/// Obstacle::warnings() at the contact nodes of the scene.
+std::vector<std::string> counterface_warnings(const Parameters &parameters);
 } // namespace orthocone

@@ -44,6 +44,9 @@ public:
   const ContactSurface &surface() const { return body_->surface(); }
   const LocalAxes &axes() const { return axes_; }
 
+  /// ContactNode::pressed_area() of the contact nodes, mm^2.
+  const Eigen::VectorXd &pressed_areas() const { return pressed_areas_; }
+
   /// The second elastic body, or null.
   const LowerBody *lower() const { return lower_.get(); }
   const ContactSystem &system() const { return system_; }
@@ -130,6 +133,7 @@ private:
   PhaseSeconds seconds_;
   std::unique_ptr<const ElasticBody> body_;
   LocalAxes axes_;
+  Eigen::VectorXd pressed_areas_;
   std::unique_ptr<const LowerBody> lower_;
   NodeVector gaps_;
   std::optional<Eigen::Index> interference_; ///< its number among the loads

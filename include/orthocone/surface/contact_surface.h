@@ -23,9 +23,17 @@ struct ContactNode
   std::array<bool, 3> is_supported{}; ///< whether it is a support that holds the direction
   /// Of length 1, into the body: the mean of the faces that meet here, by what the node weighs on each.
   Eigen::Vector3d inward = Eigen::Vector3d::UnitZ();
-  /// The integral of the node's weight times the normal, along `inward` (mm^2): forces by it are tractions,
-  /// which are exact on curved faces if they are even. It is `area` where the counterface has the normal z.
-  double pressed_area = area;
+  /// The integral of the node's weight times the normal into the body, mm^2; 0 where the counterface has the
+  /// normal z.
+  Eigen::Vector3d area_vector = Eigen::Vector3d::Zero();
+  unsigned int surface = 0; ///< number of its contact surface; on an edge between two the smaller one
+
+  /// The area (mm^2) by which forces are tractions on a counterface with this normal. On curved faces it
+  /// makes even tractions even, and at an edge between two faces it is that of the face that touches.
+  double pressed_area(const Eigen::Vector3d &normal) const
+  {
+    return area_vector.isZero(0) ? area : area_vector.dot(normal);
+  }
 
   Eigen::Vector3d place() const { return {position[0], position[1], height}; } ///< mm
 

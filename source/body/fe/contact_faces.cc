@@ -31,7 +31,12 @@ public:
     {
       const auto [entry, is_new] = number_.emplace(node.dofs[2], static_cast<unsigned int>(all_.size()));
       if (is_new)
+      {
         all_.emplace_back(contact_node(node), node);
+        all_.back().first.surface = face.surface;
+      }
+      unsigned int &surface = all_[entry->second].first.surface;
+      surface = std::min(surface, face.surface);
       all_[entry->second].first.area += node.weight;
       all_[entry->second].first.inward += Eigen::Map<const Eigen::Vector3d>(node.inward.data());
       places.push_back(entry->second);
@@ -45,7 +50,8 @@ public:
     {
       const Eigen::Vector3d inward = node.inward;
       node.inward = node.with_symmetry(inward); // the faces of the other side count, too
-      node.pressed_area = faces_down_ ? node.area : inward.dot(node.inward);
+      if (!faces_down_)
+        node.area_vector = inward;
     }
     std::vector<unsigned int> place(all_.size());
     for (std::size_t i = 0; i < all_.size(); ++i)
@@ -86,11 +92,12 @@ private:
     {
       terms.push_back({number_.at(dof), weight});
       surface_.nodes[terms.back().node].area += weight * hanging.area;
-      surface_.nodes[terms.back().node].pressed_area += weight * hanging.pressed_area;
+      surface_.nodes[terms.back().node].area_vector += weight * hanging.area_vector;
     }
     if (terms.size() == 1)
       return terms.front().node;
-    hanging.area = hanging.pressed_area = 0;
+    hanging.area = 0;
+    hanging.area_vector.setZero();
     surface_.hanging.push_back({hanging, terms});
     return static_cast<unsigned int>(surface_.n_places()) - 1;
   }

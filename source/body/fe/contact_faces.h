@@ -42,11 +42,12 @@ struct ContactFace
 {
   dealii::CellId cell;
   std::vector<FaceNode> nodes;
+  unsigned int surface; ///< its number
 
   template<typename Archive>
   void serialize(Archive &archive, const unsigned int)
   {
-    archive &cell &nodes;
+    archive &cell &nodes &surface;
   }
 };
 

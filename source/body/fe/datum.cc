@@ -153,7 +153,7 @@ private:
     std::set<unsigned int> vertices;
     for (const auto &cell : triangulation_.cell_iterators_on_level(0))
       for (const auto &face : cell->face_iterators())
-        if (face->at_boundary() && face->boundary_id() == Boundary::contact_surface)
+        if (face->at_boundary() && is_contact(face->boundary_id()))
           for (const unsigned int v : face->vertex_indices())
             vertices.insert(face->vertex_index(v));
     return vertices;

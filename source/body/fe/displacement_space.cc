@@ -127,12 +127,20 @@ typename DisplacementSpace<dim>::HeldDofs DisplacementSpace<dim>::held_dofs(cons
   for (const HeldBoundary &support : held.supports)
     dofs.supported.add_indices(dofs_on(support.id, support.directions));
   if (!held.supports.empty())
-    dofs.supported.subtract_set(held.contact_faces_down ? dofs_on(Boundary::contact_surface, z)
-                                                        : dofs_along_contact_normals());
+    dofs.supported.subtract_set(held.contact_faces_down ? dofs_of_contact(z) : dofs_along_contact_normals());
   dofs.supported.subtract_set(dofs.all);
   dofs.all.add_indices(dofs.supported);
   dofs.all.compress();
   return dofs;
+}
+
+template<int dim>
+dealii::IndexSet DisplacementSpace<dim>::dofs_of_contact(const std::array<bool, 3> &directions) const
+{
+  dealii::IndexSet all(dof_handler_.n_dofs());
+  for (unsigned int surface = 0; surface < most_contact_surfaces; ++surface)
+    all.add_indices(dofs_on(contact_boundary(surface), directions));
+  return all;
 }
 
 /// Degrees of freedom of contact nodes with a part along the normal of the body there.
@@ -147,7 +155,7 @@ dealii::IndexSet DisplacementSpace<dim>::dofs_along_contact_normals() const
   for (const auto &cell : dof_handler_.active_cell_iterators())
     for (const unsigned int face : cell->face_indices())
       if (!cell->is_artificial() && cell->face(face)->at_boundary() &&
-          cell->face(face)->boundary_id() == Boundary::contact_surface)
+          is_contact(cell->face(face)->boundary_id()))
       {
         values.reinit(typename dealii::Triangulation<dim>::active_cell_iterator(cell), face);
         const Eigen::Vector3d normal = in_space(dealii::Point<dim>(values.normal_vector(0)));
@@ -192,9 +200,9 @@ dealii::AffineConstraints<double> DisplacementSpace<dim>::constraints() const
 template<int dim>
 bool DisplacementSpace<dim>::has_axis_face(const Cell &cell) const
 {
-  const auto is_at = [&](const unsigned int face, const Boundary boundary)
-  { return cell->face(face)->at_boundary() && cell->face(face)->boundary_id() == boundary; };
-  return dim == 2 && is_at(0, Boundary::axis) && is_at(lower_face<dim>, Boundary::contact_surface);
+  const auto at = [&](const unsigned int face) { return cell->face(face); };
+  return dim == 2 && at(0)->at_boundary() && at(0)->boundary_id() == Boundary::axis &&
+         at(lower_face<dim>)->at_boundary() && is_contact(at(lower_face<dim>)->boundary_id());
 }
 
 template<int dim>
@@ -229,11 +237,12 @@ void DisplacementSpace<dim>::find_contact_surface(const dealii::AffineConstraint
   for (const auto &cell : dof_handler_.active_cell_iterators())
     if (cell->is_locally_owned())
       for (const unsigned int face : cell->face_indices())
-        if (cell->face(face)->at_boundary() && cell->face(face)->boundary_id() == Boundary::contact_surface)
+        if (cell->face(face)->at_boundary() && is_contact(cell->face(face)->boundary_id()))
         {
           const auto nodes = nodes_of_face<dim>(face, scalar_fe_.degree);
           values.reinit(typename dealii::Triangulation<dim>::active_cell_iterator(cell), face);
           faces.push_back(contact_face(cell, nodes, face_weights(values, nodes), hanging));
+          faces.back().surface = contact_number(cell->face(face)->boundary_id());
           cells[common_id(cell)] = cell->active_cell_index();
         }
   const ContactFaces all(std::move(faces), is_shared());
@@ -253,7 +262,7 @@ ContactFace DisplacementSpace<dim>::contact_face(const Cell &cell, const std::ve
 {
   if (has_axis_face(cell))
     weights = axis_face_values_.transpose() * weights;
-  ContactFace face{common_id(cell), {}};
+  ContactFace face{common_id(cell), {}, 0};
   for (unsigned int point = 0; point < weights.rows(); ++point)
   {
     face.nodes.push_back(face_node(cell, nodes[point]));

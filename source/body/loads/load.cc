@@ -93,7 +93,8 @@ std::string fault_of_form(const Load &load, const bool has_direction)
   const std::string kind(load.kind->word());
   if (load.kind->has_surface() == load.surfaces.empty())
     return load.kind->has_surface() ? "'" + kind + " on SURFACE'"
-                                    : "'" + kind + "' without a surface, or '" + kind + " on lower'";
+                                    : "'" + kind + "' without a surface" +
+                                          (load.kind->drives_overlap() ? "" : ", or '" + kind + " on lower'");
   if (load.kind->has_direction() != has_direction)
     return load.kind->has_direction() ? "'" + kind + " on SURFACE along x', with x, y, z or three numbers"
                                       : "'" + kind + "' without 'along'";

@@ -64,7 +64,7 @@ Counts count_surface(const dealii::Triangulation<3> &mesh, const bool contact_on
   std::set<unsigned int> vertices, lines;
   double n_faces = 0;
   for (const auto &face : mesh.active_face_iterators())
-    if (face->at_boundary() && (!contact_only || face->boundary_id() == Boundary::contact_surface))
+    if (face->at_boundary() && (!contact_only || is_contact(face->boundary_id())))
     {
       ++n_faces;
       for (const unsigned int v : face->vertex_indices())
@@ -82,7 +82,7 @@ std::array<Counts, 3> count_section(const dealii::Triangulation<2> &mesh)
   std::array<double, 2> lines{};
   for (const auto &face : mesh.active_face_iterators())
     for (unsigned int i = 0; i < 2; ++i)
-      if (face->at_boundary() && (i == 0 || face->boundary_id() == Boundary::contact_surface))
+      if (face->at_boundary() && (i == 0 || is_contact(face->boundary_id())))
       {
         ++lines[i];
         vertices[i].insert(face->vertex_index(0));

@@ -70,8 +70,10 @@ ImportedMesh::ImportedMesh(const GeometryOptions &geometry)
   for (unsigned int d = 0; d < 3; ++d)
     extent_ = std::max(extent_, highest_[d] - lowest_[d]);
   for (const std::string &surface : geometry_.contact_surfaces)
-    for (const Face &face : faces_of(surface))
-      contact_.push_back(face);
+  {
+    touching_.push_back(faces_of(surface));
+    contact_.insert(contact_.end(), touching_.back().begin(), touching_.back().end());
+  }
   std::sort(contact_.begin(), contact_.end());
   held_ = faces_of(geometry_.held_surface);
   for (const std::string &surface : marked_surfaces(geometry_))
@@ -178,7 +180,7 @@ void ImportedMesh::check_contact(FaultList &faults) const
       below.push_back(place(at));
   for (const auto &cell : triangulation_.active_cell_iterators())
     for (const auto &face : cell->face_iterators())
-      if (face->at_boundary() && id_of(face) == Boundary::contact_surface)
+      if (face->at_boundary() && is_contact(id_of(face)))
         if (const auto normal = area_vector(face);
             normal * (face->center() - cell->center()) * normal[2] >= 0)
           upwards.push_back(place(face->center()));
@@ -200,6 +202,9 @@ void ImportedMesh::check_surfaces() const
   for (const std::string &surface : geometry_.contact_surfaces)
     check("Contact surface", surface);
   check("Held surface", geometry_.held_surface);
+  if (const auto twice = std::adjacent_find(contact_.begin(), contact_.end()); twice != contact_.end())
+    faults.add(geometry_.contact_entry() + " has a face in two of its surfaces, at " +
+               place((*twice)->center()) + ": allowed are surfaces without common faces");
   const std::set<unsigned int> vertices = vertices_of(contact_);
   std::vector<std::string> common;
   for (const auto held : vertices_of(held_))
@@ -230,9 +235,9 @@ void ImportedMesh::check_marked(FaultList &faults) const
     for (const Face &face : marked_[i])
     {
       const auto id = id_of(face);
-      const std::string other = id == Boundary::contact_surface ? "the contact surface"
-                                : id == Boundary::top_face      ? "the held surface"
-                                : id < Boundary::first_support  ? "a plane of symmetry"
+      const std::string other = is_contact(id)                 ? "the contact surface"
+                                : id == Boundary::top_face     ? "the held surface"
+                                : id < Boundary::first_support ? "a plane of symmetry"
                                 : id < Boundary::first_support + i
                                     ? shown(names[id - Boundary::first_support])
                                     : "";
@@ -280,8 +285,9 @@ dealii::types::boundary_id ImportedMesh::id_of(const Face &face) const
         return false;
     return true;
   };
-  if (std::binary_search(contact_.begin(), contact_.end(), face))
-    return Boundary::contact_surface;
+  for (unsigned int surface = 0; surface < touching_.size(); ++surface)
+    if (std::binary_search(touching_[surface].begin(), touching_[surface].end(), face))
+      return contact_boundary(surface);
   if (std::binary_search(held_.begin(), held_.end(), face))
     return Boundary::top_face;
   if (planes_.normal_to_x && lies_in(0))
@@ -352,6 +358,13 @@ std::vector<std::string> ImportedMesh::warnings(const MeshOptions &mesh) const
     warnings.emplace_back(mesh.section +
                           "/Refinements: the cells of the file have plane faces, so that smaller cells keep "
                           "the facets of curved surfaces; only a finer mesh by gmsh follows the curves");
+  if (!geometry_.faces_down && mesh.degree > 1 && is_curved())
+    warnings.push_back(
+        geometry_.section +
+        "/Mesh file: the cells of the file have plane faces, so that the contact surface is made "
+        "of facets where the body is curved; under a curved Obstacle/Distance their edges touch "
+        "first, and pressures differ from node to node. Obstacle/Normal = surface fits the "
+        "facets, and smaller cells make them smaller");
   constexpr double poor = 0.1;
   if (worst_quality_ < poor)
     warnings.push_back(geometry_.section + "/Mesh file: the worst cell has a scaled Jacobian of " +

@@ -123,7 +123,7 @@ dealii::types::boundary_id boundary_of_surface(const GeometryOptions &geometry, 
                                                const Boundary otherwise)
 {
   if (geometry.touches_with(surface))
-    return Boundary::contact_surface;
+    return contact_boundary(geometry.number_of_contact(surface));
   const std::vector<std::string> names = marked_surfaces(geometry);
   const auto found = std::find(names.begin(), names.end(), surface);
   return found == names.end()
@@ -205,9 +205,12 @@ static std::vector<std::string> without_contact(const GeometryOptions &geometry,
 
 void check_contact_surfaces(const GeometryOptions &geometry, const std::vector<std::string> &surfaces)
 {
+  const std::string given = geometry.contact_entry();
+  if (geometry.contact_surfaces.size() > most_contact_surfaces)
+    throw InputError(given + " names " + std::to_string(geometry.contact_surfaces.size()) +
+                     " surfaces: allowed are " + std::to_string(most_contact_surfaces) + " at most");
   if (geometry.is_from_file() || geometry.touches_with_base_only())
     return;
-  const std::string given = geometry.contact_entry();
   if (surfaces.empty())
     throw InputError(given + " with " + geometry.shape_entry() +
                      ", whose surfaces have no names: allowed is nothing");

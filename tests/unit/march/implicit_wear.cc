@@ -24,9 +24,7 @@ WearLaw law_of(const char *const kind, const double z)
   WearOptions options;
   options.law = kind;
   options.coefficient = z * own_compliance * area / way / (options.law.word() == "energy" ? 0.1 : 1);
-  ContactSurface surface;
-  surface.nodes = {{{{0, 0}}, area, {{0, 1, 2}}, {{true, true, true}}}};
-  return {options, surface};
+  return {options, Eigen::VectorXd::Constant(1, area)};
 }
 
 /// The force of the node behind a step that slides it by `way` at a fixed height.
@@ -74,10 +72,9 @@ TEST(ImplicitWear, IsForDeepStepsAlone)
     WearOptions options;
     options.law = "archard";
     options.deep_steps = deep;
-    ContactSurface surface;
-    surface.nodes = {{{{0, 0}}, area, {{0, 1, 2}}, {{true, true, true}}}};
     after.wear_depth[0] = z * own_compliance * pressed;
-    return ImplicitWear({options, surface}, {}, VectorXd::Constant(1, own_compliance)).is_for(before, after);
+    return ImplicitWear({options, VectorXd::Constant(1, area)}, {}, VectorXd::Constant(1, own_compliance))
+        .is_for(before, after);
   };
   EXPECT_FALSE(is_for(0.89, DeepWear::implicitly));
   EXPECT_TRUE(is_for(0.91, DeepWear::implicitly));

@@ -29,7 +29,7 @@ class WatchedScene
 public:
   explicit WatchedScene(const Parameters &parameters)
       : scene(parameters),
-        watch(parameters.load, scene.shares, areas_of(scene.scene.surface()))
+        watch(parameters.load, scene.shares, scene.scene.pressed_areas())
   {
     StepSolver solver(scene.scene);
     Totals totals;

@@ -243,6 +243,54 @@ TEST(Frames, PressAShaftIntoABore)
   }
 }
 
+// A box between three walls, in all models: each wall has its own sums, which add up to those of the body.
+// The corner nodes touch the ground, whose pressure is even under a body without Poisson's ratio.
+TEST(Frames, SumUpEachOfSeveralSurfaces)
+{
+  Parameters parameters;
+  GeometryOptions &geometry = parameters.geometry;
+  geometry.shape = BodyShape::box;
+  geometry.sizes = {{8, 6, 4}};
+  geometry.contact_surfaces = {"base", "x-", "x+"};
+  geometry.top_face = TopFace::guided;
+  geometry.supports = {{"y-", {{true, true, false}}}, {"y+", {{true, true, false}}}};
+  parameters.mesh.cells = {{4, 2, 2}};
+  parameters.mesh.degree = 2;
+  parameters.friction.mu = {{0.2, 0.2}};
+  parameters.obstacle.distance = "min(z, 4.002 - abs(x))";
+  parameters.contact_solver.tolerance = 1e-12;
+  parameters.load.legs = {move_to(0, 0, -0.05, 2), move_to(0, 0, -0.02, 1)};
+  share_among_bodies(parameters);
+  std::vector<SurfaceTotals> of_full;
+  for (const ModelKind model : {ModelKind::full, ModelKind::half, ModelKind::quarter})
+  {
+    TestScene scene(with_model(parameters, model));
+    expect_checked_steps(scene);
+    const Totals totals = scene.totals();
+    ASSERT_EQ(totals.surfaces.size(), 3u);
+    const auto &[base, left, right] = std::tie(totals.surfaces[0], totals.surfaces[1], totals.surfaces[2]);
+    EXPECT_LE((base.force + left.force + right.force - totals.force).norm(), 1e-9 * totals.force.norm());
+    EXPECT_NEAR(base.contact_area + left.contact_area + right.contact_area, totals.contact_area, 1e-9);
+    EXPECT_NEAR(base.total_dissipation + left.total_dissipation + right.total_dissipation,
+                totals.total_dissipation, 1e-9 * totals.total_dissipation);
+    EXPECT_NEAR(left.force[0], left.normal_force, 1e-9 * left.normal_force) << "into the body";
+    EXPECT_NEAR(right.force[0], -left.force[0], 1e-8 * left.force[0]);
+    EXPECT_GT(left.normal_force, 0.01 * base.normal_force);
+    if (of_full.empty())
+      of_full = totals.surfaces;
+    for (std::size_t i = 0; i < of_full.size(); ++i)
+    {
+      EXPECT_LE((totals.surfaces[i].force - of_full[i].force).norm(), 1e-8 * of_full[0].normal_force);
+      EXPECT_NEAR(totals.surfaces[i].contact_area, of_full[i].contact_area, 1e-9);
+      EXPECT_NEAR(totals.surfaces[i].max_pressure, of_full[i].max_pressure, 1e-8 * of_full[0].max_pressure);
+    }
+  }
+  parameters.material.poisson_ratio = 0;
+  TestScene even(parameters);
+  even.march();
+  EXPECT_NEAR(even.totals().max_pressure, 210000 * 0.02 / 4, 1e-6 * 1000) << "at corners, too";
+}
+
 // Lame's pressure, as a mean over the plane faces of the file, and the torque that slips the whole seat: mu p
 // 2 pi a^2 L, with the friction around it.
 TEST(Frames, TurnAHubOnItsShaft)

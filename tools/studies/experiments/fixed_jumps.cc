@@ -26,7 +26,7 @@ public:
   FixedJumps(const Scene &scene, const unsigned int length)
       : length_(length),
         n_cycles_(scene.parameters().load.cycles),
-        areas_(scene.symmetry().n_copies() * areas_of(scene.surface())),
+        areas_(scene.symmetry().n_copies() * scene.pressed_areas()),
         opening_(node_compliance(scene.surface(), scene.symmetry(), scene.contact_material()))
   {
     for (const Leg &leg : scene.parameters().load.legs)

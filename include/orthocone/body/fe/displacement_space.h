@@ -108,6 +108,7 @@ private:
   HeldDofs held_dofs(const HeldSurfaces &held, const Datum &datum) const;
   void add_datum(const Datum &datum, dealii::IndexSet &dofs) const;
   void make_axis_face_basis();
+  dealii::IndexSet dofs_of_contact(const std::array<bool, 3> &directions) const;
   dealii::IndexSet dofs_along_contact_normals() const;
   void find_contact_surface(const dealii::AffineConstraints<double> &hanging);
   ContactFace contact_face(const Cell &cell, const std::vector<unsigned int> &nodes, Eigen::MatrixX4d weights,

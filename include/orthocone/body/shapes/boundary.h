@@ -14,7 +14,29 @@ enum Boundary : dealii::types::boundary_id
   lateral_surface = 3,
   plane_normal_to_x = 4,
   plane_normal_to_y = 5,
-  axis = 6,           ///< of a section
-  first_support = 16, ///< of Geometry/Supports; the others follow in their order
+  axis = 6,            ///< of a section
+  further_contact = 7, ///< of the second contact surface; the others follow in their order
+  end_of_contact = 16, ///< behind the last one
+  first_support = 16,  ///< of Geometry/Supports; the others follow in their order
 };
+
+constexpr unsigned int most_contact_surfaces = 1 + Boundary::end_of_contact - Boundary::further_contact;
+
+inline dealii::types::boundary_id contact_boundary(const unsigned int surface)
+{
+  return surface == 0 ? dealii::types::boundary_id(Boundary::contact_surface)
+                      : static_cast<dealii::types::boundary_id>(Boundary::further_contact + surface - 1);
+}
+
+inline bool is_contact(const dealii::types::boundary_id id)
+{
+  return id == Boundary::contact_surface ||
+         (id >= Boundary::further_contact && id < Boundary::end_of_contact);
+}
+
+/// The number of a contact surface by its boundary id.
+inline unsigned int contact_number(const dealii::types::boundary_id id)
+{
+  return id == Boundary::contact_surface ? 0 : id - Boundary::further_contact + 1;
+}
 } // namespace orthocone

@@ -67,8 +67,9 @@ private:
   const MeshBox box_;
   dealii::Triangulation<3> triangulation_;
   std::map<unsigned int, std::vector<Face>> faces_of_group_;
-  std::vector<Face> contact_, held_;      ///< sorted
-  std::vector<std::vector<Face>> marked_; ///< the same of each of marked_surfaces()
+  std::vector<Face> contact_, held_;        ///< sorted
+  std::vector<std::vector<Face>> touching_; ///< the same of each contact surface
+  std::vector<std::vector<Face>> marked_;   ///< the same of each of marked_surfaces()
   SymmetryPlanes planes_;
   dealii::Point<3> lowest_, highest_; ///< of the box around, mm
   double extent_ = 0;                 ///< longest side of that box, mm
