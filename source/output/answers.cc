@@ -16,6 +16,26 @@ void add(const std::string &name, const std::string &words, const Peaks::Peak &p
     answers.push_back({name, words, peak.first, unit, peak.second});
 }
 
+/// The force along z is the normal force where that is the normal. On surfaces with other normals forces may
+/// cancel, as around a shaft.
+void add_forces(const Summary &summary, std::vector<Answer> &answers)
+{
+  constexpr double rounding = 1e-9;
+  const Peaks &peaks = summary.record.peaks;
+  if (summary.parameters.obstacle.has_normal_z())
+  {
+    add("normal_force", "largest normal force", peaks.force_z, "N", answers);
+    add("tangential_force", "largest tangential force", peaks.tangential_force, "N", answers);
+    add("mu_eff", "largest tangential / normal force", peaks.friction, "", answers);
+    return;
+  }
+  const double least = rounding * peaks.pressure.first * peaks.contact_area.first;
+  if (peaks.force_z.first > least)
+    add("force_z", "largest force along z", peaks.force_z, "N", answers);
+  if (peaks.tangential_force.first > least)
+    add("force_xy", "largest force across z", peaks.tangential_force, "N", answers);
+}
+
 /// Areas are compared when the tangential force is largest, for then the stick zone is smallest.
 void add_areas(const Peaks &peaks, std::vector<Answer> &answers)
 {
@@ -48,9 +68,7 @@ std::vector<Answer> answers(const Summary &summary)
   const Peaks &peaks = summary.record.peaks;
   const Totals &totals = summary.totals;
   std::vector<Answer> answers;
-  add("normal_force", "largest normal force", peaks.force_z, "N", answers);
-  add("tangential_force", "largest tangential force", peaks.tangential_force, "N", answers);
-  add("mu_eff", "largest tangential / normal force", peaks.friction, "", answers);
+  add_forces(summary, answers);
   add_areas(peaks, answers);
   add("pressure", "largest pressure", peaks.pressure, "MPa", answers);
   add("slip_of_contact", "largest slip of nodes in contact", peaks.slip, "mm", answers);

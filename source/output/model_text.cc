@@ -146,14 +146,15 @@ std::string describe_friction(const Parameters &parameters)
   const FrictionOptions &friction = parameters.friction;
   if (friction.is_frictionless())
     return line + "none\n";
-  if (friction.varies() || !friction.has_ellipses())
+  const bool same_law = !friction.varying_angle && !friction.law.chosen().varies(friction);
+  if (!same_law || !friction.has_ellipses())
   {
     std::string entries;
     const DeclaredParameters declared(parameters);
     for (const Entry &entry : declared.list.entries())
       if (entry.section() == "Friction" && entry.why_ignored().empty())
         entries += (entries.empty() ? "" : "; ") + entry.own_name() + " = " + entry.text();
-    return line + (friction.varies() ? "varies: " : "") + entries + "\n";
+    return line + (same_law ? "" : "varies: ") + entries + "\n";
   }
   const std::array<double, 2> p = friction.p();
   return line + "mu " + to_text(friction.mu[0]) + ", " + to_text(friction.mu[1]) +
@@ -161,7 +162,9 @@ std::string describe_friction(const Parameters &parameters)
                                    : "; not associated, p " + to_text(p[0]) + ", " + to_text(p[1])) +
          (friction.is_collinear() ? ", slip collinear with the force"
                                   : ", slip not collinear with the force") +
-         "; axes turned by " + to_text(friction.angle) + " degrees\n";
+         (friction.first_axis ? "; first axis along " + friction.first_axis_text()
+                              : "; axes turned by " + to_text(friction.angle) + " degrees") +
+         "\n";
 }
 
 std::string describe_model(const Parameters &parameters, const ModelChoice &model,

@@ -166,15 +166,18 @@ Entry::Binding first_axis_binding(FrictionOptions &friction)
               friction.first_axis = axis;
             return !is_zero;
           },
-          [&friction]
-          {
-            return friction.first_axis
-                       ? (*friction.first_axis)[0].text() + ", " + (*friction.first_axis)[1].text() + ", " +
-                             (*friction.first_axis)[2].text()
-                       : std::string();
-          }};
+          [&friction] { return friction.first_axis_text(); }};
 }
 } // namespace
+
+std::string FrictionOptions::first_axis_text() const
+{
+  std::string text;
+  if (first_axis)
+    for (const Expression &component : *first_axis)
+      text += (text.empty() ? "" : ", ") + component.text();
+  return text;
+}
 
 FrictionOptions FrictionOptions::at(const double x, const double y, const double z) const
 {

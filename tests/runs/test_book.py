@@ -26,6 +26,7 @@ import book  # noqa: E402
 import loaded  # noqa: E402
 import sheared  # noqa: E402
 import spheres  # noqa: E402
+import prism_mesh  # noqa: E402
 import square_mesh  # noqa: E402
 import strips  # noqa: E402
 from row import Runs  # noqa: E402
@@ -242,6 +243,10 @@ class FormulasTest(unittest.TestCase):
 
     def test_the_mesh_of_the_square_is_the_one_that_is_made(self):
         self.assertEqual((ROOT / "prm/verification/pressed_square.msh").read_text(), square_mesh.text())
+
+    def test_the_meshes_of_prisms_are_those_that_are_made(self):
+        for name in prism_mesh.SHAPES:
+            self.assertEqual((ROOT / f"prm/verification/{name}.msh").read_text(), prism_mesh.text(name))
 
     def test_deepest_shear(self):
         """Stresses on the axis by Boussinesq's and Flamant's point and line forces under Hertz' pressures."""

@@ -12,6 +12,10 @@ from row import Row, Scene
 EXACT = "exact"
 
 # Uniform states.
+FIT = Scene("press_fit")
+PUSHED_OUT = FIT.set("Geometry/Top face=guided", "Geometry/Supports=", "Material/Poisson ratio=0",
+                     "Load program/Legs=fit 1 : 1 ; uz -0.2 : 4")
+LAME = 210000 / (1.3 * 0.4) * 0.01 / 10
 PATCH, BOX, SHAFT, RIM = Scene("patch_test"), Scene("box"), Scene("torsion"), Scene("first_slip_in_torsion")
 FULL = ("Mesh/Model=full",)
 COARSE_RIM = tuple((f"Mesh/Core cells={n}", f"Mesh/Rings={n}", *FULL) for n in (2, 4, 8))
@@ -33,6 +37,12 @@ UNIFORM = (
     Row("shaft.moment", SHAFT, "moment of a shaft that sticks (N mm)", of_history("moment_z"),
         -105000 * math.pi / 2 * 1e4 * math.radians(0.5) / 10, 1e-8, "Saint-Venant", EXACT),
     Row("shaft.slip", RIM, "angle of the first slip (degrees)", rim_angle, math.degrees(6e-4), 1e-3, "mu p H / (G R)", EXACT),
+    Row("fit.least", FIT, "least pressure of a shaft in a narrow bore (MPa)", of_history("min_pressure"), LAME, 1e-9, "Lamé", EXACT),
+    Row("fit.largest", FIT, "largest pressure (MPa)", of_history("max_pressure"), LAME, 1e-9, "Lamé", EXACT),
+    Row("fit.quarter", FIT.set("Mesh/Model=quarter"), "the same of a quarter with 16 cells around (MPa)",
+        of_history("max_pressure"), LAME, 1e-8, "Lamé", EXACT),
+    Row("fit.pushed", PUSHED_OUT, "force along the axis that pushes it out, nu = 0 (N)", of_history("force_z"),
+        0.1 * 2 * math.pi * 10 * 10 * 210, 1e-8, "mu p 2 pi R L", EXACT),
     Row("shaft.solid", RIM.set(*COARSE_RIM[2]), "the same in the full model (degrees)", rim_angle, math.degrees(6e-4), 2e-3,
         "mu p H / (G R)", "facets of the rim", meshes=COARSE_RIM, order=1.5),
 )
@@ -80,6 +90,15 @@ def push_up(runs, scene):
 
 WEDGE = Scene("wedge", code=3)
 
+
+def by_force_z(component):
+    """A measure: a force at the end against the force along z."""
+    def measured(runs, scene):
+        history = runs(scene).history
+        return float(-history[f"force_{component}"][-1] / history["force_z"][-1])
+    return measured
+
+
 MOVING = (
     *(Row(f"sliding.{name}", slides(p), f"force by normal force, {name}, largest difference over six directions", sliding(p), 0,
           1e-9, "the slip rule", EXACT, scale=1)
@@ -89,6 +108,10 @@ MOVING = (
     Row("sliding.force_y", BY_FORCE, "force along y (N)", of_history("force_y"), 1e4 * OF_45[1], 1e-6, "the slip rule", EXACT),
     Row("wedge.push", WEDGE, "push that slides a wedge up, by its weight", push_up, LIMIT / WEIGHT, 2e-4,
         "NAFEMS R0094, CGS-4: (tan a + mu)/(1 - mu tan a)", "steps of 0.02 % of the push"),
+    Row("incline.push", Scene("incline"), "the same with the normal of the slope, moved up", by_force_z("x"), LIMIT / WEIGHT, 1e-6,
+        "NAFEMS R0094, CGS-4", EXACT),
+    Row("groove.pull", Scene("groove"), "pull along a groove, by the force that presses", by_force_z("y"), 0.15 / 0.8, 1e-6,
+        "mu / sin(half angle)", EXACT),
 )
 
 # The short cylinder between a plate that holds it and one with friction.

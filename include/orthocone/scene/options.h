@@ -129,6 +129,7 @@ struct FrictionOptions
   Choice<FrictionLawOptions> law{};
 
   bool has_ellipses() const { return law == FrictionLawKind::ellipses; }
+  std::string first_axis_text() const; ///< as the entry has it
   bool varies() const { return varying_angle || first_axis || law.chosen().varies(*this); }
   bool is_frictionless() const { return has_ellipses() && mu[0] == 0 && !varying_mu; }
 
