@@ -57,7 +57,7 @@ std::string LoadRange::text() const
   const bool has_both_signs = least < 0 && largest > 0;
   return (has_both_signs ? to_text(least) + " to " + to_text(largest)
                          : to_text(-least > largest ? least : largest)) +
-         " " + unit;
+         (unit.empty() ? "" : " " + unit);
 }
 
 std::vector<LoadRange> load_ranges(const LoadOptions &load)

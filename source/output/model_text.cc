@@ -152,7 +152,7 @@ std::string describe_friction(const Parameters &parameters)
     std::string entries;
     const DeclaredParameters declared(parameters);
     for (const Entry &entry : declared.list.entries())
-      if (entry.section() == "Friction" && entry.why_ignored().empty())
+      if (entry.section() == "Friction" && entry.why_ignored().empty() && !entry.text().empty())
         entries += (entries.empty() ? "" : "; ") + entry.own_name() + " = " + entry.text();
     return line + (same_law ? "" : "varies: ") + entries + "\n";
   }

@@ -52,8 +52,11 @@ std::string MotionText::operator()(const LoadStep &step, const std::string &betw
 {
   std::string text = moving_.empty() && !loads_.empty() ? "" : text_of_face(step, between);
   for (std::size_t k = 0; k < loads_.size(); ++k)
-    text += (text.empty() ? "" : ", ") + loads_[k].name + between + rounded(step.loads[k]) + " " +
-            loads_[k].kind->unit();
+  {
+    const std::string unit = loads_[k].kind->unit();
+    text += (text.empty() ? "" : ", ") + loads_[k].name + between + rounded(step.loads[k]) +
+            (unit.empty() ? "" : " " + unit);
+  }
   return text;
 }
 

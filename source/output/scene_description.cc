@@ -66,11 +66,15 @@ OrderedJson contact_json(const ContactSurface &surface, const Obstacle *const ob
     if (obstacle != nullptr)
       gaps.push_back(obstacle->gap({node.place(), node.inward}) - node.height);
   }
-  return {{"degree", surface.degree},
-          {"n_nodes", surface.nodes.size()},
-          {"nodes", nodes},
-          {"gaps", gaps},
-          {"faces", surface.faces}};
+  OrderedJson json{{"degree", surface.degree},
+                   {"n_nodes", surface.nodes.size()},
+                   {"nodes", nodes},
+                   {"gaps", gaps},
+                   {"faces", surface.faces}};
+  if (obstacle != nullptr && !obstacle->has_normal_z())
+    for (const Eigen::Vector3d &normal : obstacle->normals(points_of(surface)))
+      json["normals"].push_back({normal[0], normal[1], normal[2]});
+  return json;
 }
 
 /// The height of the node that is nearest to a place, mm; 0 where there is no surface.
@@ -142,7 +146,7 @@ OrderedJson gap_json(const Parameters &parameters, const ModelSymmetry &symmetry
   const Vector2d touch = first_touch(surface, lower, *obstacle);
   OrderedJson lines = OrderedJson::array();
   for (const unsigned int axis : {0u, 1u})
-    if (axis == 0 || !symmetry.is_section())
+    if (obstacle->has_normal_z() && (axis == 0 || !symmetry.is_section()))
       lines.push_back(gap_line(*obstacle, surface, symmetry, touch, axis));
   return {{"touch", {touch[0], touch[1]}},
           {"contact", contact_json(surface, obstacle.get())},

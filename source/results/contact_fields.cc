@@ -178,6 +178,7 @@ ContactFields ContactFieldEvaluator::fields(const ContactState &state, const uns
     fields.friction_criterion = law.is_frictionless() ? 0 : law.load(r.tail<2>()) / r[0] - 1;
   fields.status = state.status[node];
   fields.nodal_force = friction / share + axes.col(0) * (r[0] / share);
+  fields.normal_force = r[0] / share;
   fields.dissipated_energy = state.dissipated_energy[node] / area;
   fields.wear_depth = state.wear_depth[node];
   fields.surface = place.surface;

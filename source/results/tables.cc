@@ -224,7 +224,11 @@ Columns<LinePoint> line_columns_on_surface()
            [of](const P &p) { return on_surface(p, of(p).slip[1]); }},
           {"status", "",
            "open, stick or slip, as at the nearest contact node; inside off the contact surface",
-           [of](const P &p) { return p.contact ? word_of(of(p).status) : std::string("inside"); }}};
+           [of](const P &p) { return p.contact ? word_of(of(p).status) : std::string("inside"); }},
+          {"traction_z", "MPa", "friction traction along z, on surfaces with another normal",
+           [of](const P &p) { return on_surface(p, of(p).friction_traction[2]); }},
+          {"slip_z", "mm", "slip along z, on surfaces with another normal",
+           [of](const P &p) { return on_surface(p, of(p).slip[2]); }}};
 }
 
 /// The lines of one file. An `Item` has a name, a unit, and a text on its meaning.
@@ -352,7 +356,7 @@ const Columns<ProbedStep> &probe_columns()
        "accumulated slip: length of the path along which the node has slipped since the start",
        [](const Probed &p) { return p.fields.accumulated_slip; }},
       {"force_n", "N", "force of the counterface on the node along the normal",
-       [](const Probed &p) { return p.fields.nodal_force[2]; }},
+       [](const Probed &p) { return p.fields.normal_force; }},
       {"force_x", "N", "force of the counterface on the node along x",
        [](const Probed &p) { return p.fields.nodal_force[0]; }},
       {"force_y", "N", "force of the counterface on the node along y",
@@ -362,7 +366,13 @@ const Columns<ProbedStep> &probe_columns()
        [](const Probed &p) { return p.fields.friction_traction[0]; }},
       {"traction_y", "MPa", "friction traction along y",
        [](const Probed &p) { return p.fields.friction_traction[1]; }},
-      {"status", "", "open, stick or slip", [](const Probed &p) { return word_of(p.fields.status); }}};
+      {"status", "", "open, stick or slip", [](const Probed &p) { return word_of(p.fields.status); }},
+      {"slip_z", "mm", "slip along z, on surfaces with another normal",
+       [](const Probed &p) { return p.fields.slip[2] + 0.; }},
+      {"force_z", "N", "force of the counterface on the node along z",
+       [](const Probed &p) { return p.fields.nodal_force[2]; }},
+      {"traction_z", "MPa", "friction traction along z, on surfaces with another normal",
+       [](const Probed &p) { return p.fields.friction_traction[2] + 0.; }}};
   return columns;
 }
 

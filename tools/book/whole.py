@@ -37,14 +37,14 @@ UNIFORM = (
     Row("shaft.moment", SHAFT, "moment of a shaft that sticks (N mm)", of_history("moment_z"),
         -105000 * math.pi / 2 * 1e4 * math.radians(0.5) / 10, 1e-8, "Saint-Venant", EXACT),
     Row("shaft.slip", RIM, "angle of the first slip (degrees)", rim_angle, math.degrees(6e-4), 1e-3, "mu p H / (G R)", EXACT),
+    Row("shaft.solid", RIM.set(*COARSE_RIM[2]), "the same in the full model (degrees)", rim_angle, math.degrees(6e-4), 2e-3,
+        "mu p H / (G R)", "facets of the rim", meshes=COARSE_RIM, order=1.5),
     Row("fit.least", FIT, "least pressure of a shaft in a narrow bore (MPa)", of_history("min_pressure"), LAME, 1e-9, "Lamé", EXACT),
     Row("fit.largest", FIT, "largest pressure (MPa)", of_history("max_pressure"), LAME, 1e-9, "Lamé", EXACT),
     Row("fit.quarter", FIT.set("Mesh/Model=quarter"), "the same of a quarter with 16 cells around (MPa)",
         of_history("max_pressure"), LAME, 1e-8, "Lamé", EXACT),
     Row("fit.pushed", PUSHED_OUT, "force along the axis that pushes it out, nu = 0 (N)", of_history("force_z"),
         0.1 * 2 * math.pi * 10 * 10 * 210, 1e-8, "mu p 2 pi R L", EXACT),
-    Row("shaft.solid", RIM.set(*COARSE_RIM[2]), "the same in the full model (degrees)", rim_angle, math.degrees(6e-4), 2e-3,
-        "mu p H / (G R)", "facets of the rim", meshes=COARSE_RIM, order=1.5),
 )
 
 # Sliding.

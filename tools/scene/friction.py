@@ -51,10 +51,11 @@ def draw(ax, scene):
     ax.axvline(0, color="0.8", linewidth=0.7, zorder=0)
     marks.set_equal_limits(ax, (-1.35 * reach, -1.9 * reach), (1.35 * reach, 1.35 * reach))
     ax.legend(frameon=False, fontsize=8, loc="lower center", borderaxespad=0)
-    where = " at the first touch" if friction["varies"] else ""
+    is_turned = "normals" in scene["gap"]["contact"]
+    where = " at the first touch" if friction["varies"] and not is_turned else ""
     ax.set_title(f"Friction{where}; arrows: against the slip")
-    ax.set_xlabel("friction force / pressing force, along x")
-    ax.set_ylabel("along y")
+    ax.set_xlabel("friction force / pressing force, along " + ("the first axis" if is_turned else "x"))
+    ax.set_ylabel("along the second axis" if is_turned else "along y")
 
 
 def spread_along(forces):

@@ -116,5 +116,5 @@ def drawn_loads(scene, bodies, length):
         elif one["surfaces"]:
             found.append(of_surfaces(one, body.named(one["surfaces"]), middle, length))
         else:
-            found.append(DrawnLoad(f"{one['words']}, {one['text']}: of the whole body", middle))
+            found.append(DrawnLoad(f"{one['words']}, {one['text']}" + (": of the whole body" if one["kind"] != "interference" else ""), middle))
     return found

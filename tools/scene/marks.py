@@ -8,6 +8,7 @@ from parts import LOAD, round_length
 
 ROOM = 0.58  # part of the width that the drawing takes; labels have the rest
 HEIGHT = 0.94  # of the height
+NORMAL, MOST_NORMALS = "#7a3f9d", 60  # arrows that a reader can tell apart
 
 
 def draw_load(ax, view, load, labels, view_of_turns=None):
@@ -67,3 +68,24 @@ def draw_axes_and_scale(ax, view, size, names):
     ax.annotate("", end, start, arrowprops={"arrowstyle": "|-|,widthA=0.25,widthB=0.25", "color": "0.2", "linewidth": 1.2,
                                             "shrinkA": 0, "shrinkB": 0}, zorder=15)
     ax.text(*(end + [0.012 * (right - left), 0]), f"{length:g} mm along x", color="0.2", va="center", fontsize=8.5, zorder=15)
+
+
+def normals_of(scene):
+    """Places of contact nodes and normals of the counterface there, each (n, 3); None where all are z."""
+    contact = scene["gap"]["contact"]
+    if "normals" not in contact:
+        return None
+    normals = np.array(contact["normals"], dtype=float)
+    return np.array(contact["nodes"], dtype=float)[:len(normals)], normals
+
+
+def draw_normals(ax, view, normals, length, labels):
+    """Arrows of some nodes, from the counterface to the body. Returns their ends."""
+    places, directions = normals
+    some = np.unique(np.linspace(0, len(places) - 1, min(len(places), MOST_NORMALS)).astype(int))
+    ends, starts = places[some], places[some] - length * directions[some]
+    for start, end in zip(view(starts), view(ends)):
+        ax.annotate("", end, start, arrowprops={"arrowstyle": "-|>", "color": NORMAL, "linewidth": 0.9, "shrinkA": 0, "shrinkB": 0,
+                                                "mutation_scale": 7}, zorder=6)
+    labels.add(view(starts)[np.argmax(view(starts)[:, 0])], "normals of the counterface", NORMAL)
+    return view(starts)

@@ -97,7 +97,8 @@ def label_surfaces(labels, bodies):
 def draw(ax, scene, bodies):
     copies = mirrors(scene)
     labels, corners = Labels(), np.zeros((0, 2))
-    if len(bodies) == 1:
+    normals = marks.normals_of(scene)
+    if len(bodies) == 1 and normals is None:
         corners = draw_ground(ax, scene, bodies[0], copies)
     points = np.concatenate([*(view(body.points() * copy) for body in bodies for copy in copies), corners])
     size = np.ptp(points, axis=0).max()
@@ -108,7 +109,9 @@ def draw(ax, scene, bodies):
     for load in drawn_loads(scene, bodies, 0.2 * size):
         shapes += marks.draw_load(ax, view, load, labels, from_above)
     label_surfaces(labels, bodies)
-    if scene["obstacle"]["kind"] != "body":
+    if normals is not None:
+        shapes.append(marks.draw_normals(ax, view, normals, 0.08 * size, labels))
+    elif scene["obstacle"]["kind"] != "body":
         words = scene["obstacle"]["text"].partition(";")[0] if scene["obstacle"]["kind"] != "rigid" else "rigid counterface"
         labels.add(corners[2] + [-0.05 * size, 0.3 * (corners[1] - corners[2])[1]], words, "0.35")
     marks.set_limits(ax, np.concatenate(shapes))

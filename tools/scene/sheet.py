@@ -9,6 +9,7 @@ import numpy as np
 
 import contact
 import friction
+import marks
 import section
 import space
 from parts import Body
@@ -23,13 +24,15 @@ def bodies_of(scene, lift):
 
 def lift_of(scene):
     """The bodies are drawn apart, so that the contact surface is seen between them."""
+    if marks.normals_of(scene) is not None:
+        return 0  # there is no direction in which to draw them apart
     points = np.concatenate([body.points() for body in bodies_of(scene, 0)])
     return 0.07 * np.ptp(points, axis=0).max()
 
 
 def notes(scene, bodies):
     """What the picture leaves out, or has changed."""
-    found = ["The bodies are drawn apart."]
+    found = ["The bodies are drawn apart."] if marks.normals_of(scene) is None else []
     if not all(body.has_mesh for body in bodies):
         found.append("The mesh of the run is not drawn: it has too many faces, or the run chooses it.")
     if len(scene["model"]["mirrored"]) and (any(scene["model"]["mirrored"]) or scene["model"]["is_axisymmetric"]):
@@ -53,7 +56,9 @@ def panels_of(scene, lift):
     apart, together = bodies_of(scene, lift), bodies_of(scene, 0)
     is_section = scene["model"]["is_axisymmetric"] or scene["model"]["is_plane_strain"]
     found = []
-    if not is_section:
+    if marks.normals_of(scene) is not None:
+        pass  # neither a view from above nor one along x shows such a surface
+    elif not is_section:
         found.append(lambda ax: contact.draw_from_above(ax, scene, apart))
     elif all(body.has_mesh for body in together):
         found.append(lambda ax: section.draw_mesh_at_touch(ax, scene, together))

@@ -166,7 +166,8 @@ def draw(ax, scene, bodies):
     view = View(scene["model"]["mirrored"][0])
     painter, labels = Painter(view), Labels()
     corners = np.zeros((0, 3))
-    if len(bodies) == 1:
+    normals = marks.normals_of(scene)
+    if len(bodies) == 1 and normals is None:
         corners = draw_ground(ax, view, scene, bodies[0], copies)
     for body in bodies:
         paint(painter, body)
@@ -179,7 +180,10 @@ def draw(ax, scene, bodies):
     for load in drawn_loads(scene, bodies, 0.24 * size):
         shapes += marks.draw_load(ax, view, load, labels)
     label_surfaces(labels, view, bodies)
-    label_ground(labels, view, scene, corners)
+    if normals is None:
+        label_ground(labels, view, scene, corners)
+    else:
+        shapes.append(marks.draw_normals(ax, view, normals, 0.08 * size, labels))
     marks.set_limits(ax, np.concatenate(shapes))
     marks.draw_axes_and_scale(ax, view, size, "xyz")
     labels.draw(ax)

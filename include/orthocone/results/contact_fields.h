@@ -25,6 +25,7 @@ struct ContactFields
   double friction_criterion = -1; ///< ||r_t||_m / r_n - 1; -1 without pressure, 0 without friction
   NodeStatus status = NodeStatus::open;
   Eigen::Vector3d nodal_force = Eigen::Vector3d::Zero(); ///< N, of one node of the whole surface
+  double normal_force = 0;                               ///< N, the part along the normal
   double dissipated_energy = 0;                          ///< N/mm, accumulated, per area
   double wear_depth = 0;                                 ///< mm, accumulated
   unsigned int surface = 0;                              ///< number of the contact surface
