@@ -38,10 +38,10 @@ std::map<dealii::types::boundary_id, NamedSurface> named_surfaces(const Geometry
   const auto own_name = [&](const std::size_t i, const std::string &of_file) {
     return geometry.is_from_file() ? of_file : i < names.size() ? names[i] : std::string();
   };
-  for (unsigned int i = 1; i < geometry.contact_surfaces.size(); ++i)
-    surfaces[contact_boundary(i)] = {geometry.contact_surfaces[i], {"contact"}};
-  surfaces[Boundary::contact_surface] = {
-      geometry.contact_surfaces.empty() ? own_name(0, "") : geometry.contact_surfaces.front(), {"contact"}};
+  const std::vector<std::string> touching = geometry.touching_surfaces();
+  for (unsigned int i = 1; i < touching.size(); ++i)
+    surfaces[contact_boundary(i)] = {touching[i], {"contact"}};
+  surfaces[Boundary::contact_surface] = {touching.empty() ? own_name(0, "") : touching.front(), {"contact"}};
   surfaces[Boundary::top_face] = {own_name(1, geometry.held_surface), {}};
   if (geometry.top_face != TopFace::free)
     surfaces[Boundary::top_face].roles.emplace_back("held");

@@ -33,7 +33,7 @@ unsigned int nearest_node(const ContactSurface &surface, const Vector2d &positio
 History::History(RunFolder &folder, const Parameters &parameters)
     : folder_(folder),
       columns_(with_surfaces(with_loads(history_columns(), parameters.load.loads),
-                             parameters.geometry.contact_surfaces))
+                             parameters.geometry.touching_surfaces()))
 {
 }
 

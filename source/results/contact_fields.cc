@@ -56,7 +56,7 @@ const std::vector<ContactField> &contact_field_list()
 unsigned int image_of_surface(const GeometryOptions &geometry, const unsigned int number,
                               const Eigen::Matrix2d &map)
 {
-  if (geometry.is_from_file() || geometry.contact_surfaces.size() < 2)
+  if (geometry.is_from_file() || geometry.contact_surfaces.size() < 2 || geometry.ignores_contact_surfaces())
     return number;
   std::string name = geometry.contact_surfaces[number];
   for (const unsigned int plane : {0u, 1u})

@@ -101,7 +101,7 @@ Totals compute_totals(const ContactFieldEvaluator &evaluator, const ContactState
   const Scene &scene = evaluator.scene();
   Totals totals;
   totals.min_pressure = std::numeric_limits<double>::max();
-  if (const std::size_t n = scene.parameters().geometry.contact_surfaces.size(); n > 1)
+  if (const std::size_t n = scene.parameters().geometry.touching_surfaces().size(); n > 1)
     totals.surfaces.resize(n);
   for (unsigned int node = 0; node < surface.nodes.size(); ++node)
   {

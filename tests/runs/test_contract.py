@@ -21,7 +21,7 @@ HISTORY = ("step,ux,uy,uz,force_x,force_y,force_z,max_slip,max_accumulated_slip,
            "n_stick,n_slip,stick_area,dissipation,total_dissipation,elastic_energy,method,iterations,residual,"
            "rx,ry,rz,moment_x,moment_y,moment_z,cycle,phase,driven,worn_volume,max_wear_depth,contact_area,"
            "held_force_x,held_force_y,held_force_z,held_moment_x,held_moment_y,held_moment_z,time")
-PROBE = "step,uz,slip_x,slip_y,accumulated_slip,force_n,force_x,force_y,pressure,traction_x,traction_y,status"
+PROBE = "step,uz,slip_x,slip_y,accumulated_slip,force_n,force_x,force_y,pressure,traction_x,traction_y,status,slip_z,force_z,traction_z"
 PHASES = {"mesh", "assembly", "factorization", "condensation", "contact", "checks", "output", "mesh_search", "total"}
 
 

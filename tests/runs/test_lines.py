@@ -14,7 +14,7 @@ from resumed_runs import DONE, EVERY_STEP, FILE_ERROR, ResumeTest, WRONG_INPUT  
 from test_ranks import MULTIGRID, RanksTest, SMALL as SHARED  # noqa: E402
 
 COLUMNS = ("s,x,y,z,u_x,u_y,u_z,stress_xx,stress_yy,stress_zz,stress_xy,stress_xz,stress_yz,pressure,traction_x,traction_y,"
-           "slip_x,slip_y,status")
+           "slip_x,slip_y,status,traction_z,slip_z")
 LINES = "Output/Lines=axis: 0 0 0 to 0 0 10, 11; across: -10 0 0 to 10 0 0, 21; low-2: 3 -7 1 to -3 7 4, 15"
 NAMES = ("axis", "across", "low-2")
 VOLUME_OFF = "Output/Volume fields=0"

@@ -42,7 +42,7 @@ OPEN, STICK, SLIP = 0, 1, 2
 SINGLE = 1e-5  # the files hold single precision
 CONTACT_FIELDS = {"displacement": 3, "slip": 3, "slip_magnitude": 1, "accumulated_slip": 1, "gap": 1, "pressure": 1,
                   "friction_traction": 3, "friction_criterion": 1, "status": 1, "nodal_force": 3,
-                  "dissipated_energy": 1, "wear_depth": 1}
+                  "dissipated_energy": 1, "wear_depth": 1, "surface_id": 1}
 VOLUME_FIELDS = {"displacement": 3, "stress": 9, "von_mises_stress": 1, "principal_stress_1": 1, "principal_stress_2": 1,
                  "principal_stress_3": 1, "region": 1}
 

@@ -173,6 +173,12 @@ struct GeometryOptions
 
   bool is_plane_strain() const { return kind == GeometryKind::plane_strain; }
 
+  /// Whether Contact surface names nothing that this shape has, above a plane: its base touches then.
+  bool ignores_contact_surfaces() const;
+
+  /// The names that count; none: the base.
+  std::vector<std::string> touching_surfaces() const;
+
   /// Whether the base alone may touch the counterface; false for a file, whose surfaces may be anywhere.
   bool touches_with_base_only() const;
 

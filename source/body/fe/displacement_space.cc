@@ -138,8 +138,8 @@ template<int dim>
 dealii::IndexSet DisplacementSpace<dim>::dofs_of_contact(const std::array<bool, 3> &directions) const
 {
   dealii::IndexSet all(dof_handler_.n_dofs());
-  for (unsigned int surface = 0; surface < most_contact_surfaces; ++surface)
-    all.add_indices(dofs_on(contact_boundary(surface), directions));
+  for (const auto boundary : contact_boundaries())
+    all.add_indices(dofs_on(boundary, directions));
   return all;
 }
 

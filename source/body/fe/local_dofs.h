@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <memory>
-#include <set>
 #include <utility>
 #include <vector>
 
@@ -151,11 +150,8 @@ DofRanges number_by_range(dealii::DoFHandler<dim> &dof_handler, const dealii::In
     if (owned.is_element(dof))
       range[owned.index_within_set(dof)] = which;
   };
-  std::set<dealii::types::boundary_id> contact;
-  for (unsigned int surface = 0; surface < most_contact_surfaces; ++surface)
-    contact.insert(contact_boundary(surface));
   for (const auto dof :
-       dealii::DoFTools::extract_boundary_dofs(dof_handler, dealii::ComponentMask(), contact))
+       dealii::DoFTools::extract_boundary_dofs(dof_handler, dealii::ComponentMask(), contact_boundaries()))
     put(dof, in_contact);
   const auto constraints = hanging_constraints(dof_handler);
   for (const auto &line : constraints.get_lines())

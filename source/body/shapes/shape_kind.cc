@@ -70,23 +70,42 @@ void declare_shape(GeometryOptions &geometry, Section &section)
     kind->declare(geometry,
                   where_shape(geometry, [kind](const ShapeKind &chosen) { return &chosen == kind; }),
                   section);
-  section.add("Contact surface", geometry.contact_surfaces, group_names_codec(),
-              "Surfaces that may touch the counterface, one or several: base (where nothing is named) and "
-              "side of a cylinder; base, x-, x+, y- and y+ of a box; of a Mesh file the names or numbers of "
-              "physical groups, or places such as z min. The counterface of all but a base needs "
-              "Obstacle/Distance, or Obstacle/Normal = surface.");
+  section
+      .add("Contact surface", geometry.contact_surfaces, group_names_codec(),
+           "Surfaces that may touch the counterface, one or several: base (where nothing is named) and "
+           "side of a cylinder; base, x-, x+, y- and y+ of a box; of a Mesh file the names or numbers of "
+           "physical groups, or places such as z min. The counterface of all but a base needs "
+           "Obstacle/Distance, or Obstacle/Normal = surface.")
+      .only_if({[&geometry] { return !geometry.ignores_contact_surfaces(); },
+                [&geometry] { return geometry.shape_entry(); }});
   declare_supports(geometry, section);
+}
+
+// The name of a physical group means nothing for another shape.
+bool GeometryOptions::ignores_contact_surfaces() const
+{
+  if (is_from_file() || !faces_down || contact_surfaces.empty())
+    return false;
+  const std::vector<std::string> own = kind_of(*this).surfaces(*this);
+  return std::none_of(contact_surfaces.begin(), contact_surfaces.end(),
+                      [&](const std::string &name)
+                      { return std::find(own.begin(), own.end(), name) != own.end(); });
+}
+
+std::vector<std::string> GeometryOptions::touching_surfaces() const
+{
+  return ignores_contact_surfaces() ? std::vector<std::string>() : contact_surfaces;
 }
 
 bool GeometryOptions::touches_with_base_only() const
 {
-  return !is_from_file() &&
-         (contact_surfaces.empty() || contact_surfaces == std::vector<std::string>{"base"});
+  const std::vector<std::string> names = touching_surfaces();
+  return !is_from_file() && (names.empty() || names == std::vector<std::string>{"base"});
 }
 
 bool GeometryOptions::touches_with(const std::string &surface) const
 {
-  return contact_surfaces.empty()
+  return touches_with_base_only()
              ? surface == "base"
              : std::find(contact_surfaces.begin(), contact_surfaces.end(), surface) != contact_surfaces.end();
 }

@@ -4,6 +4,8 @@
 
 #include <deal.II/base/types.h>
 
+#include <set>
+
 namespace orthocone
 {
 /// Boundary ids of the body mesh.
@@ -32,6 +34,14 @@ inline bool is_contact(const dealii::types::boundary_id id)
 {
   return id == Boundary::contact_surface ||
          (id >= Boundary::further_contact && id < Boundary::end_of_contact);
+}
+
+inline std::set<dealii::types::boundary_id> contact_boundaries()
+{
+  std::set<dealii::types::boundary_id> all;
+  for (unsigned int surface = 0; surface < most_contact_surfaces; ++surface)
+    all.insert(contact_boundary(surface));
+  return all;
 }
 
 /// The number of a contact surface by its boundary id.
