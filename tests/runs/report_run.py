@@ -14,11 +14,11 @@ SCRATCH = tempfile.TemporaryDirectory()
 COARSE = ["Mesh/Core cells=2", "Mesh/Layers=1", "Mesh/Degree=1", "Output/Volume fields=0"]
 
 
-def run(name, *settings, code=0):
+def run(name, *settings, code=0, file=CASE_B):
     folder = pathlib.Path(SCRATCH.name) / name
     folder.parent.mkdir(exist_ok=True)
     words = [f"--set={setting}" for setting in settings]
-    done = subprocess.run([PROGRAM, CASE_B, "--quiet", "--output", folder, *words], capture_output=True, timeout=300,
+    done = subprocess.run([PROGRAM, file, "--quiet", "--output", folder, *words], capture_output=True, timeout=300,
                           check=False)
     assert done.returncode == code, done.stderr
     return folder

@@ -9,7 +9,8 @@ import numpy as np
 from markup import element, escape, table
 
 # In the order of the page.
-NAMES = {"normal_force": "largest normal force", "tangential_force": "largest tangential force",
+NAMES = {"force_z": "largest force along z", "force_xy": "largest force across z",  # where z is not the normal
+         "normal_force": "largest normal force", "tangential_force": "largest tangential force",
          "mu_eff": "largest tangential / normal force", "contact_area": "largest contact area", "stick_area": "stick area",
          "pressure": "largest pressure", "slip_of_contact": "largest slip in contact",
          "last_cycle_energy": "energy dissipated in the last cycle", "dissipation": "energy dissipated since the start",
@@ -93,6 +94,9 @@ def from_tables(data):
 def answers_of(data):
     """{name: answer}, in the order of the page."""
     found = {**from_tables(data), **({} if data.is_running else recorded(data))}
+    if not data.has_normal_z:
+        for name in ("normal_force", "tangential_force", "mu_eff"):
+            found.pop(name, None)
     return {name: found[name] for name in NAMES
             if name in found and math.isfinite(found[name].value) and (found[name].value or name not in NEEDS_SOME)}
 

@@ -10,8 +10,8 @@ LARGEST_STEP = 2**53
 MOST_LAYERS = 10_000
 SECTIONS = ("Geometry", "Mesh", "Friction", "Contact solver", "Load program")
 NUMBER, WORD, NUMBERS = "a number", "a word", "numbers"
-ANSWERS = ("normal_force", "tangential_force", "contact_area", "stick_area", "pressure", "slip_of_contact", "mu_eff",
-           "last_cycle_energy", "dissipation", "energy_per_area", "wear_depth")
+ANSWERS = ("force_z", "force_xy", "normal_force", "tangential_force", "contact_area", "stick_area", "pressure",
+           "slip_of_contact", "mu_eff", "last_cycle_energy", "dissipation", "energy_per_area", "wear_depth")
 # Where the summary has what the page shows, and of what kind it is. Older runs have less of it.
 SUMMARY = {
     "status": WORD, "model": {"kind": WORD, "reason": WORD, "symmetry_planes": "words", "cells": NUMBER, "degree": NUMBER,

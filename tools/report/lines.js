@@ -56,14 +56,16 @@ const ALONG = [["Pressure", "MPa", [["pressure", "pressure"]]],
 
 class LineCharts {
   constructor(maps) {
-    this.runs = data.runs.map((run, r) => run.along && Object.assign(new RunAlong(run, maps.line_quantities), {r}))
+    this.runs = data.runs.map((run, r) => run.along && Object.assign(new RunAlong(run, maps.line_quantities), {r}, maps.axes && {mu: null}))
       .filter(Boolean);
     this.ranges = {};
+    this.axes = maps.axes ?? ["x", "y"];  // of an unrolled surface: arc and axis
     this.charts = [];
     this.none = htmlElement(byId("line-panel"), "p", {class: "hint"});
     [...byId("line").options].forEach((option, axis) => {
-      const across = data.centre[1 - axis];
-      if (across !== 0) option.textContent = `along ${"xy"[axis]} (${"yx"[axis]} = ${numberText(across, 4)} mm)`;
+      const across = (maps.centre ?? data.centre)[1 - axis];
+      if (maps.axes) option.textContent = `along ${maps.axes[axis]}, through the middle`;
+      else if (across !== 0) option.textContent = `along ${"xy"[axis]} (${"yx"[axis]} = ${numberText(across, 4)} mm)`;
     });
     byId("line").addEventListener("change", () => this.show(this.step));
   }
@@ -84,7 +86,7 @@ class LineCharts {
 
   show(step) {
     this.step = step;
-    const along = "xy"[this.axis];
+    const along = this.axes[this.axis];
     const curves = this.runs.map(run => run.curves(this.axis, run.frameOf(step)));
     const specs = ALONG.map(([what, unit, columns]) => this.spec(`${what} along ${along}, step ${step}`, unit, columns,
                                                                  curves, along));
@@ -102,7 +104,7 @@ class LineCharts {
 
   spec(title, unit, columns, curves, along) {
     const series = this.runs.flatMap((run, k) => columns.map(([column, name, colour], c) => (
-      {name, run: several ? run.name : "", colour: `var(--${several ? `r${run.r + 1}` : colour || `c${c + 1}`})`,
+      {name: name.replace(/_[xy]$/, end => `_${this.axes["_x_y".indexOf(end) / 2]}`), run: several ? run.name : "", colour: `var(--${several ? `r${run.r + 1}` : colour || `c${c + 1}`})`,
        dash: DASHES[c], x: curves[k].place, y: curves[k][column]})));
     return {title, shared: true, fixed: true, series, x: {name: along, unit: "mm"},
             y: {unit, name: "", range: this.range(columns.map(([column]) => column))},

@@ -49,7 +49,10 @@ class Line:
         return [float(f"{value:.6g}") for value in self.place]
 
 
-def fields_of(file, nodes):
-    columns = (file["pressure"][nodes], *(file["friction_traction"][nodes, :2].T), *(file["slip"][nodes, :2].T),
+def fields_of(file, nodes, directions=None):
+    """Of nodes, with vectors along x and y, or along the directions (n, 2, 3) of an unrolled surface."""
+    def along(vectors):
+        return vectors[:, :2].T if directions is None else np.einsum("nkd,nd->kn", directions, vectors)
+    columns = (file["pressure"][nodes], *along(file["friction_traction"][nodes]), *along(file["slip"][nodes]),
                file["status"][nodes] > 0)
     return dict(zip(QUANTITIES, columns))

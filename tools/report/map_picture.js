@@ -12,7 +12,7 @@ function addMapSaving(player) {
 function mapRows({mesh, frame, field, showsOpen}) {
   const {unit} = FIELDS[field], bare = field === "status" || showsOpen ? [] : frame.bare(field);
   const rounded = value => Number(value.toPrecision(6));
-  return [["x (mm)", "y (mm)", withUnit(field, unit)],
+  return [[...mesh.axes.map(axis => `${axis} (mm)`), withUnit(field, unit)],
           ...Array.from(mesh.x, (x, node) => [rounded(x), rounded(mesh.y[node]),
                                               bare[node] ? null : rounded(frame.value(field, node))])];
 }

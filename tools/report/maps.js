@@ -39,7 +39,8 @@ class ContactMesh {
     this.y = new Float32Array(bytes(maps.y).buffer);
     const Index = maps.index_bytes === 2 ? Uint16Array : Uint32Array;
     this.quads = new Index(bytes(maps.quads).buffer);
-    [this.radius, this.centre] = [radius, centre];
+    [this.radius, this.centre] = [maps.radius ?? radius, maps.centre ?? centre];  // an unrolled surface has its own
+    this.axes = maps.axes ?? ["x", "y"];
   }
 
   /** Centre and radius of what touches in any frame, with some room; of the whole surface where that is most of it. */

@@ -11,6 +11,7 @@ import numpy as np
 from lines import QUANTITIES, Line, fields_of
 from load_program import choose_steps, nearest, spread_steps
 from outline import distinct
+from unrolled import Chart, unrolled
 
 MOST_FRAMES = 60
 MOST_SMALL_MAPS = 15
@@ -37,9 +38,14 @@ class Maps:
             last = self.file(self.all_steps[-1])
             if last is not None and WORN in last.data and last[WORN].max() > 0:
                 self.names = (*FIELDS, WORN)
-            self.nodes, self.node_of_point = distinct(self.mesh.points[:, :2])
-            self.places = self.mesh.points[self.nodes, :2]
-            self.quads = self.node_of_point[self.mesh.quadrilaterals()]
+            self.nodes, self.node_of_point = distinct(self.mesh.points)
+            chart = self.chart(self.node_of_point[self.mesh.quadrilaterals()])
+            self.places, self.quads, self.axes, self.directions = chart.places, chart.quads, chart.axes, chart.directions
+            self.nodes = self.nodes[chart.points]
+
+    def chart(self, quads):
+        places = self.mesh.points[self.nodes]
+        return unrolled(places, quads) or Chart(places[:, :2], np.arange(len(places)), quads)
 
     def file(self, step):
         def contact():
@@ -64,14 +70,20 @@ class Maps:
 
     @functools.cached_property
     def lines(self):
-        return [Line(self.places, self.quads, axis, self.data.centre[1 - axis]) for axis in (0, 1)]
+        return [Line(self.places, self.quads, axis, self.centre[1 - axis]) for axis in (0, 1)]
+
+    @property
+    def centre(self):
+        """Of the map; that of an unrolled surface is its own."""
+        return (self.places.min(axis=0) + self.places.max(axis=0)) / 2 if self.axes else self.data.centre
 
     def line_payload(self, steps):
         """Tractions and slip along both axes in those of the steps that have a file, or are nearest to one."""
         if not self.mesh or not steps:
             return None
         steps = sorted({nearest(self.all_steps, step) for step in steps})
-        frames = [self.data.read(self.name(step), lambda step=step: fields_of(self.file(step), self.nodes)) for step in steps]
+        frames = [self.data.read(self.name(step), lambda step=step: fields_of(self.file(step), self.nodes,
+                                                                                     self.directions)) for step in steps]
         return {"places": [line.payload for line in self.lines], "steps": steps,
                 "frames": [[line.values(fields) for line in self.lines] for fields in frames]}
 
@@ -92,7 +104,9 @@ class Maps:
             return None
         index = np.uint16 if len(self.nodes) < 2**16 else np.uint32
         places = self.places
-        return {"x": packed(places[:, 0].astype(np.float32)), "y": packed(places[:, 1].astype(np.float32)),
+        own = {"axes": self.axes, "centre": [float(f"{place:.9g}") for place in self.centre],
+               "radius": float(f"{np.hypot(*(places - self.centre).T).max():.9g}")} if self.axes else {}
+        return {**own, "x": packed(places[:, 0].astype(np.float32)), "y": packed(places[:, 1].astype(np.float32)),
                 "quads": packed(self.quads.astype(index)), "index_bytes": index().nbytes,
                 "small": spread_steps(self.steps, MOST_SMALL_MAPS, self.data.blocks),
                 "line_quantities": QUANTITIES, "frames": [self.frame(step) for step in self.steps]}

@@ -95,7 +95,7 @@ def payload_of(runs):
     thresholds = {name: data.number("Load program", f"{name.capitalize()} when periodic", 0)
                   for name in ("stop", "jump")}
     return {"runs": [comparable_part(run, name, frames) for run, name in zip(runs, run_names(runs))],
-            "maps": data.maps.payload(), "plane": data.is_plane, "periodic": thresholds,
+            "maps": data.maps.payload(), "plane": data.is_plane, "has_normal_z": data.has_normal_z, "periodic": thresholds,
             "radius": data.radius, "centre": numbers(data.centre),
             "outline": [[numbers(point) for point in polygon] for polygon in data.outline], "mu": data.mu, "angle": data.angle,
             "tolerance": data.number("Contact solver", "Tolerance", 0)}

@@ -12,7 +12,8 @@ class Player {
     this.lines = new LineCharts(maps);
     this.mesh = new ContactMesh(maps, radius, centre);
     this.frames = maps.frames.map(packed => new MapFrame(packed));
-    Object.assign(this, {outline, probes});
+    // An unrolled surface is its own outline.
+    Object.assign(this, maps.axes ? {outline: [], probes: []} : {outline, probes});
     this.view = this.mesh.viewOfContact(this.frames);
     this.field = "status";
     this.timer = null;
@@ -55,8 +56,8 @@ class Player {
     overlay.replaceChildren();
     const d = this.outline.map(polygon => `M${polygon.map(point => this.raster.place(point).join(" ")).join("L")}Z`).join("");
     svgElement(overlay, "path", {class: "disc", d});
-    svgElement(overlay, "text", {class: "halo", x: MAP_SIZE - 16, y: middle + 6, "text-anchor": "middle"}, "x");
-    svgElement(overlay, "text", {class: "halo", x: middle, y: 24, "text-anchor": "middle"}, "y");
+    svgElement(overlay, "text", {class: "halo", x: MAP_SIZE - 16, y: middle + 6, "text-anchor": "middle"}, this.mesh.axes[0]);
+    svgElement(overlay, "text", {class: "halo", x: middle, y: 24, "text-anchor": "middle"}, this.mesh.axes[1]);
     const inside = ([x, y]) => Math.min(x, y) > 10 && Math.max(x, y) < MAP_SIZE - 10;
     for (const {name, place} of this.probes)
       if (place && inside(this.raster.place(place))) this.drawProbe(overlay, name, this.raster.place(place));
@@ -171,7 +172,7 @@ class Player {
     this.counts = row < 0 ? null : [h.n_open[row], h.n_stick[row], h.n_slip[row]];
     const place = block ? `step ${frame.step}, ${block[0]}` : `step ${frame.step}`;
     const motion = row < 0 ? "" : `\ntop at (${["ux", "uy", "uz"].map(name => numberText(h[name][row])).join(", ")}) mm`
-      + `\nnormal force ${numberText(h.force_z[row])} N`;
+      + `\n${data.has_normal_z ? "normal force" : "force along z"} ${numberText(h.force_z[row])} N`;
     byId("step-text").textContent = `${place}${motion}`;
   }
 

@@ -51,6 +51,7 @@ class RunData:
         self.counterface = obstacle.get("Kind", "rigid")
         self.has_lower = self.counterface == "body"
         self.has_gap = obstacle.get("Gap", "0") != "0" or bool(obstacle.get("Gap file"))
+        self.has_normal_z = not obstacle.get("Distance") and obstacle.get("Normal", "plane") == "plane"
         self.shape = self.parameters["Geometry"].get("Shape", "cylinder")
         self.is_plane = self.parameters["Geometry"].get("Kind", "solid") == "plane strain"
         self.box = self.read("parameters.prm", self.sizes)
