@@ -66,8 +66,10 @@ double change_of_state(const ContactState &start, const ContactState &end, const
   const double moved = std::max(held, largest_of_nodes(end.displacement - start.displacement));
   // Where forces drive the face, the load program does not have its motion.
   const double way = std::max(largest_way(start.motion, reach), largest_way(end.motion, reach));
-  return std::max(relative(largest_force_of_nodes(end.force - start.force, shares), largest_force),
-                  relative(moved, std::max(length, way)));
+  const double of_forces = relative(largest_force_of_nodes(end.force - start.force, shares), largest_force);
+  const double scale = std::max(length, way);
+  // Where loads alone drive the body, no motion says what is large, and forces decide.
+  return scale > 0 ? std::max(of_forces, relative(moved, scale)) : of_forces;
 }
 
 void jump(ContactState &state, const ContactState &start, const unsigned int n, const unsigned int n_steps)

@@ -99,6 +99,18 @@ TEST(Cycles, ChangeIsTheLargestOfForcesAndMotions)
   EXPECT_EQ(change_of_state(start, end, shares, 5, 0.1), 0);
 }
 
+// Loads alone drive a press fit, or a body under pressure. A change that is infinite stopped --resume.
+TEST(Cycles, ForcesDecideWhereNothingMovesTheFace)
+{
+  ContactState start = two_nodes();
+  start.motion = {};
+  ContactState end = start;
+  end.displacement[2] += 0.002;
+  EXPECT_EQ(change_of_state(start, end, Eigen::Vector2d(1, 1), 5, 0), 0);
+  end.force[0] += 0.05;
+  EXPECT_NEAR(change_of_state(start, end, Eigen::Vector2d(1, 1), 5, 0), 0.01, 1e-15);
+}
+
 TEST(Cycles, AJumpAddsTheLastCycleSoManyTimes)
 {
   const ContactState start = two_nodes();
