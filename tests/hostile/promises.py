@@ -13,7 +13,7 @@ LIBRARY_TALK = re.compile(r"Line <|Boost|boost|assert|[Ee]xception|terminate|Sta
 CONTROL = re.compile("[\x00-\x09\x0b-\x1f\x7f-\x9f\u202a-\u202e\u2066-\u2069]")
 MU = (0.3, 0.15)
 OF_LOOP = ("slip_ratio", "energy_ratio", "friction_largest", "friction_energy", "friction_geometric", "loop_stiffness")
-OF_SURFACE = ("pressure", "traction_x", "traction_y", "slip_x", "slip_y")
+OF_SURFACE = ("pressure", "traction_x", "traction_y", "slip_x", "slip_y", "traction_z", "slip_z")
 WORDS = {"method", "status", "driven"}  # columns that are no numbers
 
 

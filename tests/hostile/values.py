@@ -97,7 +97,7 @@ DONE_WITH = [
     ["Obstacle/Distance=max(z, z - 1)"], ["Obstacle/Normal=surface"], ["Friction/First axis=1e300, 0, 0"],
     ["Friction/First axis=1, x*1e-3, 0"], ["Geometry/Contact surface=base"],
     ["Geometry/Contact surface=base, side", "Geometry/Top face=guided", "Obstacle/Distance=min(z, 10.1-sqrt(x^2+y^2))",
-     "Friction/Coefficients=0.2, 0.2"],
+     "Friction/Coefficients=0.2, 0.2", "Friction/Slip potential=1, 1"],
     ["Load program/Legs=uz -0.1 : 1 ; ux 0.01 : 2 ; ux 0 uz -0.05 : 1"],
     ["Friction/Coefficients=0.01,0.01"], ["Friction/Coefficients=10,0.1"], ["Friction/Coefficients=10,10"],
     ["Friction/Slip potential=3e50,1.5e50"],
