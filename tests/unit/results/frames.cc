@@ -22,7 +22,7 @@ Leg moved_by(const Vector3d &way, const unsigned int steps)
 }
 
 /// A small block on a rigid sphere of radius 60 mm with orthotropic friction whose slip rule is another one,
-/// pressed and pushed around a corner. All of it is turned in space.
+/// pressed and pushed around a corner, so that it wears. All of it is turned in space.
 Parameters turned_block(const Folder &folder, const std::string &name, const Matrix3d &turn)
 {
   Parameters parameters;
@@ -37,6 +37,8 @@ Parameters turned_block(const Folder &folder, const std::string &name, const Mat
   const Vector3d axis = turn * Vector3d(std::cos(0.5), std::sin(0.5), 0);
   parameters.friction.first_axis = std::array<Expression, 3>{
       {Expression(to_text(axis[0])), Expression(to_text(axis[1])), Expression(to_text(axis[2]))}};
+  parameters.wear.law = "archard";
+  parameters.wear.coefficient = 1e-6;
   const Vector3d pressed(0, 0, -0.03);
   parameters.load.legs = {moved_by(turn * pressed, 2), moved_by(turn * (pressed + Vector3d(0.006, 0, 0)), 3),
                           moved_by(turn * (pressed + Vector3d(0.006, 0.006, 0)), 3)};
@@ -83,6 +85,8 @@ TEST(Frames, TurnASceneWithItsForces)
     slip = std::max(slip, a.slip.norm());
   }
   EXPECT_LE(difference, 1e-9 * slip);
+  EXPECT_GT(upright.totals().max_wear_depth, 1e-6);
+  EXPECT_NEAR(turned.totals().worn_volume, upright.totals().worn_volume, 1e-9 * upright.totals().worn_volume);
   EXPECT_NEAR(turned.evaluator.stick_area(turned.state), upright.evaluator.stick_area(upright.state), 1e-6);
 }
 
