@@ -30,6 +30,8 @@ std::string what_multigrid_cannot(const Parameters &parameters)
     return parameters.material.is_isotropic() ? "Material/Regions" : parameters.material.law_entry();
   if (find_contact_method(parameters.contact_solver.method)->needs_dense)
     return "Contact solver/Method = " + parameters.contact_solver.method;
+  if (!parameters.obstacle.has_normal_z()) // only where all normals are within 70 degrees of z
+    return parameters.obstacle.distance.empty() ? "Obstacle/Normal = surface" : "Obstacle/Distance";
   return "";
 }
 

@@ -54,7 +54,7 @@ void require_bodies_that_meet(const CommandLine &line, const Parameters &paramet
               {
                 require_hold(parameters, symmetry);
                 require_cover(parameters, symmetry);
-                require_shallow_overlap(parameters, symmetry);
+                require_fitting_surface(parameters, symmetry);
                 require_lines_inside(parameters, symmetry);
               });
 }

@@ -101,11 +101,28 @@ void require_shallow_overlap(const Obstacle &obstacle, const ContactSurface &sur
   }
 }
 
-void require_shallow_overlap(const Parameters &parameters, const ModelSymmetry &symmetry)
+/// Multigrid eliminates u_z at nodes that touch, which a normal across z does not allow.
+static void require_upright_normals(const Obstacle &obstacle, const ContactSurface &surface)
 {
-  if (!parameters.obstacle.has_normal_z())
-    require_shallow_overlap(*make_obstacle(parameters.obstacle),
-                            Body(parameters, symmetry).unknowns().contact_surface(), symmetry);
+  constexpr double least = 0.3; // cosine of the angle to z
+  const std::vector<SurfacePoint> points = points_of(surface);
+  const std::vector<Eigen::Vector3d> normals = obstacle.normals(points);
+  for (std::size_t i = 0; i < points.size(); ++i)
+    if (!(normals[i][2] > least))
+      throw InputError("Mesh/Backend = multigrid with a normal of the counterface that is more than 70 "
+                       "degrees off z, at " +
+                       place_text(points[i].place) + ": allowed is auto or condensed");
+}
+
+void require_fitting_surface(const Parameters &parameters, const ModelSymmetry &symmetry)
+{
+  if (parameters.obstacle.has_normal_z())
+    return;
+  const auto obstacle = make_obstacle(parameters.obstacle);
+  const Body body(parameters, symmetry);
+  require_shallow_overlap(*obstacle, body.unknowns().contact_surface(), symmetry);
+  if (parameters.mesh.backend == BodyBackend::multigrid)
+    require_upright_normals(*obstacle, body.unknowns().contact_surface());
 }
 
 void require_contact_before_force(const Parameters &parameters, const Obstacle &obstacle,

@@ -21,6 +21,6 @@ void require_driven_overlap(const Parameters &parameters, const Obstacle &obstac
 void require_shallow_overlap(const Obstacle &obstacle, const ContactSurface &surface,
                              const ModelSymmetry &symmetry);
 
-/// The same of the parameters, whose mesh it makes.
-void require_shallow_overlap(const Parameters &parameters, const ModelSymmetry &symmetry);
+/// The same of the parameters, whose mesh it makes; and normals that multigrid can take, if it is chosen.
+void require_fitting_surface(const Parameters &parameters, const ModelSymmetry &symmetry);
 } // namespace orthocone
