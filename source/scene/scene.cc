@@ -62,11 +62,18 @@ std::unique_ptr<const ElasticBody> make_body(const Parameters &parameters, const
   return std::make_unique<FactorizedBody>(parameters, symmetry, axes_of, on_meshed, seconds);
 }
 
+/// Where the body's surface stands along the normal, or looks away from the counterface, nothing presses on
+/// it, and any area makes that no pressure.
 VectorXd areas_pressed(const ContactSurface &surface, const LocalAxes &axes)
 {
+  constexpr double least = 1e-6;
   VectorXd areas(static_cast<Eigen::Index>(surface.nodes.size()));
   for (std::size_t node = 0; node < surface.nodes.size(); ++node)
-    areas[static_cast<Eigen::Index>(node)] = surface.nodes[node].pressed_area(axes.normal(node));
+  {
+    const double area = surface.nodes[node].area,
+                 pressed = surface.nodes[node].pressed_area(axes.normal(node));
+    areas[static_cast<Eigen::Index>(node)] = pressed > least * area ? pressed : area;
+  }
   return areas;
 }
 

@@ -168,6 +168,17 @@ static std::string asymmetry_of_loads(const GeometryOptions &geometry, const Mod
   return {};
 }
 
+/// A mirror that exchanges two sides of a box must find both, or none, in contact.
+static std::string asymmetry_of_contact(const GeometryOptions &geometry, const SymmetryPlanes &planes)
+{
+  for (const std::string &surface : geometry.touching_surfaces())
+    for (unsigned int plane = 0; plane < 2; ++plane)
+      if (const std::string image = mirrored_surface(surface, plane);
+          (plane == 0 ? planes.normal_to_x : planes.normal_to_y) && !geometry.touches_with(image))
+        return geometry.contact_entry() + " has " + surface + " and not " + image;
+  return {};
+}
+
 std::string asymmetry_of_surfaces(const GeometryOptions &geometry, const ModelSymmetry &symmetry)
 {
   if (const std::string why = asymmetry_of_loads(geometry, symmetry); !why.empty())
@@ -175,6 +186,8 @@ std::string asymmetry_of_surfaces(const GeometryOptions &geometry, const ModelSy
   if (geometry.is_from_file())
     return {};
   const SymmetryPlanes &planes = symmetry.planes();
+  if (const std::string why = asymmetry_of_contact(geometry, planes); !why.empty())
+    return why;
   for (const Support &support : geometry.supports)
   {
     if (symmetry.is_axisymmetric() && support.directions[0] != support.directions[1])

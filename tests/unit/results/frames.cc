@@ -300,6 +300,23 @@ TEST(Frames, SumUpEachOfSeveralSurfaces)
   }
 }
 
+// One wall of two breaks the symmetry, although the counterface has it. Where a wall stands along the normal,
+// its nodes have an area nevertheless.
+TEST(Frames, KeepASurfaceWithoutAMirrorImage)
+{
+  Parameters parameters = box_between_walls();
+  parameters.geometry.contact_surfaces = {"base", "x-"};
+  parameters.obstacle.distance = "z + 0*x";
+  TestScene scene(parameters);
+  EXPECT_EQ(scene.symmetry.name(), "half");
+  scene.march();
+  const auto &nodes = scene.discretization.contact_surface().nodes;
+  EXPECT_TRUE(
+      std::any_of(nodes.begin(), nodes.end(), [](const ContactNode &node) { return node.height > 1; }));
+  for (unsigned int node = 0; node < nodes.size(); ++node)
+    EXPECT_TRUE(std::isfinite(scene.evaluator.fields(scene.state, node).pressure));
+}
+
 TEST(Frames, HaveAnEvenPressureUpToTheCorners)
 {
   Parameters parameters = box_between_walls();
