@@ -26,15 +26,36 @@ double outside_of_unit(const double x)
   return std::max({0., -x, x - 1});
 }
 
-Vector2d place_of(const ContactSurface &surface, const unsigned int place)
+/// The two coordinates in which a face of the contact surface is largest; of a line in a section the first
+/// counts.
+using Axes = std::array<unsigned int, 2>;
+
+Axes axes_of_face(const ContactSurface &surface, const std::vector<unsigned int> &face, const bool is_section)
 {
-  return {surface.place(place).position[0], surface.place(place).position[1]};
+  const auto at = [&](const std::size_t i) { return surface.place(face[i]).place(); };
+  const std::size_t last = face.size() - 1, side = surface.degree;
+  if (is_section)
+    return std::abs((at(last) - at(0))[0]) >= std::abs((at(last) - at(0))[2]) ? Axes{{0, 1}} : Axes{{2, 1}};
+  const Eigen::Vector3d normal = (at(last) - at(0)).cross(at(last - side) - at(side)).cwiseAbs();
+  return normal[2] >= std::max(normal[0], normal[1]) ? Axes{{0, 1}}
+         : normal[0] >= normal[1]                    ? Axes{{1, 2}}
+                                                     : Axes{{0, 2}};
+}
+
+Vector2d in_axes(const Eigen::Vector3d &place, const Axes &axes)
+{
+  return {place[axes[0]], place[axes[1]]};
+}
+
+Vector2d place_of(const ContactSurface &surface, const unsigned int place, const Axes &axes)
+{
+  return in_axes(surface.place(place).place(), axes);
 }
 
 PlaceInPart place_on_line(const ContactSurface &surface, const std::array<unsigned int, 2> &ends,
-                          const double x)
+                          const double x, const Axes &axes)
 {
-  const double from = place_of(surface, ends[0])[0], to = place_of(surface, ends[1])[0];
+  const double from = place_of(surface, ends[0], axes)[0], to = place_of(surface, ends[1], axes)[0];
   const double share = (x - from) / (to - from), inside = std::clamp(share, 0., 1.);
   return {{{ends[0], 1 - inside}, {ends[1], inside}}, outside_of_unit(share)};
 }
@@ -61,11 +82,12 @@ Vector2d unit_place(const std::array<Vector2d, 4> &corners, const Vector2d &plac
 }
 
 PlaceInPart place_in_quadrilateral(const ContactSurface &surface, const std::array<unsigned int, 4> &corners,
-                                   const Vector2d &place)
+                                   const Vector2d &place, const Axes &axes)
 {
-  const Vector2d unit = unit_place({{place_of(surface, corners[0]), place_of(surface, corners[1]),
-                                     place_of(surface, corners[2]), place_of(surface, corners[3])}},
-                                   place);
+  const Vector2d unit =
+      unit_place({{place_of(surface, corners[0], axes), place_of(surface, corners[1], axes),
+                   place_of(surface, corners[2], axes), place_of(surface, corners[3], axes)}},
+                 place);
   const double a = std::clamp(unit[0], 0., 1.), b = std::clamp(unit[1], 0., 1.);
   return {{{corners[0], (1 - a) * (1 - b)},
            {corners[1], a * (1 - b)},
@@ -76,10 +98,12 @@ PlaceInPart place_in_quadrilateral(const ContactSurface &surface, const std::arr
 
 /// What the fields at a place of a face are made of: the part between its nodes in which the place lies, or
 /// next to which it lies at a curved rim.
-HangingNode surface_place(const ContactSurface &surface, const unsigned int face, const Vector2d &place,
-                          const bool is_section)
+HangingNode surface_place(const ContactSurface &surface, const unsigned int face,
+                          const Eigen::Vector3d &point, const bool is_section)
 {
   const std::vector<unsigned int> &places = surface.faces[face];
+  const Axes axes = axes_of_face(surface, places, is_section);
+  const Vector2d place = in_axes(point, axes);
   const unsigned int degree = surface.degree, n_side = degree + 1;
   PlaceInPart best;
   const auto take = [&best](const PlaceInPart &part)
@@ -89,14 +113,14 @@ HangingNode surface_place(const ContactSurface &surface, const unsigned int face
   };
   for (unsigned int i = 0; i < degree; ++i)
     if (is_section)
-      take(place_on_line(surface, {{places[i], places[i + 1]}}, place[0]));
+      take(place_on_line(surface, {{places[i], places[i + 1]}}, place[0], axes));
     else
       for (unsigned int j = 0; j < degree; ++j)
       {
         const unsigned int first = j * n_side + i;
         take(place_in_quadrilateral(
             surface, {{places[first], places[first + 1], places[first + n_side], places[first + n_side + 1]}},
-            place));
+            place, axes));
       }
   return {{}, best.terms};
 }
@@ -115,7 +139,7 @@ LineFields::LineFields(const Line &line, const ContactFieldEvaluator &evaluator)
 {
   for (std::size_t i = 0; i < points_.size(); ++i)
     if (const auto face = points_.contact_face(i))
-      surface_places_[i] = surface_place(evaluator.surface(), *face, points_.model_place(i).head<2>(),
+      surface_places_[i] = surface_place(evaluator.surface(), *face, points_.model_place(i),
                                          evaluator.symmetry().is_section());
 }
 
