@@ -15,7 +15,7 @@ import warnings
 
 sys.dont_write_bytecode = True  # the source tree stays clean
 TOOLS = pathlib.Path(__file__).resolve().parent
-sys.path[:0] = [str(TOOLS / "report"), str(TOOLS / "runs")]
+sys.path[:0] = [str(TOOLS / name) for name in ("report", "runs", "rosettes")]
 MOST_RUNS = 8  # as many colours as readers can distinguish on the page
 LEAST_SECONDS, MOST_SECONDS = 0.5, 3600
 

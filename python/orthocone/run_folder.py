@@ -59,7 +59,7 @@ class ContactFile:
 
     def lattice(self):
         """(degree + 1, degree + 1): the place of the point (i, j) of a cell among its points."""
-        return _lattice(self.degree)
+        return lattice_of(self.degree)
 
     def quadrilaterals(self):
         """(m, 4): the points of the quadrilaterals into which the cells are cut between all their points."""
@@ -92,7 +92,7 @@ class ContactFile:
         return cells
 
 
-def _lattice(degree):
+def lattice_of(degree):
     """Place in VTK's numbering of a Lagrange quadrilateral of the point (i, j) of its lattice."""
     n, inner = degree, degree - 1
     place = np.empty((n + 1, n + 1), dtype=int)

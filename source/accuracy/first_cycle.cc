@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/accuracy/first_cycle.h>
 
+#include <orthocone/base/errors.h>
 #include <orthocone/base/threads.h>
 #include <orthocone/results/totals.h>
 
@@ -84,10 +85,21 @@ FirstCycle march_first_cycle(const Scene &scene, const LoadOptions &load, StepSo
   QuantityWatch watch(scene, peak(steps), also);
   ContactState state(scene.gaps(), scene.n_loads());
   const BlasThreads threads(state.force.size());
-  if (march(steps, solver, state, watch) == MarchEnd::unsolved)
-    throw std::runtime_error(std::string(entry) + ": load step " + std::to_string(state.step + 1) +
-                             " is not solved on a mesh of " + std::to_string(scene.surface().nodes.size()) +
-                             " contact nodes; " + entry + " = 0 runs without this search");
+  const auto unsolved = [&](const std::string &why)
+  {
+    return std::runtime_error(std::string(entry) + ": load step " + std::to_string(state.step + 1) +
+                              " is not solved on a mesh of " + std::to_string(scene.surface().nodes.size()) +
+                              " contact nodes" + why + "; " + entry + " = 0 runs without this search");
+  };
+  try
+  {
+    if (march(steps, solver, state, watch) == MarchEnd::unsolved)
+      throw unsolved("");
+  }
+  catch (const SolveError &error)
+  {
+    throw unsolved(std::string(": ") + error.what());
+  }
   return watch.measured();
 }
 

@@ -2,21 +2,22 @@
 // Copyright (C) 2026 the orthocone authors
 #include "batch.h"
 
+#include "keeper.h"
+
 #include <orthocone/base/errors.h>
 #include <orthocone/base/stopwatch.h>
 
 #include <nlohmann/json.hpp>
 
-#include <fcntl.h>
-#include <sys/mman.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
-#include <csignal>
 #include <cstring>
+#include <deque>
 #include <iostream>
 #include <optional>
 
@@ -25,23 +26,6 @@ namespace orthocone
 namespace
 {
 using Json = nlohmann::ordered_json;
-
-volatile std::sig_atomic_t is_interrupted = 0;
-
-void on_interrupt(int)
-{
-  is_interrupted = 1;
-}
-
-/// The present run gets the signal, too, and finishes its step; its answer is the last one.
-void end_on_interrupt()
-{
-  struct sigaction action
-  {
-  };
-  action.sa_handler = on_interrupt; // without SA_RESTART: waiting for a line ends
-  sigaction(SIGINT, &action, nullptr);
-}
 
 double seconds(const timeval &time)
 {
@@ -68,86 +52,181 @@ std::optional<std::vector<std::string>> words_of(const std::string &line)
   return words;
 }
 
-/// A file in memory, without a name, that a child writes and its parent reads.
-class Scratch
+/// The lines of standard input as far as they have come.
+class InputLines
 {
 public:
-  Scratch()
-      : file_(::memfd_create("orthocone", MFD_CLOEXEC))
+  /// A whole line, or nothing where there is none yet. The last one may lack its end.
+  std::optional<std::string> next()
   {
+    const std::size_t end = read_.find('\n');
+    if (end == std::string::npos && !(is_ended_ && !read_.empty()))
+      return std::nullopt;
+    const std::string line = read_.substr(0, end);
+    read_.erase(0, end == std::string::npos ? end : end + 1);
+    return line;
   }
-  ~Scratch() { ::close(file_); }
-  Scratch(const Scratch &) = delete;
-  Scratch &operator=(const Scratch &) = delete;
 
-  int file() const { return file_; }
+  /// Whether no line will come any more.
+  bool is_at_end() const { return is_ended_ && read_.empty(); }
 
-  /// The text that was written, cut to a length that somebody would read.
-  std::string text() const
+  /// Reads what is there.
+  void read()
   {
-    constexpr std::size_t most = 1000000; // bytes
-    std::string text;
-    std::array<char, 4096> buffer{};
-    ::lseek(file_, 0, SEEK_SET);
-    for (ssize_t n = 0; text.size() < most && (n = ::read(file_, buffer.data(), buffer.size())) > 0;)
-      text.append(buffer.data(), static_cast<std::size_t>(n));
-    return text;
+    std::array<char, 65536> piece{};
+    const ssize_t n = ::read(STDIN_FILENO, piece.data(), piece.size());
+    if (n > 0)
+      read_.append(piece.data(), static_cast<std::size_t>(n));
+    else if (n == 0 || (errno != EINTR && errno != EAGAIN))
+      is_ended_ = true;
   }
 
 private:
-  int file_;
+  std::string read_{};
+  bool is_ended_ = false;
 };
 
-[[noreturn]] void run_as_child(const std::vector<std::string> &words, const int output, const int errors,
-                               const Runner &run)
+class Batch
 {
-  ::dup2(::open("/dev/null", O_RDONLY), STDIN_FILENO);
-  ::dup2(output, STDOUT_FILENO);
-  ::dup2(errors, STDERR_FILENO);
-  std::signal(SIGINT, SIG_DFL);
-  const int code = run(words);
-  std::cout.flush();
-  ::_exit(code);
-}
-
-Json run_line(const std::vector<std::string> &words, const Runner &run)
-{
-  constexpr int signal_base = 128; // as shells do
-  const Stopwatch watch;
-  const Scratch output, errors;
-  const pid_t child = output.file() < 0 || errors.file() < 0 ? -1 : ::fork();
-  if (child == 0)
-    run_as_child(words, output.file(), errors.file(), run);
-  if (child < 0)
-    return answer(static_cast<int>(ExitCode::unsolved_step), std::strerror(errno));
-  int status = 0;
-  rusage usage{};
-  while (::wait4(child, &status, 0, &usage) < 0 && errno == EINTR)
+public:
+  Batch(const BatchProgram &program, const unsigned int jobs, std::ostream &answers)
+      : program_(program),
+        outputs_(std::max(1U, jobs)),
+        runs_(outputs_.size()),
+        shows_line_(jobs > 0),
+        answers_(answers)
   {
   }
-  Json json = answer(WIFEXITED(status) ? WEXITSTATUS(status) : signal_base + WTERMSIG(status), errors.text());
-  json["cpu_seconds"] = seconds(usage.ru_utime) + seconds(usage.ru_stime);
-  json["seconds"] = watch.seconds();
-  json["output"] = output.text();
-  return json;
-}
-} // namespace
 
-bool run_batch(std::istream &lines, std::ostream &answers, const Runner &run)
-{
-  end_on_interrupt();
-  for (std::string line; is_interrupted == 0 && std::getline(lines, line);)
+  /// Takes lines while there is room for their runs, and answers runs that have ended.
+  void run()
   {
+    for (;;)
+    {
+      answer_ended();
+      const std::size_t place = place_of(-1);
+      const bool takes = place < runs_.size() && !lines_.is_at_end() && !is_batch_interrupted();
+      if (takes)
+        if (const auto line = lines_.next())
+        {
+          begin(*line, place);
+          continue;
+        }
+      if (!takes && std::all_of(runs_.begin(), runs_.end(), [](const Run &one) { return one.child < 0; }))
+        return;
+      if (wait_for_input_or_signal(takes))
+        lines_.read();
+    }
+  }
+
+private:
+  struct Run
+  {
+    pid_t child = -1; ///< -1: there is none
+    unsigned long line = 0;
+    double prepared_seconds = 0;
+    Stopwatch watch{};
+  };
+
+  /// Of the run of this process; the number of runs where there is none.
+  std::size_t place_of(const pid_t child) const
+  {
+    return static_cast<std::size_t>(
+        std::find_if(runs_.begin(), runs_.end(), [&](const Run &run) { return run.child == child; }) -
+        runs_.begin());
+  }
+
+  void begin(const std::string &line, const std::size_t place)
+  {
+    Run run{-1, ++n_lines_};
     const auto words = words_of(line);
-    const Json json =
-        words ? run_line(*words, run)
-              : answer(static_cast<int>(ExitCode::wrong_input),
-                       "orthocone: --batch: allowed is a JSON array of words in each line, such as "
-                       "[\"FILE.prm\", \"--quiet\"]");
-    answers << json.dump(-1, ' ', false, Json::error_handler_t::replace) << std::endl;
-    if (!answers)
+    if (!words)
+      return write(answer(static_cast<int>(ExitCode::wrong_input),
+                          "orthocone: --batch: allowed is a JSON array of words in each line, such as "
+                          "[\"FILE.prm\", \"--quiet\"]"),
+                   run.line);
+    outputs_[place].clear();
+    start(*words, place, run);
+    if (run.child < 0 && is_batch_interrupted())
+      write(answer(static_cast<int>(ExitCode::interrupted), "orthocone: interrupted before the run began"),
+            run.line);
+    else if (run.child < 0)
+      write(answer(static_cast<int>(ExitCode::unsolved_step), std::strerror(errno)), run.line);
+    else
+      runs_[place] = run;
+  }
+
+  /// Forks by the keeper where it can, and else from here: without a keeper a run takes longer, and is the
+  /// same.
+  void start(const std::vector<std::string> &words, const std::size_t place, Run &run)
+  {
+    if (!outputs_[place].is_there())
+      return;
+    if (has_keeper_ && program_.can_prepare(words))
+    {
+      if (!keeper_)
+        keeper_.emplace(program_.prepare, program_.run, outputs_);
+      if (const auto started = keeper_->start(words, place))
+      {
+        run.child = started->child;
+        run.prepared_seconds = started->cpu_seconds;
+        return;
+      }
+      has_keeper_ = false;
+      keeper_.reset();
+      if (is_batch_interrupted())
+        return; // Ctrl-C has ended the keeper, and would have ended the run
+    }
+    run.child = ::fork();
+    if (run.child == 0)
+      run_as_child(words, outputs_[place], program_.run);
+  }
+
+  void answer_ended()
+  {
+    constexpr int signal_base = 128; // as shells do
+    for (std::size_t place = 0; place < runs_.size(); ++place)
+    {
+      int status = 0;
+      rusage usage{};
+      Run &run = runs_[place];
+      if (run.child < 0 || ::wait4(run.child, &status, WNOHANG, &usage) != run.child)
+        continue;
+      Json json = answer(WIFEXITED(status) ? WEXITSTATUS(status) : signal_base + WTERMSIG(status),
+                         outputs_[place].errors());
+      json["cpu_seconds"] = seconds(usage.ru_utime) + seconds(usage.ru_stime) + run.prepared_seconds;
+      json["seconds"] = run.watch.seconds();
+      json["output"] = outputs_[place].output();
+      run.child = -1;
+      write(json, run.line);
+    }
+  }
+
+  void write(Json json, const unsigned long line)
+  {
+    if (shows_line_)
+      json["line"] = line;
+    answers_ << json.dump(-1, ' ', false, Json::error_handler_t::replace) << std::endl;
+    if (!answers_)
       throw FileError("standard output: cannot be written");
   }
-  return is_interrupted == 0;
+
+  const BatchProgram &program_;
+  const std::deque<ChildOutput> outputs_;
+  std::vector<Run> runs_; ///< one for each output
+  const bool shows_line_;
+  std::ostream &answers_;
+  InputLines lines_{};
+  unsigned long n_lines_ = 0;
+  bool has_keeper_ = true; ///< until one has failed
+  std::optional<Keeper> keeper_{};
+};
+} // namespace
+
+bool run_batch(const BatchProgram &program, const unsigned int jobs, std::ostream &answers)
+{
+  hold_signals();
+  Batch(program, jobs, answers).run();
+  return !is_batch_interrupted();
 }
 } // namespace orthocone

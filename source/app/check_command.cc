@@ -25,11 +25,11 @@ namespace orthocone
 {
 namespace
 {
-void print_warnings(const Parameters &parameters, const std::string &lack)
+void print_warnings(const Parameters &parameters, const ModelChoice &model, const std::string &lack)
 {
   for (const std::string &warning : mesh_file_warnings(parameters))
     std::cout << "warning: " << warning << "\n";
-  for (const std::string &warning : counterface_warnings(parameters))
+  for (const std::string &warning : counterface_warnings(parameters, model.symmetry))
     std::cout << "warning: " << warning << "\n";
   for (const std::string &warning : layer_warnings(parameters))
     std::cout << "warning: " << warning << "\n";
@@ -48,7 +48,7 @@ void print_unknown_mesh(const Parameters &parameters, const ModelChoice &model)
             << to_text(parameters.mesh.accuracy) << " %\n"
             << describe_materials(parameters) << describe_friction(parameters)
             << describe_obstacle(parameters) << describe_held(parameters) << describe_steps(parameters.load);
-  print_warnings(parameters, "");
+  print_warnings(parameters, model, "");
 }
 
 /// Says that the memory is too small for the model, and whether a factorization cannot count it: then a
@@ -83,7 +83,7 @@ void print_large_model(const Parameters &parameters, const ModelChoice &model, c
             << describe_obstacle(parameters) << describe_held(parameters) << describe_steps(parameters.load)
             << describe(cost, computed_steps(parameters), limit, is_condensed) << "\n";
   const std::string lack = lack_of_memory(cost.gigabytes, limit);
-  print_warnings(parameters, is_condensed ? why_too_large(costs, lack) : lack);
+  print_warnings(parameters, model, is_condensed ? why_too_large(costs, lack) : lack);
 }
 
 /// Compares the contact that is to be expected with the nodes there.
@@ -125,12 +125,12 @@ void print_model(const Parameters &parameters, const ModelChoice &model, const C
     const Estimate cost =
         parameters.mesh.backend == BodyBackend::multigrid ? costs.multigrid() : costs.condensed(body);
     std::cout << describe(cost, n_steps, limit, false) << "\n";
-    print_warnings(parameters, lack_of_memory(cost.gigabytes, limit));
+    print_warnings(parameters, model, lack_of_memory(cost.gigabytes, limit));
   }
   catch (const TooLargeError &error)
   {
     std::cout << describe(costs.least(), n_steps, limit, true) << "\n";
-    print_warnings(parameters, error.what());
+    print_warnings(parameters, model, error.what());
   }
 }
 void require_one_process(const CommandLine &line)

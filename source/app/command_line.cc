@@ -27,6 +27,16 @@ unsigned int threads_from(const std::string &text)
   return *number;
 }
 
+unsigned int jobs_from(const std::string &text)
+{
+  constexpr unsigned int most = 400; // two files each, of usually 1024
+  const auto number = parse_count(text);
+  if (!number || *number < 1 || *number > most)
+    throw InputError("command line: --jobs = " + shown(text) + ": allowed is a whole number from 1 to " +
+                     std::to_string(most));
+  return *number;
+}
+
 /// The options, whose values go to `line`.
 po::options_description options_of(CommandLine &line)
 {
@@ -48,6 +58,9 @@ po::options_description options_of(CommandLine &line)
   add_switch("batch", line.batch,
              "run the command lines on standard input, each a line such as [\"FILE.prm\", \"--quiet\"], in "
              "one process, which saves their starts (tools/sweep uses it)");
+  add("jobs",
+      po::value<std::string>()->notifier([&](const std::string &text) { line.jobs = jobs_from(text); }),
+      "with --batch: run so many lines at a time, and answer each with its number when it ends");
   add_switch("quiet,q", line.quiet, "print errors only");
   add_switch("list", line.list, "print the scenes that come with the program, a line each, and stop");
   add("new", po::value(&line.rig),
@@ -83,6 +96,17 @@ static void check_picture(const CommandLine &line)
                              "which draws the scene and computes nothing");
 }
 
+/// Throws InputError where --batch has another option than --jobs, or --jobs stands without it.
+static void check_batch(const CommandLine &line, const int argc)
+{
+  if (line.jobs > 0 && !line.batch)
+    throw InputError("command line: --jobs = " + std::to_string(line.jobs) +
+                     " without --batch: allowed is 'orthocone --batch --jobs N'");
+  if (line.batch && argc > (line.jobs == 0 ? 2 : 4))
+    throw InputError("command line: --batch stands alone, or with --jobs N; files and options come from "
+                     "standard input");
+}
+
 CommandLine parse_command_line(const int argc, const char *const *const argv)
 {
   CommandLine line;
@@ -116,8 +140,7 @@ CommandLine parse_command_line(const int argc, const char *const *const argv)
                      "sphere_on_flat my.prm'");
   if (values.count("picture") != 0)
     check_picture(line);
-  if (line.batch && argc > 2)
-    throw InputError("command line: --batch stands alone; files and options come from standard input");
+  check_batch(line, argc);
   if (line.parameter_file.empty() && line.rig.empty() && !line.batch && !line.prints())
     throw InputError(
         "command line: a parameter file is missing, as in 'orthocone prm/paper/case_b.prm'; 'orthocone "

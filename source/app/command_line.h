@@ -15,6 +15,7 @@ struct CommandLine
   std::string output_folder; ///< empty: output/<stem of the parameter file>
   unsigned int threads = 0;  ///< 0: the program chooses
   bool batch = false;        ///< command lines come from standard input
+  unsigned int jobs = 0;     ///< of these, at a time; 0: one after the other
   bool check = false;
   std::string picture; ///< file that --check draws the scene to; empty: none
   bool resume = false;

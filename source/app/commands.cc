@@ -11,6 +11,7 @@
 #include <orthocone/body/shapes/body_mesh.h>
 #include <orthocone/output/checkpoint.h>
 #include <orthocone/output/step_problem.h>
+#include <orthocone/scene/body_overlap.h>
 #include <orthocone/scene/first_contact.h>
 #include <orthocone/scene/line_points.h>
 #include <orthocone/scene/lower_body.h>
@@ -54,6 +55,7 @@ void require_bodies_that_meet(const CommandLine &line, const Parameters &paramet
               {
                 require_hold(parameters, symmetry);
                 require_cover(parameters, symmetry);
+                require_bodies_side_by_side(parameters, symmetry);
                 require_fitting_surface(parameters, symmetry);
                 require_lines_inside(parameters, symmetry);
               });

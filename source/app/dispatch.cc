@@ -3,6 +3,7 @@
 #include "dispatch.h"
 
 #include "batch.h"
+#include "body_preparation.h"
 #include "check_command.h"
 #include "commands.h"
 #include "interrupt.h"
@@ -15,6 +16,7 @@
 #include <orthocone/entries/json_schema.h>
 #include <orthocone/results/tables.h>
 
+#include <algorithm>
 #include <iostream>
 #include <string>
 #include <vector>
@@ -51,12 +53,20 @@ int run_words(const std::vector<std::string> &words)
   return guarded_dispatch(static_cast<int>(argv.size()), argv.data());
 }
 
+int run_lines(const unsigned int jobs)
+{
+  BodyPreparation bodies(std::max(1U, jobs));
+  const auto prepare = [&](const std::vector<std::string> &words) { bodies.prepare(words); };
+  return static_cast<int>(run_batch({run_words, can_prepare_bodies, prepare}, jobs, std::cout)
+                              ? ExitCode::done
+                              : ExitCode::interrupted);
+}
+
 int dispatch(const int argc, const char *const *const argv)
 {
   const CommandLine line = parse_command_line(argc, argv);
   if (line.batch)
-    return static_cast<int>(run_batch(std::cin, std::cout, run_words) ? ExitCode::done
-                                                                      : ExitCode::interrupted);
+    return run_lines(line.jobs);
   if (line.prints())
   {
     print_text(line);

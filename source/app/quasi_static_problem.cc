@@ -41,7 +41,8 @@ QuasiStaticProblem::QuasiStaticProblem(ChosenModel chosen, const ModelChoice &ch
       checker_(scene_, parameters_.checks, parameters_.contact_solver.tolerance),
       cycles_(parameters_.load, scene_.symmetry().force_shares(scene_.surface()), scene_.pressed_areas(),
               reach_of(scene_.body().unknowns()),
-              WearJumps(parameters_.wear, scene_.symmetry().n_copies() * scene_.pressed_areas())),
+              WearJumps(parameters_.wear, scene_.symmetry().n_copies() * scene_.pressed_areas()),
+              FrictionJumps(scene_)),
       output_(folder_, parameters_.output, scene_, evaluator_),
       gap_file_(input_files_checksum(parameters_)),
       checkpoint_pause_(parameters_.output.checkpoint_seconds)
@@ -54,7 +55,7 @@ QuasiStaticProblem::QuasiStaticProblem(ChosenModel chosen, const ModelChoice &ch
   if (parameters_.mesh.backend == BodyBackend::multigrid)
     record_.stretch = scene_.body().mesh().stretch();
   record_.of_files = mesh_file_warnings(parameters_);
-  for (std::string &warning : counterface_warnings(parameters_))
+  for (std::string &warning : counterface_warnings(parameters_, scene_.symmetry()))
     record_.of_files.push_back(std::move(warning));
   for (std::string &warning : layer_warnings(parameters_))
     record_.of_files.push_back(std::move(warning));
@@ -92,7 +93,8 @@ CriticalFrictionRecord QuasiStaticProblem::critical_friction_of_model() const
 {
   const CriticalFriction critical = critical_friction(scene_.system());
   const auto &position = scene_.surface().nodes[critical.node].position;
-  return {critical.factor, {{position[0], position[1]}}};
+  const double of_start = parameters_.friction.factor.at_start(parameters_.load.first_cycle());
+  return {critical.factor / of_start, {{position[0], position[1]}}};
 }
 
 Ending QuasiStaticProblem::run(const std::optional<Checkpoint> &checkpoint,

@@ -79,7 +79,9 @@ std::string too_few_jumps_text(const std::size_t n_computed, const std::size_t n
   return std::to_string(n_computed) + " load steps are computed, and no more are allowed, but " +
          std::to_string(n_left) +
          " are left, because too few cycles were jumped: take a larger bound for "
-         "jumps (Load program/Jump when periodic, Wear/Largest depth of a jump), or fewer Cycles";
+         "jumps (Load program/Jump when periodic, Load program/Jump change of friction, Wear/Largest depth "
+         "of a "
+         "jump), or fewer Cycles";
 }
 
 std::string wrong_step_text(const LoadStep &step, const LoadSteps &steps, const std::string &which,

@@ -48,6 +48,28 @@ double memory_of_group(const std::string &folder, const bool is_unified)
   return number_in(folder + (is_unified ? "/memory.max" : "/memory.limit_in_bytes"));
 }
 
+/// The number behind a word at the beginning of a line; infinite if there is no such line.
+double number_behind(const std::string &word, const std::string &file)
+{
+  std::ifstream stream(file);
+  std::string first;
+  for (double value = 0; stream >> first;)
+    if (first == word && stream >> value)
+      return value;
+  return infinity;
+}
+
+/// What a control group has left, bytes; files that it has read give their memory back.
+double memory_left_in_group(const std::string &folder, const bool is_unified)
+{
+  const double used = number_in(folder + (is_unified ? "/memory.current" : "/memory.usage_in_bytes")),
+               cached = number_behind(is_unified ? "inactive_file" : "total_inactive_file",
+                                      folder + "/memory.stat"),
+               limit = memory_of_group(folder, is_unified);
+  return std::isfinite(limit) && std::isfinite(used) ? limit - used + (std::isfinite(cached) ? cached : 0)
+                                                     : infinity;
+}
+
 /// How many cores' time a control group allows. Its file has "quota period"; in version 1 these are two
 /// files. Infinite for "max" and -1.
 double cores_of_group(const std::string &folder, const bool is_unified)
@@ -167,6 +189,20 @@ MemoryLimit memory_limit()
   consider(least_in_control_groups("memory", memory_of_group), "the control group allows");
   consider(std::max(0., free_address_space() - least_address_space) + mapped_program, "'ulimit -v' leaves");
   return limit;
+}
+
+double free_gigabytes()
+{
+  constexpr double kilobyte = 1024;
+  return std::min(kilobyte * number_behind("MemAvailable:", "/proc/meminfo"),
+                  least_in_control_groups("memory", memory_left_in_group)) /
+         bytes_of_gigabyte;
+}
+
+bool has_bounded_address_space()
+{
+  rlimit limit{};
+  return getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY;
 }
 
 void require_address_space()

@@ -3,7 +3,9 @@
 #include <orthocone/body/body_points.h>
 
 #include <orthocone/base/ranks.h>
+#include <orthocone/body/fe/recovered_stress.h>
 #include <orthocone/body/shapes/boundary.h>
+#include <orthocone/body/shapes/curved_cells.h>
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/numerics/rtree.h>
@@ -20,7 +22,7 @@ using Eigen::Vector3d;
 namespace
 {
 constexpr double rounding = 1e-7; // in sizes of a cell
-constexpr unsigned int n_values = 9;
+constexpr unsigned int n_values = 10;
 
 void set_point(const Vector3d &from, dealii::Point<3> &to)
 {
@@ -63,7 +65,7 @@ template<int dim>
 dealii::BoundingBox<dim> box_around(const DisplacementSpace<dim> &space,
                                     const typename DisplacementSpace<dim>::Cell &cell)
 {
-  constexpr double bulge = 0.1;
+  const double bulge = has_curved_cells(space.dof_handler().get_triangulation()) ? 0.5 : 0.1;
   dealii::BoundingBox<dim> box = space.mapping().get_bounding_box(cell);
   box.extend(bulge * cell->diameter());
   return box;
@@ -144,6 +146,9 @@ void BodyPoints::add_fields(const DisplacementSpace<dim> &space, const Deformati
                             MatrixXd &sums) const
 {
   const auto &mesh = space.dof_handler().get_triangulation();
+  std::optional<RecoveredStress<dim>> recovered;
+  if (!space.is_shared())
+    recovered.emplace(space, body_.materials(), deformation);
   for (const InCell &in : cells_)
   {
     std::vector<dealii::Point<dim>> unit_points(in.points.size());
@@ -151,16 +156,19 @@ void BodyPoints::add_fields(const DisplacementSpace<dim> &space, const Deformati
       for (unsigned int d = 0; d < dim; ++d)
         unit_points[i][d] = in.unit_points[i][d];
     const typename DisplacementSpace<dim>::Cell cell(&mesh, in.level, in.index, &space.dof_handler());
-    const std::vector<PointFields> fields =
+    std::vector<PointFields> fields =
         CellFields<dim>(space, body_.materials(), dealii::Quadrature<dim>(unit_points),
                         deformation.displacement, deformation.free_strain)
             .in(cell);
+    if (recovered)
+      recovered->enter(cell, unit_points, fields);
     for (std::size_t i = 0; i < in.points.size(); ++i)
     {
       auto sum = sums.col(static_cast<Eigen::Index>(in.points[i]));
       sum.head<3>() += fields[i].displacement;
       for (unsigned int k = 0; k < Stress::n_independent_components; ++k)
         sum[3 + k] += fields[i].stress.access_raw_entry(k);
+      sum[n_values - 1] += fields[i].stress_error;
     }
   }
 }
@@ -179,6 +187,7 @@ std::vector<PointFields> BodyPoints::fields(const Deformation &deformation) cons
     all[i].displacement = mean.head<3>();
     for (unsigned int k = 0; k < Stress::n_independent_components; ++k)
       all[i].stress.access_raw_entry(k) = mean[3 + k];
+    all[i].stress_error = mean[n_values - 1];
   }
   return all;
 }

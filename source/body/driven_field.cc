@@ -111,7 +111,7 @@ void set_moved_surfaces(const DisplacementSpace<dim> &space, const GeometryOptio
     if (!geometry.has(load) || !load.kind->moves_surface())
       continue;
     const unsigned int axis = axis_of(load.direction);
-    const double value = load.direction[axis] * (geometry.is_lower && axis == 2 ? -1 : 1);
+    const double value = load.direction[axis] * (geometry.is_mirrored() && axis == 2 ? -1 : 1);
     for (const unsigned int dof : moved_by_load(space, geometry, load))
       if (is_supported[dof])
         given(dof, n_rigid_components + static_cast<Index>(k)) = value;
@@ -183,7 +183,9 @@ MatrixXd whole_displacements(const DisplacementSpace<dim> &space, const ModelSym
   return added;
 }
 
-/// Displacements (mm) of the contact nodes in their local axes; those of other processes are added.
+} // namespace
+
+/// Those of other processes are added.
 MatrixXd at_contact_nodes(const ContactFrame &frame, const MatrixXd &volume)
 {
   const auto &nodes = frame.nodes();
@@ -201,7 +203,6 @@ MatrixXd at_contact_nodes(const ContactFrame &frame, const MatrixXd &volume)
   sum_over_ranks(contact.data(), static_cast<std::size_t>(contact.size()));
   return contact;
 }
-} // namespace
 
 /// Columns that only tractions drive: 1, others 0.
 static VectorXd by_traction(const GeometryOptions &geometry)

@@ -23,6 +23,9 @@ std::unique_ptr<CoarserMarch> CoarserMarch::of(const Scene &finer)
   const MeshOptions &mesh = finer.parameters().mesh;
   if (finer.parameters().wear.wears())
     return nullptr; // it would have wear of its own, without the jumps
+  const FrictionOptions &friction = finer.parameters().friction;
+  if (friction.has_factor() && !friction.factor.is_constant())
+    return nullptr; // likewise, and its factor may be no number where that of the finer mesh is one
   if (mesh.backend != BodyBackend::multigrid || finer.body().mesh().n_levels() == 1)
     return nullptr;
   return std::make_unique<CoarserMarch>(coarser(finer.parameters()), finer.choice());

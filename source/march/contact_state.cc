@@ -57,6 +57,12 @@ double dissipation(const Vector2d &before, const Vector2d &after, const Vector2d
   return 0.5 * (new_work + (old_work < 0 ? std::min(-old_work, new_work) : old_work));
 }
 
+FrictionLaw law_of(const ContactSystem &system, const ContactState &state, const Index node)
+{
+  return state.friction_factor.size() == 0 ? system.law(node)
+                                           : system.law(node).scaled(state.friction_factor[node]);
+}
+
 NodeVector unworn_displacement(const ContactState &state)
 {
   NodeVector displacement = state.displacement;

@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/march/step_solver.h>
 
+#include "release.h"
+
 #include <orthocone/base/ranks.h>
 #include <orthocone/body/node_compliance.h>
 #include <orthocone/march/coarser_march.h>
@@ -42,23 +44,6 @@ std::shared_ptr<const SolvedProblem> solved(const ContactStep &problem, const Ve
 {
   return std::make_shared<const SolvedProblem>(SolvedProblem{problem, unknowns});
 }
-
-/// Whether the body is free along the normal, and no force acts on it.
-bool presses_nothing(const FreeFace &face, const std::vector<unsigned int> &components)
-{
-  constexpr unsigned int normal = 2;
-  return std::find(components.begin(), components.end(), normal) != components.end() &&
-         !face.has_stiffness() && face.balance().isZero(0);
-}
-
-/// The least motion along the normal that leaves no node under pressure, mm.
-double opening_motion(const NodeVector &free_gap)
-{
-  double motion = -free_gap[0];
-  for (Index i = 0; i < free_gap.size(); i += 3)
-    motion = std::max(motion, -free_gap[i]);
-  return motion;
-}
 } // namespace
 
 StepSolver::StepSolver(const Scene &scene)
@@ -71,6 +56,7 @@ StepSolver::StepSolver(const Scene &scene, const ContactSolverOptions &options)
       opening_(node_compliance(scene.surface(), scene.symmetry(), scene.contact_material())),
       wear_(scene.parameters().wear, scene.pressed_areas()),
       implicit_wear_(wear_, options, opening_),
+      friction_(scene),
       tolerance_(options.tolerance),
       solver_(make_contact_solver(scene.system(), options)),
       coarser_(CoarserMarch::of(scene))
@@ -91,12 +77,12 @@ NodeVector StepSolver::free_displacement_with_wear(const ContactState &state, co
 
 StepSolver::Attempt StepSolver::attempt(const ContactState &state, const FaceTarget &target) const
 {
-  return {target,
-          ContactStep(scene_.system(),
+  ContactStep problem(scene_.system(),
                       step_displacement(free_displacement_with_wear(state, target), state.displacement),
-                      scene_.free_face(target)),
-          scene_.free_components(target),
-          {}};
+                      scene_.free_face(target));
+  if (friction_.is_there())
+    problem = problem.with_factors(state.friction_factor);
+  return {target, std::move(problem), scene_.free_components(target), {}};
 }
 
 SolverReport StepSolver::solve(ContactState &state, const LoadStep &step)
@@ -131,9 +117,10 @@ SolverReport StepSolver::solve_in_one(ContactState &state, const LoadStep &step)
   constexpr unsigned int most_halvings = 3;
   const ContactState before = state;
   state.leg_begin = leg_begin(state, step);
+  state.friction_factor = friction_.factors(state, step.cycle);
   const ContactState begin = state;
   const Attempt whole = attempt(state, step.target(state.leg_begin));
-  const bool is_release = presses_nothing(whole.problem.face(), whole.components);
+  const bool is_release = presses_nothing(whole.problem.face(), whole.components) && opens_along_z(scene_);
   SolverReport report = is_release ? release(state, whole)
                                    : solve_to(state, whole, start_of(whole, before, step), most_halvings);
   if (!report.converged && report.verdict != Verdict::unbalanced && !is_release)
@@ -145,6 +132,8 @@ SolverReport StepSolver::solve_in_one(ContactState &state, const LoadStep &step)
     state.step = step.number;
   else
     state = before;
+  if (report.converged)
+    state.slip_speed = friction_.speeds(before, state, step.seconds);
   unsolved_ = report.converged ? std::nullopt : std::optional<ContactStep>(whole.problem);
   return report;
 }
@@ -198,6 +187,7 @@ double StepSolver::carried_share(const ContactState &before, const LoadStep &ste
   {
     const double share = 0.5 * (carried + lost);
     ContactState state = before;
+    state.friction_factor = friction_.factors(before, step.cycle);
     const Attempt attempt =
         this->attempt(state, on_the_way(now, end, (share - first) / (step.share - first)));
     (solve_to(state, attempt, attempt.unknowns_of(state), 0).converged ? carried : lost) = share;
@@ -313,7 +303,7 @@ SolverReport StepSolver::release(ContactState &state, const Attempt &attempt) co
   for (const unsigned int component : attempt.components)
     if (component < n_rigid_components)
       open.motion[component] = component == normal ? 0 : state.motion[component];
-  open.motion[normal] = opening_motion(free_displacement_with_wear(state, open));
+  open.motion[normal] = opening_motion(free_displacement_with_wear(state, open), scene_.axes());
   const Attempt apart = this->attempt(state, open);
   const VectorXd none = VectorXd::Zero(apart.problem.n_unknowns());
   SolverReport report = make_report(apart.problem, none, 0, tolerance_);

@@ -26,10 +26,15 @@ std::uint32_t checksum(const std::string &bytes)
 
 Json row_json(const CycleRow &row)
 {
-  return {{"cycle", row.cycle},       {"peak_force_z", row.peak_force_z},
-          {"max_slip", row.max_slip}, {"last_step", row.last_step},
-          {"work", row.work},         {"into_wear", row.into_wear},
-          {"missing", row.missing},   {"iterations", row.iterations}};
+  return {{"cycle", row.cycle},
+          {"peak_force_z", row.peak_force_z},
+          {"max_slip", row.max_slip},
+          {"last_step", row.last_step},
+          {"work", row.work},
+          {"into_wear", row.into_wear},
+          {"missing", row.missing},
+          {"iterations", row.iterations},
+          {"factor", {row.least_factor, row.mean_factor, row.largest_factor}}};
 }
 
 /// The values that add up in a cycle; the rest of the row is known only at its end.
@@ -44,6 +49,10 @@ CycleRow row_from(const Json &json)
   row.into_wear = number_from(json.at("into_wear"));
   row.missing = number_from(json.at("missing"));
   row.iterations = count_from(json.at("iterations"));
+  const Json &factor = json.at("factor");
+  row.least_factor = number_from(factor.at(0));
+  row.mean_factor = number_from(factor.at(1));
+  row.largest_factor = number_from(factor.at(2));
   return row;
 }
 
@@ -60,6 +69,22 @@ WearMemory wear_from(const Json &json, const ContactState &state)
   const Index n = json.at("rate").get_binary().empty() ? 0 : state.n_nodes(); // none before the first jump
   return {array_from(json.at("rate"), n), count_from(json.at("n_jumped")), count_from(json.at("n_settled")),
           number_from(json.at("error"))};
+}
+
+Json friction_json(const FrictionJumpMemory &friction)
+{
+  return {{"slip", array_json(friction.slip)},
+          {"energy", array_json(friction.energy)},
+          {"n_jumped", friction.n_jumped},
+          {"n_settled", friction.n_settled},
+          {"error", friction.error}};
+}
+
+FrictionJumpMemory friction_from(const Json &json, const ContactState &state)
+{
+  const Index n = json.at("slip").get_binary().empty() ? 0 : state.n_nodes(); // none before the first jump
+  return {array_from(json.at("slip"), n), array_from(json.at("energy"), n), count_from(json.at("n_jumped")),
+          count_from(json.at("n_settled")), number_from(json.at("error"))};
 }
 
 /// A column a point.
@@ -97,7 +122,8 @@ Json cycles_json(const CycleMemory &cycles)
           {"periodic_since", cycles.periodic_since},
           {"jumped", std::move(jumped)},
           {"loop", loop_json(cycles.loop)},
-          {"wear", wear_json(cycles.wear)}};
+          {"wear", wear_json(cycles.wear)},
+          {"friction", friction_json(cycles.friction)}};
 }
 
 CycleMemory cycles_from(const Json &json, const ContactState &state)
@@ -117,6 +143,7 @@ CycleMemory cycles_from(const Json &json, const ContactState &state)
     cycles.jumped.push_back({count_from(range.at(0)), count_from(range.at(1))});
   cycles.loop = loop_from(json.at("loop"));
   cycles.wear = wear_from(json.at("wear"), state);
+  cycles.friction = friction_from(json.at("friction"), state);
   return cycles;
 }
 
@@ -185,6 +212,7 @@ Json record_json(const RunRecord &record)
           {"energy_defect", record.energy_defect},
           {"wear_of_flattening", record.wear_of_flattening},
           {"slip_of_change", record.slip_of_change},
+          {"factor", {record.change_of_factor, record.largest_factor, record.energy_of_fall}},
           {"motion", {record.flattening, record.pressure_of_modulus, record.slide_of_face}},
           {"zones", zones_json(record.zones)},
           {"energies", {record.work, record.dissipation, record.missing, record.into_wear, record.stored}},
@@ -205,6 +233,9 @@ RunRecord record_from(const Json &json)
   record.energy_defect = json.at("energy_defect");
   record.wear_of_flattening = json.at("wear_of_flattening");
   record.slip_of_change = json.at("slip_of_change");
+  record.change_of_factor = json.at("factor").at(0);
+  record.largest_factor = json.at("factor").at(1);
+  record.energy_of_fall = json.at("factor").at(2);
   const Json &motion = json.at("motion");
   record.flattening = motion.at(0);
   record.pressure_of_modulus = motion.at(1);

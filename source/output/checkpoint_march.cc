@@ -17,6 +17,11 @@ Eigen::VectorXd body_from(const Json &json)
 {
   return array_from(json, static_cast<Index>(json.get_binary().size() / sizeof(double)));
 }
+/// A number for each of the nodes, or none at all.
+Eigen::VectorXd of_nodes_or_none(const Json &json, const Index n)
+{
+  return array_from(json, json.get_binary().empty() ? 0 : n);
+}
 } // namespace
 
 Json state_json(const ContactState &state)
@@ -35,6 +40,8 @@ Json state_json(const ContactState &state)
           {"wear_depth", array_json(state.wear_depth)},
           {"found_depth", array_json(state.found_depth)},
           {"slip_at_stick", array_json(state.slip_at_stick)},
+          {"friction_factor", array_json(state.friction_factor)},
+          {"slip_speed", array_json(state.slip_speed)},
           {"status", state.status}};
 }
 
@@ -55,6 +62,8 @@ ContactState state_from(const Json &json)
   state.slip_at_stick = array_from(json.at("slip_at_stick"), 2 * n);
   state.force = array_from(json.at("force"), 3 * n);
   state.displacement = array_from(json.at("displacement"), 3 * n);
+  state.friction_factor = of_nodes_or_none(json.at("friction_factor"), n);
+  state.slip_speed = of_nodes_or_none(json.at("slip_speed"), n);
   for (const auto &status : json.at("status"))
     switch (status.get<int>())
     {

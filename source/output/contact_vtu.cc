@@ -8,10 +8,11 @@ namespace orthocone
 {
 namespace
 {
-std::vector<QuadrilateralSurface::Field> empty_fields(const Eigen::Index n_points)
+std::vector<QuadrilateralSurface::Field> empty_fields(const std::vector<ContactField> &list,
+                                                      const Eigen::Index n_points)
 {
   std::vector<QuadrilateralSurface::Field> all;
-  for (const ContactField &field : contact_field_list())
+  for (const ContactField &field : list)
     all.push_back({field.name, Eigen::MatrixXf(field.n_components(), n_points)});
   return all;
 }
@@ -37,10 +38,11 @@ std::string contact_vtu(const ContactFieldEvaluator &evaluator, const std::vecto
 {
   const ContactSurface &surface = evaluator.surface();
   const GeometryOptions &geometry = evaluator.scene().parameters().geometry;
+  const std::vector<ContactField> list = contact_field_list(evaluator.scene().parameters());
   const WholeSurface whole = evaluator.symmetry().whole(surface);
   const auto n_points = static_cast<Eigen::Index>(whole.nodes.size());
   QuadrilateralSurface drawn{surface.degree, Eigen::Matrix3Xf::Zero(3, n_points),
-                             quadrilaterals(whole, surface.degree), empty_fields(n_points)};
+                             quadrilaterals(whole, surface.degree), empty_fields(list, n_points)};
   for (Eigen::Index point = 0; point < n_points; ++point)
   {
     const auto &[node, image] = whole.nodes[point];
@@ -51,7 +53,7 @@ std::string contact_vtu(const ContactFieldEvaluator &evaluator, const std::vecto
     seen.surface = image_of_surface(geometry, seen.surface, whole.images[image]);
     for (std::size_t i = 0; i < drawn.fields.size(); ++i)
     {
-      const ContactField &field = contact_field_list()[i];
+      const ContactField &field = list[i];
       drawn.fields[i].values.col(point) = field.value(seen).head(field.n_components()).cast<float>();
     }
   }

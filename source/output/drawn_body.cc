@@ -110,26 +110,26 @@ std::vector<Vector3d> points_of(const dealii::Triangulation<2>::active_cell_iter
   return points;
 }
 
-OrderedJson json_of(std::vector<Vector3d> points, const bool is_lower)
+OrderedJson json_of(std::vector<Vector3d> points, const bool is_mirrored)
 {
   OrderedJson json = OrderedJson::array();
-  if (is_lower)
+  if (is_mirrored)
     std::reverse(points.begin(), points.end()); // the mirror turns faces over
   for (const Vector3d &point : points)
-    json.push_back({point[0], point[1], is_lower ? -point[2] : point[2]});
+    json.push_back({point[0], point[1], is_mirrored ? -point[2] : point[2]});
   return json;
 }
 
 /// Faces of the boundary by their ids.
 template<int dim>
 std::map<dealii::types::boundary_id, OrderedJson> faces_of(const dealii::Triangulation<dim> &mesh,
-                                                           const bool is_lower)
+                                                           const bool is_mirrored)
 {
   std::map<dealii::types::boundary_id, OrderedJson> faces;
   for (const auto &cell : mesh.active_cell_iterators())
     for (const unsigned int face : cell->face_indices())
       if (cell->face(face)->at_boundary())
-        faces[cell->face(face)->boundary_id()].push_back(json_of(points_of(cell, face), is_lower));
+        faces[cell->face(face)->boundary_id()].push_back(json_of(points_of(cell, face), is_mirrored));
   return faces;
 }
 
@@ -138,11 +138,11 @@ OrderedJson cells_of(const dealii::Triangulation<3> &, const bool)
   return OrderedJson::array(); // the faces hide them
 }
 
-OrderedJson cells_of(const dealii::Triangulation<2> &mesh, const bool is_lower)
+OrderedJson cells_of(const dealii::Triangulation<2> &mesh, const bool is_mirrored)
 {
   OrderedJson cells = OrderedJson::array();
   for (const auto &cell : mesh.active_cell_iterators())
-    cells.push_back(json_of(border_of(cell), is_lower));
+    cells.push_back(json_of(border_of(cell), is_mirrored));
   return cells;
 }
 
@@ -160,7 +160,7 @@ OrderedJson surfaces_json(const Body &body, const GeometryOptions &geometry)
   const auto names = named_surfaces(geometry);
   const auto faces =
       body.visit([&](const auto &space)
-                 { return faces_of(space.dof_handler().get_triangulation(), geometry.is_lower); });
+                 { return faces_of(space.dof_handler().get_triangulation(), geometry.is_mirrored()); });
   for (const auto &[id, of_surface] : faces)
   {
     const auto found = names.find(id);
@@ -200,15 +200,16 @@ OrderedJson body_json(const Body &body, const BodyOptions &options)
 {
   const GeometryOptions &geometry = options.geometry;
   const Vector3d centre = body.unknowns().held_centre();
-  const double up = geometry.is_lower ? -1 : 1;
+  const double up = geometry.is_mirrored() ? -1 : 1;
   return {{"text", kind_of(geometry).describe(geometry)},
           {"is_from_file", geometry.is_from_file()},
           {"top_face", to_word(geometry.top_face)},
           {"held_centre", {centre[0], centre[1], up * centre[2]}},
           {"supports", supports_json(geometry)},
           {"surfaces", surfaces_json(body, geometry)},
-          {"cells",
-           body.visit([&](const auto &space)
-                      { return cells_of(space.dof_handler().get_triangulation(), geometry.is_lower); })}};
+          {"cells", body.visit(
+                        [&](const auto &space) {
+                          return cells_of(space.dof_handler().get_triangulation(), geometry.is_mirrored());
+                        })}};
 }
 } // namespace orthocone

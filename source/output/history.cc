@@ -32,8 +32,9 @@ unsigned int nearest_node(const ContactSurface &surface, const Vector2d &positio
 
 History::History(RunFolder &folder, const Parameters &parameters)
     : folder_(folder),
-      columns_(with_surfaces(with_loads(history_columns(), parameters.load.loads),
-                             parameters.geometry.touching_surfaces()))
+      columns_(with_factor(with_surfaces(with_loads(history_columns(), parameters.load.loads),
+                                         parameters.geometry.touching_surfaces()),
+                           parameters.friction))
 {
 }
 
@@ -94,13 +95,19 @@ void ProbeHistories::write(const ContactState &state)
   }
 }
 
+CycleTable::CycleTable(RunFolder &folder, const Parameters &parameters)
+    : folder_(folder),
+      columns_(with_factor(cycle_columns(), parameters.friction))
+{
+}
+
 void CycleTable::start()
 {
-  folder_.append("cycles.csv", header_line(cycle_columns()));
+  folder_.append("cycles.csv", header_line(columns_));
 }
 
 void CycleTable::write(const CycleRow &row)
 {
-  folder_.append("cycles.csv", row_line(cycle_columns(), row));
+  folder_.append("cycles.csv", row_line(columns_, row));
 }
 } // namespace orthocone

@@ -102,8 +102,10 @@ std::string describe_obstacle(const Parameters &parameters)
   const ObstacleOptions &obstacle = parameters.obstacle;
   const std::string below = describe_counterbody(parameters);
   const std::string file = obstacle.gap_file.empty() ? "" : " and that of " + shown_path(obstacle.gap_file);
-  const std::string along =
-      obstacle.normal == ObstacleNormal::surface ? " along the normals of the body" : "";
+  const bool is_of_bodies = obstacle.normal == ObstacleNormal::surface && obstacle.kind.chosen().is_body();
+  const std::string along = is_of_bodies ? " more than the distance of both surfaces along the normals"
+                            : obstacle.normal == ObstacleNormal::surface ? " along the normals of the body"
+                                                                         : "";
   const std::string gap = !obstacle.distance.empty() ? "distance " + obstacle.distance
                           : obstacle.is_plane()      ? ""
                                                      : "gap " + obstacle.gap + file + along;
@@ -164,7 +166,7 @@ std::string describe_friction(const Parameters &parameters)
                                   : ", slip not collinear with the force") +
          (friction.first_axis ? "; first axis along " + friction.first_axis_text()
                               : "; axes turned by " + to_text(friction.angle) + " degrees") +
-         "\n";
+         (friction.has_factor() ? "; times " + friction.factor.text() + "\n" : "\n");
 }
 
 std::string describe_model(const Parameters &parameters, const ModelChoice &model,

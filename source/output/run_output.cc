@@ -5,6 +5,7 @@
 #include <orthocone/base/ranks.h>
 #include <orthocone/output/step_problem.h>
 #include <orthocone/output/vtu.h>
+#include <orthocone/surface/surface_tractions.h>
 
 namespace orthocone
 {
@@ -18,7 +19,7 @@ RunOutput::RunOutput(RunFolder &folder, const OutputOptions &options, const Scen
       history_(folder, scene.parameters()),
       probes_(folder, options.probes, evaluator),
       lines_(folder, options.lines, evaluator),
-      cycles_(folder),
+      cycles_(folder, scene.parameters()),
       contact_(folder, "contact"),
       volume_(folder, "volume"),
       lower_(folder, "lower")
@@ -89,7 +90,8 @@ Deformation RunOutput::deformation(const ContactState &state, const Eigen::Vecto
 {
   const Parameters &parameters = scene_.parameters();
   return {scene_.body().with_motion(state.motion, volume, state.loads),
-          free_strain(parameters.load.loads, state.loads, false, parameters.material)};
+          free_strain(parameters.load.loads, state.loads, false, parameters.material),
+          surface_tractions(scene_.surface(), scene_.axes(), state.force)};
 }
 
 /// Of the lower body's mirror image.
@@ -97,16 +99,17 @@ Deformation RunOutput::lower_deformation(const ContactState &state) const
 {
   const Parameters &parameters = scene_.parameters();
   const ElasticBody &body = scene_.lower()->body();
-  const Eigen::VectorXd elastic = body.elastic_displacement(scene_.lower()->own_force(state.force));
-  return {body.with_motion({}, elastic, state.loads),
-          free_strain(parameters.load.loads, state.loads, true, parameters.lower.material)};
+  const NodeVector force = scene_.lower()->own_force(state.force);
+  return {body.with_motion({}, body.elastic_displacement(force), state.loads),
+          free_strain(parameters.load.loads, state.loads, true, parameters.lower.material),
+          surface_tractions(body.surface(), LowerBody::own_axes(), force)};
 }
 
 /// The first process collects the pieces of the others, because it alone writes.
 void RunOutput::write_volume(const ContactState &state, const Eigen::VectorXd &volume)
 {
   const auto make = [this, found = deformation(state, volume)]
-  { return volume_vtu(scene_.body().mesh(), found.displacement, found.free_strain); };
+  { return volume_vtu(scene_.body().mesh(), found); };
   if (n_ranks() == 1)
     return volume_.add(state.step, make);
   volume_.add_pieces(state.step, gather_on_first(make()), volume_pvtu);
@@ -117,7 +120,9 @@ void RunOutput::write_lower(const ContactState &state)
   if (scene_.lower() == nullptr)
     return;
   const auto make = [this, found = lower_deformation(state)]
-  { return volume_vtu(scene_.lower()->body().mesh(), found.displacement, found.free_strain, true); };
+  {
+    return volume_vtu(scene_.lower()->body().mesh(), found, scene_.parameters().lower.geometry.is_mirrored());
+  };
   lower_.add(state.step, make);
 }
 

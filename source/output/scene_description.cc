@@ -7,6 +7,7 @@
 #include <orthocone/output/load_ranges.h>
 #include <orthocone/output/model_text.h>
 #include <orthocone/output/scene_description.h>
+#include <orthocone/scene/lower_body.h>
 #include <orthocone/scene/obstacle.h>
 #include <orthocone/scene/parameters.h>
 
@@ -93,16 +94,22 @@ double nearest_height(const ContactSurface *const surface, const Vector2d &place
 }
 
 /// Where the bodies touch first: the node with the least gap, and of equal ones the nearest to x = y = 0.
-Vector2d first_touch(const ContactSurface &surface, const ContactSurface *const lower,
+Vector2d first_touch(const Parameters &parameters, const ModelSymmetry &symmetry,
+                     const ContactSurface &surface, const ContactSurface *const lower,
                      const Obstacle &obstacle)
 {
+  const bool is_curved = lower != nullptr && !obstacle.has_normal_z();
+  const Eigen::VectorXd distances =
+      is_curved ? lower_distances(parameters, symmetry, surface, *lower) : Eigen::VectorXd();
   Vector2d touch(0, 0);
   double least = std::numeric_limits<double>::max();
   constexpr double rounding = 1e-9;
-  for (const ContactNode &node : surface.nodes)
+  for (std::size_t i = 0; i < surface.nodes.size(); ++i)
   {
+    const ContactNode &node = surface.nodes[i];
     const Vector2d place(node.position[0], node.position[1]);
-    const double gap = obstacle.gap({node.place(), node.inward}) + nearest_height(lower, place);
+    const double gap = obstacle.gap({node.place(), node.inward}) +
+                       (is_curved ? distances[static_cast<Eigen::Index>(i)] : nearest_height(lower, place));
     const double margin = least < std::numeric_limits<double>::max() ? rounding * (1 + std::abs(least)) : 0;
     if (gap < least - margin || (gap <= least + margin && place.norm() < touch.norm()))
     {
@@ -143,7 +150,7 @@ OrderedJson gap_json(const Parameters &parameters, const ModelSymmetry &symmetry
                      const ContactSurface &surface, const ContactSurface *const lower)
 {
   const auto obstacle = make_obstacle(parameters.obstacle);
-  const Vector2d touch = first_touch(surface, lower, *obstacle);
+  const Vector2d touch = first_touch(parameters, symmetry, surface, lower, *obstacle);
   OrderedJson lines = OrderedJson::array();
   for (const unsigned int axis : {0u, 1u})
     if (obstacle->has_normal_z() && (axis == 0 || !symmetry.is_section()))

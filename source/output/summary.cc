@@ -46,6 +46,9 @@ void RunRecord::add_step(const unsigned int step, const Totals &before, const To
   consider(flattening, checks.motion.flattening, step);
   consider(pressure_of_modulus, checks.motion.pressure_of_modulus, step);
   consider(slide_of_face, checks.motion.slide_of_face, step);
+  consider(change_of_factor, checks.change_of_factor, step);
+  energy_of_fall += checks.energy_of_fall;
+  consider(largest_factor, totals.factor ? totals.factor->largest : 0, step);
   zones.add_step(step, totals.force[2], totals.zones);
 }
 
@@ -127,6 +130,44 @@ static void warn_of_energy(const RunRecord &record, std::vector<std::string> &wa
                        "take more steps in the legs that turn back (Load program/Legs)");
 }
 
+/// Friction that falls when a node begins to slip.
+static void warn_of_fall(const RunRecord &record, std::vector<std::string> &warnings)
+{
+  constexpr double noticeable = 0.01, percent = 100;
+  if (record.energy_of_fall > noticeable * record.dissipation)
+    warnings.push_back("dissipated energy: up to " +
+                       to_text(std::round(percent * record.energy_of_fall / record.dissipation)) +
+                       " % of it was set free where friction fell as nodes began to slip (k in "
+                       "Friction/Factor); in truth it "
+                       "becomes motion and sound, which load steps do not know, and more of them do not "
+                       "change it. Take it for the "
+                       "error of the energy (docs/stability.md, \"Static and kinetic friction\")");
+}
+
+/// The factor of a step is that of the state before it: what changes meanwhile is an error of first order.
+static void warn_of_friction(const Parameters &parameters, const RunRecord &record,
+                             std::vector<std::string> &warnings)
+{
+  constexpr double most_change = 0.2, percent = 100; // docs/theory.md, section 3, "Friction with memory"
+  if (parameters.friction.factor.is_static_and_kinetic())
+    warn_of_fall(record, warnings);
+  else if (record.change_of_factor.first > most_change)
+    warnings.push_back("load step " + std::to_string(record.change_of_factor.second) +
+                       ": Friction/Factor of a node is " +
+                       to_text(std::round(percent * record.change_of_factor.first)) +
+                       " % off that of the step before; a step is solved with the factor of the state before "
+                       "it, which is good for changes up to 20 %. Take more load steps (Load program/Legs), "
+                       "or a smaller Load program/Jump change of friction");
+  const double growth =
+      record.largest_factor.first / parameters.friction.factor.at_start(parameters.load.first_cycle());
+  if (record.critical_friction.factor > 1 && record.critical_friction.factor <= growth)
+    warnings.push_back(
+        "load step " + std::to_string(record.largest_factor.second) + ": Friction/Factor has grown to " +
+        to_text(record.largest_factor.first) + ", and " + describe(record.critical_friction) +
+        ": a node may wedge, so that a load step may have several solutions; compare runs with "
+        "other steps and methods before you trust a result");
+}
+
 std::vector<std::string> all_warnings(const Parameters &parameters, const RunRecord &record)
 {
   constexpr double percent = 100;
@@ -135,6 +176,7 @@ std::vector<std::string> all_warnings(const Parameters &parameters, const RunRec
     warnings.push_back(std::move(warning));
   warn_of_energy(record, warnings);
   warn_of_fast_wear(record, warnings);
+  warn_of_friction(parameters, record, warnings);
   warn_of_large_motions(record, warnings);
   if (record.peaks.n_steps > 0 && record.peaks.contact_area.second == 0 && !parameters.obstacle.is_plane())
     warnings.emplace_back(

@@ -120,6 +120,8 @@ OrderedJson friction_json(const Parameters &parameters)
   else if (friction.varies())
     for (const char *const entry : {"Coefficients", "Slip potential", "Orthotropy angle"})
       json["expressions"][entry] = entry_of(parameters, std::string("Friction/") + entry);
+  if (friction.has_factor())
+    json["factor"] = friction.factor.text();
   return json;
 }
 

@@ -2,12 +2,13 @@
 // Copyright (C) 2026 the orthocone authors
 #include "vtu_flags.h"
 
-#include <orthocone/body/fe/cell_fields.h>
+#include <orthocone/body/fe/recovered_stress.h>
 #include <orthocone/output/vtu.h>
 #include <orthocone/results/volume_fields.h>
 
 #include <deal.II/base/quadrature_lib.h>
 
+#include <optional>
 #include <sstream>
 #include <tuple>
 
@@ -114,16 +115,21 @@ std::string with_component_names(std::string text)
 
 template<int dim>
 std::string volume_vtu(const DisplacementSpace<dim> &space, const Materials &materials,
-                       const Eigen::VectorXd &displacement, const Strain &free_strain, const bool is_mirrored)
+                       const Deformation &deformation, const bool is_mirrored)
 {
   const unsigned int degree = space.fe().degree;
-  CellFields<dim> fields(space, materials, dealii::QIterated<dim>(dealii::QTrapezoid<1>(), degree),
-                         displacement, free_strain);
+  const dealii::QIterated<dim> nodes(dealii::QTrapezoid<1>(), degree);
+  CellFields<dim> fields(space, materials, nodes, deformation.displacement, deformation.free_strain);
+  std::optional<RecoveredStress<dim>> recovered;
+  if (!space.is_shared())
+    recovered.emplace(space, materials, deformation);
   std::vector<dealii::DataOutBase::Patch<dim, 3>> patches;
   for (const auto &cell : space.dof_handler().active_cell_iterators())
     if (cell->is_locally_owned())
     {
-      const std::vector<PointFields> points = fields.in(cell);
+      std::vector<PointFields> points = fields.in(cell);
+      if (recovered)
+        recovered->enter(cell, nodes.get_points(), points);
       patches.push_back(
           patch_of<dim>(is_mirrored ? mirrored(points, degree) : points, patches.size(), degree));
     }
@@ -143,8 +149,6 @@ std::string volume_pvtu(const std::vector<std::string> &pieces)
   return with_component_names(text.str());
 }
 
-template std::string volume_vtu(const Discretization &, const Materials &, const Eigen::VectorXd &,
-                                const Strain &, bool);
-template std::string volume_vtu(const SectionDiscretization &, const Materials &, const Eigen::VectorXd &,
-                                const Strain &, bool);
+template std::string volume_vtu(const Discretization &, const Materials &, const Deformation &, bool);
+template std::string volume_vtu(const SectionDiscretization &, const Materials &, const Deformation &, bool);
 } // namespace orthocone

@@ -49,7 +49,18 @@ const std::vector<ContactField> &contact_field_list()
        &F::dissipated_energy},
       {"wear_depth", "mm", "depth that slip has worn off", &F::wear_depth},
       {"surface_id", "", "number of the contact surface in Geometry/Contact surface, counted from 0",
-       [](const F &f) { return static_cast<double>(f.surface); }}};
+       [](const F &f) { return static_cast<double>(f.surface); }},
+      {"friction_factor", "", "Friction/Factor on the coefficients of friction in the step, where it is set",
+       &F::friction_factor, [](const Parameters &p) { return p.friction.has_factor(); }}};
+  return list;
+}
+
+std::vector<ContactField> contact_field_list(const Parameters &parameters)
+{
+  std::vector<ContactField> list;
+  for (const ContactField &field : contact_field_list())
+    if (field.is_there == nullptr || field.is_there(parameters))
+      list.push_back(field);
   return list;
 }
 
@@ -174,7 +185,7 @@ ContactFields ContactFieldEvaluator::fields(const ContactState &state, const uns
   const double area = scene_.pressed_areas()[node];
   fields.pressure = r[0] / area;
   fields.friction_traction = friction / area;
-  if (const FrictionLaw &law = system_.law(first / 3); state.status[node] != NodeStatus::open)
+  if (const FrictionLaw law = law_of(system_, state, first / 3); state.status[node] != NodeStatus::open)
     fields.friction_criterion = law.is_frictionless() ? 0 : law.load(r.tail<2>()) / r[0] - 1;
   fields.status = state.status[node];
   fields.nodal_force = friction / share + axes.col(0) * (r[0] / share);
@@ -182,6 +193,7 @@ ContactFields ContactFieldEvaluator::fields(const ContactState &state, const uns
   fields.dissipated_energy = state.dissipated_energy[node] / area;
   fields.wear_depth = state.wear_depth[node];
   fields.surface = place.surface;
+  fields.friction_factor = state.friction_factor.size() == 0 ? 1 : state.friction_factor[node];
   return fields;
 }
 
@@ -248,7 +260,7 @@ StickSample ContactFieldEvaluator::stick_sample(const ContactState &state, const
 {
   const Eigen::Index first = 3 * static_cast<Eigen::Index>(node);
   const Vector3d r = state.force.segment<3>(first);
-  const FrictionLaw &law = system_.law(first / 3);
+  const FrictionLaw law = law_of(system_, state, first / 3);
   const double compliance = compliances_[first / 3];
   const bool is_open = state.status[node] == NodeStatus::open;
   const double way = slip_since_stick(state, node) + (is_open ? std::max(0., state.displacement[first]) : 0);

@@ -47,6 +47,12 @@ LoopPoint loop_point(const ContactState &state, const Totals &totals)
   return {way.head<2>(), -totals.force.head<2>(), totals.force[2], way[2]};
 }
 
+void add_factor(CycleRow &row, const FactorRange &factor)
+{
+  row.least_factor = row.largest_factor == 0 ? factor.least : std::min(row.least_factor, factor.least);
+  row.largest_factor = std::max(row.largest_factor, factor.largest);
+}
+
 /// What a row has of the end of its cycles.
 void set_end(CycleRow &row, const Totals &totals)
 {
@@ -67,9 +73,10 @@ double change_of_state(const ContactState &start, const ContactState &end, const
   // Where forces drive the face, the load program does not have its motion.
   const double way = std::max(largest_way(start.motion, reach), largest_way(end.motion, reach));
   const double of_forces = relative(largest_force_of_nodes(end.force - start.force, shares), largest_force);
+  const double of_law = std::max(of_forces, change_of_factor(start, end));
   const double scale = std::max(length, way);
   // Where loads alone drive the body, no motion says what is large, and forces decide.
-  return scale > 0 ? std::max(of_forces, relative(moved, scale)) : of_forces;
+  return scale > 0 ? std::max(of_law, relative(moved, scale)) : of_law;
 }
 
 void jump(ContactState &state, const ContactState &start, const unsigned int n, const unsigned int n_steps)
@@ -95,7 +102,7 @@ unsigned int CycleMemory::n_jumped_steps() const
 }
 
 CycleWatch::CycleWatch(const LoadOptions &load, const Eigen::VectorXd &shares, const Eigen::VectorXd &areas,
-                       const double reach, WearJumps wear)
+                       const double reach, WearJumps wear, FrictionJumps friction)
     : load_(load),
       n_steps_(static_cast<unsigned int>(LoadProgram(load).n_steps_of_cycle())),
       reach_(reach),
@@ -103,6 +110,7 @@ CycleWatch::CycleWatch(const LoadOptions &load, const Eigen::VectorXd &shares, c
       shares_(shares),
       areas_(areas),
       wear_(std::move(wear)),
+      friction_(std::move(friction)),
       memory_(shares.size())
 {
 }
@@ -133,7 +141,11 @@ std::optional<CycleRow> CycleWatch::add_step(const LoadStep &step, const Contact
   {
     memory_.largest_force = totals.force.norm();
     row.peak_force_z = totals.force[2];
+    if (totals.factor)
+      row.mean_factor = totals.factor->mean;
   }
+  if (totals.factor)
+    add_factor(row, *totals.factor);
   memory_.loop.push_back(loop_point(solved.state, totals));
   row.max_slip = std::max(row.max_slip, totals.max_slip);
   row.work += solved.checks.work;
@@ -155,6 +167,7 @@ void CycleWatch::set_row(const ContactState &end, const Totals &totals)
   row.dissipation = totals.total_dissipation - memory_.start_dissipation;
   row.change = memory_.change;
   row.wear_error = memory_.wear.error;
+  row.factor_error = memory_.friction.error;
   row.loop = loop_figures(memory_.loop);
   row.worst_energy =
       ((end.dissipated_energy - memory_.start.dissipated_energy).array() / areas_.array()).maxCoeff();
@@ -174,6 +187,7 @@ void CycleWatch::complete(const ContactState &end, const Totals &totals)
   ask_rules(memory_.row);
   n_to_jump_ = is_to_stop() ? 0 : n_alike(end);
   memory_.row.wear_error = memory_.wear.error;
+  memory_.row.factor_error = memory_.friction.error;
 }
 
 void CycleWatch::ask_rules(const CycleRow &row)
@@ -190,20 +204,37 @@ unsigned int CycleWatch::n_alike(const ContactState &end)
   if (memory_.n_completed >= load_.cycles)
     return 0;
   const unsigned int left = load_.cycles - memory_.n_completed - 1;
-  if (wear_.are_wanted())
-  {
-    const unsigned int n = wear_.after_cycle(memory_.start, end, left);
-    memory_.wear = wear_.memory();
-    return n;
-  }
+  if (wear_.are_wanted() || friction_.are_wanted())
+    return n_followed(end, left);
   const bool is_periodic = load_.jump_when_periodic > 0 && memory_.periodic_since > 0;
   return is_periodic ? std::min(load_.jump_cycles, left) : 0;
+}
+
+/// Cycles that wear, or change friction, so little that their sum is like as many computed ones.
+unsigned int CycleWatch::n_followed(const ContactState &end, const unsigned int left)
+{
+  unsigned int n = left;
+  if (friction_.are_wanted())
+    n = friction_.after_cycle(memory_.start, end, memory_.n_completed, n);
+  if (wear_.are_wanted())
+  {
+    const unsigned int of_wear = wear_.after_cycle(memory_.start, end, left);
+    n = std::min(n, of_wear);
+    if (n < of_wear)
+      wear_.shorten(n);
+  }
+  if (n > 0)
+    friction_.begin_jump(memory_.start, end, n);
+  memory_.wear = wear_.memory();
+  memory_.friction = friction_.memory();
+  return n;
 }
 
 void CycleWatch::restore(const CycleMemory &memory, const ContactState &state, const Totals &totals)
 {
   memory_ = memory;
   wear_.restore(memory.wear);
+  friction_.restore(memory.friction);
   if (memory.row.last_step == 0)
     return; // in the middle of a cycle
   set_row(state, totals);
@@ -245,15 +276,25 @@ std::string describe(const CycleRow &row, const unsigned int n_cycles)
          to_text(row.accumulated_slip) + " mm";
 }
 
+/// What a jump of cycles that are not periodic says of wear.
+static std::string worn_text(const CycleRow &row)
+{
+  return "largest depth " + to_text(row.max_wear_depth) + " mm, worn volume " + to_text(row.worn_volume) +
+         " mm^3 (+- " + to_text(std::abs(row.wear_error)) + " by jumps)";
+}
+
 std::string describe_jump(const CycleRow &row, const CycleMemory &memory, const double tolerance)
 {
+  const std::string jumps = "jumps " + std::to_string(row.n_cycles) + " cycles",
+                    to_cycle = " like the last one, to cycle " + std::to_string(row.cycle) + ": ";
+  if (memory.friction.n_jumped > 0)
+    return jumps + " that slip" + to_cycle + "accumulated slip " + to_text(row.max_accumulated_slip) +
+           " mm, error of the mean factor of friction " + to_text(std::abs(row.factor_error)) + " by jumps" +
+           (row.worn_volume > 0 ? ", " + worn_text(row) : "");
   if (memory.periodic_since == 0)
-    return "jumps " + std::to_string(row.n_cycles) + " cycles that wear like the last one, to cycle " +
-           std::to_string(row.cycle) + ": largest depth " + to_text(row.max_wear_depth) +
-           " mm, worn volume " + to_text(row.worn_volume) + " mm^3 (+- " + to_text(std::abs(row.wear_error)) +
-           " by jumps)";
+    return jumps + " that wear" + to_cycle + worn_text(row);
   return "periodic since cycle " + std::to_string(memory.periodic_since) + ": change " +
-         to_text(memory.change) + " <= Load program/Jump when periodic = " + to_text(tolerance) + "; jumps " +
-         std::to_string(row.n_cycles) + " cycles, to load step " + std::to_string(row.last_step);
+         to_text(memory.change) + " <= Load program/Jump when periodic = " + to_text(tolerance) + "; " +
+         jumps + ", to load step " + std::to_string(row.last_step);
 }
 } // namespace orthocone

@@ -3,11 +3,13 @@
 #include <orthocone/results/motion_checks.h>
 
 #include <orthocone/base/numbers.h>
+#include <orthocone/base/ranks.h>
 #include <orthocone/base/text.h>
 #include <orthocone/surface/strip.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace orthocone
 {
@@ -20,11 +22,32 @@ bool touches(const ContactState &state, const std::size_t node)
   return state.status[node] != NodeStatus::open;
 }
 
-/// Height of a body (mm). The centre of a held face that is very wide has lost its digits.
+/// The shortest side of the box around a body, mm. A section has two.
+double shortest_side(const BodyUnknowns &unknowns)
+{
+  double shortest = std::numeric_limits<double>::infinity();
+  for (unsigned int d = 0; d < 3; ++d)
+  {
+    double least = std::numeric_limits<double>::infinity(), largest = -least;
+    for (unsigned int dof = 0; dof < unknowns.n_owned(); ++dof)
+    {
+      least = std::min(least, unknowns.position(dof)[d]);
+      largest = std::max(largest, unknowns.position(dof)[d]);
+    }
+    if (const double side = largest_of_ranks(largest) + largest_of_ranks(-least); side > 0)
+      shortest = std::min(shortest, side);
+  }
+  return shortest;
+}
+
+/// Height of a body (mm), above a counterface with the normal z, or its size. The centre of a held face that
+/// is very wide has lost its digits.
 double height(const GeometryOptions &geometry, const ElasticBody &body)
 {
   if (!geometry.is_from_file())
     return geometry.held_height();
+  if (!geometry.faces_down)
+    return shortest_side(body.unknowns());
   if (!geometry.held_surface.empty())
     return body.unknowns().held_centre()[2];
   double highest = 0; // of a lower body that supports hold; one process has all of it
@@ -86,6 +109,7 @@ ContactSurface touching_part(const Scene &scene, const ContactState &state)
         scene.axes().to_global(node, state.displacement.segment<2>(3 * static_cast<Index>(node) + 1));
     for (const unsigned int d : {0, 1})
       part.nodes[node].position[d] += slip[d];
+    part.nodes[node].height += slip[2];
   }
   const auto is_open = [&](const std::vector<unsigned int> &face)
   {
@@ -104,7 +128,7 @@ void check_slide(const Scene &scene, const ContactState &state, MotionChecks &ch
   checks.slide_of_face = largest_slip_in_contact(state) / mean_size(own, scene.symmetry());
   if (checks.slide_of_face > 1)
     checks.cover = covered_share(as_faces(touching_part(scene, state), scene.symmetry()),
-                                 as_faces(own, scene.symmetry()));
+                                 as_faces(own, scene.symmetry()), scene.lower()->facing());
 }
 } // namespace
 

@@ -43,6 +43,63 @@ Columns<SolvedStep> with_surfaces(Columns<SolvedStep> columns, const std::vector
   return columns;
 }
 
+namespace
+{
+/// The columns of a row's factor of friction; nan where no node is in contact. `extremes` and `mean` say
+/// when.
+template<typename Row>
+void add_factor(Columns<Row> &columns, std::optional<FactorRange> (*const factor)(const Row &),
+                const std::string &extremes, const std::string &mean)
+{
+  const std::string is_set = ", where Friction/Factor is set";
+  const auto of = [factor](double FactorRange::*const part)
+  {
+    return [factor, part](const Row &row)
+    {
+      const std::optional<FactorRange> range = factor(row);
+      return range ? std::optional<double>((*range).*part) : std::nullopt;
+    };
+  };
+  columns.emplace_back("min_friction_factor", "",
+                       "least factor of friction of a node in contact" + extremes + is_set,
+                       of(&FactorRange::least));
+  columns.emplace_back("mean_friction_factor", "",
+                       "mean factor of friction over the area in contact" + mean + is_set,
+                       of(&FactorRange::mean));
+  columns.emplace_back("max_friction_factor", "",
+                       "largest factor of friction of a node in contact" + extremes + is_set,
+                       of(&FactorRange::largest));
+}
+} // namespace
+
+Columns<SolvedStep> with_factor(Columns<SolvedStep> columns, const FrictionOptions &friction)
+{
+  if (friction.has_factor())
+    add_factor<SolvedStep>(
+        columns, [](const SolvedStep &s) { return s.totals.factor; }, "", "");
+  return columns;
+}
+
+Columns<CycleRow> with_factor(Columns<CycleRow> columns, const FrictionOptions &friction)
+{
+  if (!friction.has_factor())
+    return columns;
+  add_factor<CycleRow>(
+      columns,
+      [](const CycleRow &c)
+      {
+        return c.mean_factor > 0 ? std::optional(FactorRange{c.least_factor, c.mean_factor, c.largest_factor})
+                                 : std::nullopt;
+      },
+      " in the cycle", " at the largest total force of the cycle");
+  columns.emplace_back(
+      "friction_factor_error", "",
+      "estimated error that jumps cause in the mean factor of friction of the nodes that slip, where "
+      "Friction/Factor is set",
+      [](const CycleRow &c) { return c.factor_error; });
+  return columns;
+}
+
 Columns<SolvedStep> with_loads(Columns<SolvedStep> columns, const std::vector<Load> &loads)
 {
   for (std::size_t i = 0; i < loads.size(); ++i)

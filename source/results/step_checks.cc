@@ -5,6 +5,7 @@
 #include <orthocone/base/numbers.h>
 #include <orthocone/base/text.h>
 #include <orthocone/body/node_compliance.h>
+#include <orthocone/march/friction_memory.h>
 #include <orthocone/march/implicit_wear.h>
 #include <orthocone/scene/load_program.h>
 
@@ -160,6 +161,8 @@ StepChecks StepChecker::check(const Situation &before, const Situation &after, c
   checks.is_finite = is_finite(after.state, after.totals);
   checks.law = report.law;
   checks.wear_of_flattening = unfound_wear(before.state, after.state, opening_);
+  checks.change_of_factor = change_of_factor(before.state, after.state);
+  checks.energy_of_fall = n_copies_ * energy_of_fall(before.state, after.state);
   checks.slip_of_change = slip_of_change(after.state, change_lengths_);
   // The law's own measure is relative to all displacements, which are large in a long slide.
   if (compression_ > 0)

@@ -348,8 +348,11 @@ const Columns<LinePoint> &line_columns()
 
 std::string described_columns()
 {
-  return lines("history.csv", history_columns()) + lines("probe-NAME.csv", probe_columns()) +
-         lines("cycles.csv", cycle_columns()) + lines("checks.csv", checks_columns()) +
+  FrictionOptions friction; // with all columns that a run may have
+  friction.factor = FrictionFactor("1 + s");
+  return lines("history.csv", with_factor(history_columns(), friction)) +
+         lines("probe-NAME.csv", probe_columns()) +
+         lines("cycles.csv", with_factor(cycle_columns(), friction)) + lines("checks.csv", checks_columns()) +
          lines("timing.csv", timing_columns()) + lines("line-NAME-NNNN.csv", line_columns()) +
          lines("contact-NNNN.vtu", contact_field_list()) + lines("volume-NNNN.vtu", volume_field_list());
 }

@@ -51,6 +51,8 @@ void leave_out_what_cancels(const ModelSymmetry &symmetry, Totals &totals)
 }
 void add_loads(const Scene &scene, const ContactState &state, Totals &totals)
 {
+  if (scene.n_loads() == 0)
+    return;
   totals.loads = scene.face_state(state.force, state.motion, state.loads).loads;
   totals.load_areas = scene.load_areas();
   totals.conjugates = scene.load_conjugates(state.force, state.motion, state.loads);
@@ -91,6 +93,25 @@ void add_node(const ContactFieldEvaluator &evaluator, const ContactState &state,
     totals.total_dissipation += state.dissipated_energy[node];
   }
 }
+/// The factor of friction over the nodes in contact; nothing where there are none, or no factor.
+std::optional<FactorRange> factor_range(const ContactSurface &surface, const ContactState &state)
+{
+  FactorRange range{std::numeric_limits<double>::infinity()};
+  double area = 0;
+  for (Eigen::Index node = 0; node < state.friction_factor.size(); ++node)
+  {
+    const auto i = static_cast<std::size_t>(node);
+    if (state.status[i] == NodeStatus::open)
+      continue;
+    const double factor = state.friction_factor[node];
+    range.least = std::min(range.least, factor);
+    range.largest = std::max(range.largest, factor);
+    range.mean += surface.nodes[i].area * factor;
+    area += surface.nodes[i].area;
+  }
+  range.mean /= area;
+  return area > 0 ? std::optional(range) : std::nullopt;
+}
 } // namespace
 
 Totals compute_totals(const ContactFieldEvaluator &evaluator, const ContactState &state)
@@ -126,12 +147,12 @@ Totals compute_totals(const ContactFieldEvaluator &evaluator, const ContactState
   leave_out_what_cancels(symmetry, totals);
   totals.stick_area = evaluator.stick_area(state);
   totals.zones = evaluator.zones(state);
+  totals.factor = factor_range(surface, state);
   totals.elastic_energy = scene.elastic_energy(state.force, state.motion, state.loads);
   totals.held.components << -totals.force, -totals.moment; // without supports it balances the counterface
   if (scene.body().driven() != nullptr)
     totals.held = scene.held_wrench(state.force, state.motion, state.loads);
-  if (scene.n_loads() > 0)
-    add_loads(scene, state, totals);
+  add_loads(scene, state, totals);
   return totals;
 }
 } // namespace orthocone

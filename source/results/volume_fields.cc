@@ -22,6 +22,11 @@ double principal_stress(const PointFields &point)
   return dealii::eigenvalues(point.stress)[i];
 }
 
+double stress_error(const PointFields &point)
+{
+  return point.stress_error;
+}
+
 double volume(const PointFields &point)
 {
   return point.volume;
@@ -37,6 +42,7 @@ const std::vector<VolumeField> &volume_field_list()
       {"principal_stress_1", "MPa", "largest principal stress, tension is > 0", principal_stress<0>},
       {"principal_stress_2", "MPa", "middle principal stress", principal_stress<1>},
       {"principal_stress_3", "MPa", "smallest principal stress", principal_stress<2>},
+      {"stress_error", "MPa", "estimated error of the stress, as a von Mises stress", stress_error},
       {"region", "", "number of the physical volume of the mesh file; 0 where there is none", volume}};
   return fields;
 }

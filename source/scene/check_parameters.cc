@@ -6,6 +6,7 @@
 #include <orthocone/scene/gap_file.h>
 #include <orthocone/scene/load_path.h>
 #include <orthocone/scene/parameters.h>
+#include <orthocone/scene/surface_sample.h>
 
 namespace orthocone
 {
@@ -235,10 +236,11 @@ void check_obstacle(const ObstacleOptions &obstacle)
     throw InputError("Obstacle/Gap = " + obstacle.gap +
                      " contains z, but it is the gap below a place (x, y): allowed is Obstacle/Distance, the "
                      "distance from a place (x, y, z), or Obstacle/Normal = surface");
-  if (!obstacle.has_normal_z() && obstacle.kind.chosen().gives_way())
+  const bool is_surface_of_body = obstacle.distance.empty() && obstacle.kind.chosen().is_body();
+  if (!obstacle.has_normal_z() && !is_surface_of_body && obstacle.kind.chosen().gives_way())
     throw InputError((obstacle.distance.empty() ? "Obstacle/Normal = surface" : distance) +
-                     " with Obstacle/Kind = " + obstacle.kind.word() +
-                     ", whose normal is z: allowed is Kind = rigid");
+                     " with Obstacle/Kind = " + obstacle.kind.word() + ": allowed is Kind = rigid" +
+                     (obstacle.distance.empty() ? " or body" : ", or Normal = surface and Kind = body"));
 }
 
 /// Refuses axes of friction that are told twice.
@@ -248,6 +250,46 @@ void check_first_axis(const FrictionOptions &friction)
     throw InputError("Friction/First axis with Friction/Orthotropy angle = " +
                      (friction.varying_angle ? friction.varying_angle->text() : to_text(friction.angle)) +
                      ": allowed is one of both, because each says where the axes of friction are");
+}
+/// Refuses jumps that do not follow friction with memory, or follow a friction that has none.
+void check_jumps_of_friction(const FrictionOptions &friction, const LoadOptions &load,
+                             const WearOptions &wear)
+{
+  const std::string with = " with Friction/Factor = " + friction.factor.text() + ": allowed is ";
+  const std::string follows = "Load program/Jump change of friction";
+  const double change = load.jump_change_of_friction;
+  const bool has_memory = friction.has_factor() && friction.factor.remembers();
+  if (change > 0 && !has_memory)
+    throw InputError(follows + " = " + to_text(change) + with +
+                     "0, because no slip, energy or cycle changes this friction");
+  if (load.jump_when_periodic > 0 && has_memory)
+    throw InputError("Load program/Jump when periodic = " + to_text(load.jump_when_periodic) + with +
+                     "0, because friction that changes from cycle to cycle is not periodic (" + follows +
+                     " jumps cycles)");
+  const bool wear_jumps = wear.wears() && wear.largest_jump > 0;
+  if (has_memory && wear_jumps && change == 0)
+    throw InputError("Wear/Largest depth of a jump = " + to_text(wear.largest_jump) + with + "0, or a " +
+                     follows + " > 0, which bounds what friction changes in a jump");
+  if (change > 0 && wear.wears() && !wear_jumps)
+    throw InputError(follows + " = " + to_text(change) + " with " + wear.law_entry() +
+                     ": allowed is 0, or a Wear/Largest depth of a jump > 0, which bounds what a jump wears");
+}
+
+/// Refuses a factor of friction that cannot begin, or knows no times.
+void check_factor(const FrictionOptions &friction, const LoadOptions &load)
+{
+  if (!friction.has_factor())
+    return;
+  const std::string entry = "Friction/Factor = " + friction.factor.text();
+  if (friction.factor.has_speed() && (load.rows.empty() || !load.rows.front().row->time))
+    throw InputError(entry +
+                     " contains v, the speed of slip, but the load program has no times: allowed is a "
+                     "Load program/Program file with a column 'time', or an expression without v");
+  const unsigned int cycle = load.first_cycle();
+  if (const double first = friction.factor.at_start(cycle); !FrictionFactor::is_fine(first))
+    throw InputError(entry + " is " + value_text(first) +
+                     " at the start, where s, w, p and v are 0 and n is " + std::to_string(cycle) +
+                     ": allowed is a finite number > 0 there, as 1 + s/(0.1 + s) has it");
 }
 } // namespace
 
@@ -269,5 +311,7 @@ void check_parameters(const Parameters &parameters)
   check_lower_body(parameters);
   check_obstacle(parameters.obstacle);
   check_first_axis(parameters.friction);
+  check_factor(parameters.friction, parameters.load);
+  check_jumps_of_friction(parameters.friction, parameters.load, parameters.wear);
 }
 } // namespace orthocone

@@ -6,6 +6,7 @@
 #include <orthocone/base/numbers.h>
 #include <orthocone/base/text.h>
 #include <orthocone/body/body.h>
+#include <orthocone/scene/body_overlap.h>
 #include <orthocone/scene/load_path.h>
 #include <orthocone/surface/rigid_motion.h>
 
@@ -54,6 +55,8 @@ double least_gap(const Obstacle &obstacle, const SurfaceSample &sample, const Ri
 void require_driven_overlap(const Parameters &parameters, const Obstacle &obstacle,
                             const std::vector<SurfacePoint> &points)
 {
+  if (!obstacle.has_normal_z() && parameters.obstacle.kind == ObstacleKind::body)
+    return; // the overlap is known when both are meshed
   const std::vector<Load> &loads = parameters.load.loads;
   const auto load =
       std::find_if(loads.begin(), loads.end(), [](const Load &one) { return one.kind->drives_overlap(); });
@@ -74,26 +77,16 @@ void require_driven_overlap(const Parameters &parameters, const Obstacle &obstac
                      "gap >= 0, or Load program/Loads = fit: interference, which legs drive from 0 to 1");
 }
 
-/// Size of the cells around a node, mm.
-static double cell_size(const ContactSurface &surface, const ContactNode &node, const ModelSymmetry &symmetry)
-{
-  const double degree = surface.degree;
-  if (!symmetry.is_section())
-    return degree * std::sqrt(node.area);
-  const double length = symmetry.section()->length_at(node.position[0]);
-  return length > 0 ? degree * node.area / length : 0;
-}
-
-void require_shallow_overlap(const Obstacle &obstacle, const ContactSurface &surface,
-                             const ModelSymmetry &symmetry)
+void require_shallow_overlap(const Obstacle &obstacle, const ContactSurface &surface)
 {
   if (obstacle.has_normal_z())
     return;
-  for (const ContactNode &node : surface.nodes)
+  const Eigen::VectorXd sizes = cell_sizes(surface);
+  for (std::size_t i = 0; i < surface.nodes.size(); ++i)
   {
-    const double depth = -obstacle.gap({node.place(), node.inward}),
-                 size = cell_size(surface, node, symmetry);
-    if (size > 0 && depth > size)
+    const ContactNode &node = surface.nodes[i];
+    if (const double depth = -obstacle.gap({node.place(), node.inward});
+        depth > sizes[static_cast<Eigen::Index>(i)])
       throw InputError(obstacle.entry() + " is " + to_text(-depth) + " mm at " + place_text(node.place()) +
                        " of the contact surface, which is inside of the counterface by more than a cell: "
                        "allowed are overlaps smaller than that, and a distance that is positive outside of "
@@ -120,7 +113,7 @@ void require_fitting_surface(const Parameters &parameters, const ModelSymmetry &
     return;
   const auto obstacle = make_obstacle(parameters.obstacle);
   const Body body(parameters, symmetry);
-  require_shallow_overlap(*obstacle, body.unknowns().contact_surface(), symmetry);
+  require_shallow_overlap(*obstacle, body.unknowns().contact_surface());
   if (parameters.mesh.backend == BodyBackend::multigrid)
     require_upright_normals(*obstacle, body.unknowns().contact_surface());
 }

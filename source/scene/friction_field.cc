@@ -302,6 +302,9 @@ std::string FrictionField::asymmetry(const ModelSymmetry &symmetry, const Surfac
   const std::string law_text = "Friction/Law = " + options_.law.word();
   if (symmetry.is_axisymmetric() && !options_.has_ellipses())
     return law_text + ", and a section knows ellipses only";
+  // Of its own axes such a section keeps the semi-axes of ellipses alone.
+  if (lies_in_section(symmetry) && !options_.has_ellipses() && (varies() || !has_angle(obstacle)))
+    return law_text + " has axes that are not those of the section";
   if (!has_angle(obstacle))
     return asymmetry_of_frames(symmetry, sample.of(symmetry), obstacle);
   if (varies())

@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 //
 // The friction laws that users choose by Friction/Law.
+#include "semi_axes.h"
+
 #include <orthocone/base/errors.h>
 #include <orthocone/scene/parameters.h>
 #include <orthocone/scene/surface_sample.h>
@@ -27,6 +29,19 @@ void check_pair(const FrictionOptions &options, const std::string &entry, const 
                    (may_be_none ? ", or both 0 (no friction)" : ""));
 }
 
+} // namespace
+
+OrthotropicFriction semi_axes_at(const FrictionOptions &friction, const Eigen::Vector3d &place)
+{
+  const FrictionOptions there = friction.at(place[0], place[1], place[2]);
+  check_pair(friction, "Friction/Coefficients", there.mu, true, place);
+  if (there.mu[0] > 0)
+    check_pair(friction, "Friction/Slip potential", there.p(), false, place);
+  return {there.mu[0], there.mu[1], there.p()[0], there.p()[1]};
+}
+
+namespace
+{
 /// The law of two ellipses. Its entries are those that section Friction has had from the start.
 class Ellipses : public FrictionLawOptions
 {
@@ -36,16 +51,17 @@ public:
   {
     return friction.varying_mu || friction.varying_slip_potential;
   }
+  bool has_semi_axes() const override { return true; }
   FrictionLaw law(const FrictionOptions &friction, const Eigen::Vector3d &place) const override
   {
-    const FrictionOptions there = friction.at(place[0], place[1], place[2]);
-    check_pair(friction, "Friction/Coefficients", there.mu, true, place);
-    if (!there.is_frictionless())
-      check_pair(friction, "Friction/Slip potential", there.p(), false, place);
-    return OrthotropicFriction{there.mu[0], there.mu[1], there.p()[0], there.p()[1]};
+    return semi_axes_at(friction, place);
   }
 };
 } // namespace
+
+// In files of their names, which may be compiled together with this one.
+Kind<FrictionLawOptions> rosette_law();      // NOLINT(readability-redundant-declaration)
+Kind<FrictionLawOptions> superellipse_law(); // NOLINT(readability-redundant-declaration)
 
 template<>
 std::vector<Kind<FrictionLawOptions>> &kinds_of<FrictionLawOptions>()
@@ -54,7 +70,9 @@ std::vector<Kind<FrictionLawOptions>> &kinds_of<FrictionLawOptions>()
       {std::string(FrictionLawKind::ellipses.word),
        "friction forces stay within an elliptic cone (Coefficients), and slip is along the normal of another "
        "ellipse (Slip potential)",
-       [] { return std::make_unique<Ellipses>(); }}};
+       [] { return std::make_unique<Ellipses>(); }},
+      rosette_law(),
+      superellipse_law()};
   return kinds;
 }
 } // namespace orthocone

@@ -196,33 +196,59 @@ FrictionOptions FrictionOptions::at(const double x, const double y, const double
   return there;
 }
 
+static void declare_factor(FrictionOptions &friction, Section &section)
+{
+  const Condition has_friction{[&friction] { return !friction.is_frictionless(); },
+                               [] { return "Friction/Coefficients = 0, 0"; }};
+  const Condition differs{[&friction] { return !friction.factor.is_one(); },
+                          [] { return "its value 1, which changes nothing"; }};
+  section
+      .add(
+          "Factor", friction.factor, factor_codec(),
+          "Factor on all coefficients of friction of a node, which gives friction a memory. It is taken at "
+          "the start of each step from the state behind the last one: s is the length of the node's path of "
+          "slip (mm), w the energy that friction has dissipated per area there (N/mm), p the pressure (MPa), "
+          "v the speed of slip in the last step (mm/s, with a program file that has times), k whether the "
+          "node "
+          "slipped in the last step (1, else 0), and n the number of the cycle, 0 in the preload. The law of "
+          "a step is fixed, so that smaller steps follow a factor "
+          "that changes more exactly, with the first order. 1 + 2*(1 - exp(-s/0.5)) is running-in, and if(k, "
+          "1, 1.2) a "
+          "static friction that is larger by a fifth.")
+      .only_if(has_friction)
+      .only_if(differs)
+      .also_called({"running-in", "lubricant", "third body", "friction history", "memory"});
+}
+
 void declare_friction(FrictionOptions &friction, Section &section)
 {
   friction.law.declare("Law", "Law of friction and slip.", section);
-  const Condition has_ellipses{[&friction] { return friction.has_ellipses(); },
-                               [&friction] { return "Friction/Law = " + friction.law.word(); }};
+  const Condition has_semi_axes{[&friction] { return friction.has_semi_axes(); },
+                                [&friction] { return "Friction/Law = " + friction.law.word(); }};
   section
       .add("Coefficients", coefficients_binding(friction),
            "mu_x, mu_y: coefficients of friction along the two axes of friction, which are the semi-axes of "
-           "the friction ellipse.")
-      .only_if(has_ellipses)
+           "the friction ellipse or superellipse.")
+      .only_if(has_semi_axes)
       .also_called({"mu", "mu_x", "mu_y", "cof", "coefficient", "friction", "friction coefficient"});
   section
       .add("Slip potential", slip_potential_binding(friction),
-           "p_x, p_y: semi-axes of the slip ellipse, whose normal is the direction of slip, so that only "
+           "p_x, p_y: semi-axes of the slip ellipse or superellipse, whose normal is the direction of slip, "
+           "so that only "
            "their ratio matters. associated: those of the friction ellipse; collinear, like two equal "
            "numbers: slip is along the friction force.")
-      .only_if(has_ellipses)
+      .only_if(has_semi_axes)
       .also_called({"p", "slip rule", "slip ellipse"});
   section
       .add("Orthotropy angle", angle_binding(friction),
-           "Angle in degrees from the x axis to the first axis of both ellipses; atan2(y,x)*180/pi makes the "
+           "Angle in degrees from the x axis to the first axis of friction; atan2(y,x)*180/pi makes the "
            "axes radial and circumferential.")
       .unit("degrees")
       .also_called({"angle"});
   section.add("First axis", first_axis_binding(friction),
-              "a_x, a_y, a_z: direction whose projection on the tangent plane is the first axis of both "
-              "ellipses, such as 0, 0, 1 on the side of a shaft; with nothing it is x, turned by Orthotropy "
+              "a_x, a_y, a_z: direction whose projection on the tangent plane is the first axis of "
+              "friction, such as 0, 0, 1 on the side of a shaft; with nothing it is x, turned by Orthotropy "
               "angle.");
+  declare_factor(friction, section);
 }
 } // namespace orthocone

@@ -82,11 +82,14 @@ Vector3d in_model(const Vector3d &place, const Matrix2d &map, const ModelSymmetr
 std::string bodies_in_words(const Parameters &parameters, const ModelSymmetry &symmetry)
 {
   std::string text = "allowed are points of the body (" +
-                     kind_of(parameters.geometry).describe(parameters.geometry) +
-                     "), whose contact surface is at z = 0 and whose other points are above it";
+                     kind_of(parameters.geometry).describe(parameters.geometry) + ")" +
+                     (parameters.geometry.faces_down
+                          ? ", whose contact surface is at z = 0 and whose other points are above it"
+                          : "");
   if (parameters.obstacle.kind == ObstacleKind::body)
     text += ", and of the lower body (" +
-            kind_of(parameters.lower.geometry).describe(parameters.lower.geometry) + ") below it";
+            kind_of(parameters.lower.geometry).describe(parameters.lower.geometry) + ")" +
+            (parameters.geometry.faces_down ? " below it" : "");
   if (symmetry.is_plane_strain())
     text += "; y from " + to_text(-symmetry.section()->thickness / 2) + " to " +
             to_text(symmetry.section()->thickness / 2) + " mm";
@@ -97,6 +100,7 @@ std::string bodies_in_words(const Parameters &parameters, const ModelSymmetry &s
 PointFields mapped(const PointFields &fields, const std::vector<Matrix2d> &maps)
 {
   PointFields mean;
+  mean.stress_error = fields.stress_error;
   for (const Matrix2d &map : maps)
   {
     Matrix3d whole = Matrix3d::Identity();
@@ -126,25 +130,43 @@ PointFields mirrored(PointFields fields)
 
 LinePoints::LinePoints(const Line &line, const Parameters &parameters, const ModelSymmetry &symmetry,
                        const Body &upper, const Body *const lower)
+    : lower_is_mirrored_(parameters.geometry.faces_down)
 {
   const double scale = largest_coordinate(line);
-  std::vector<Vector3d> of_upper, of_lower;
   for (unsigned int i = 0; i < line.n_points; ++i)
   {
     const Vector3d place = without_rounding(line.point(i), scale);
     const std::vector<Matrix2d> maps = maps_to(place, symmetry);
-    const bool is_in_lower = lower != nullptr && place[2] < 0;
-    Vector3d model = in_model(place, maps.front(), symmetry);
-    if (is_in_lower)
-      model[2] = -model[2];
-    std::vector<Vector3d> &body = is_in_lower ? of_lower : of_upper;
-    points_.push_back({place, model, maps, is_in_lower, body.size()});
-    body.push_back(model);
+    points_.push_back({place, in_model(place, maps.front(), symmetry), maps, false, 0});
+  }
+  if (lower != nullptr)
+    find_lower_points(upper);
+  std::vector<Vector3d> of_upper, of_lower;
+  for (Point &point : points_)
+  {
+    if (point.is_in_lower && lower_is_mirrored_)
+      point.in_model[2] = -point.in_model[2];
+    std::vector<Vector3d> &body = point.is_in_lower ? of_lower : of_upper;
+    point.number = body.size();
+    body.push_back(point.in_model);
   }
   upper_.emplace(upper, of_upper);
   if (!of_lower.empty())
     of_lower_.emplace_back(*lower, of_lower);
   require_inside(line, parameters, symmetry);
+}
+
+/// The lower body lies below z = 0, or, where both bodies lie in their places, outside of the upper one.
+void LinePoints::find_lower_points(const Body &upper)
+{
+  std::vector<Vector3d> places;
+  for (const Point &point : points_)
+    places.push_back(point.in_model);
+  std::optional<BodyPoints> in_upper;
+  if (!lower_is_mirrored_)
+    in_upper.emplace(upper, places);
+  for (std::size_t i = 0; i < points_.size(); ++i)
+    points_[i].is_in_lower = in_upper ? !in_upper->is_inside(i) : points_[i].place[2] < 0;
 }
 
 bool LinePoints::is_inside(const Point &point, const ModelSymmetry &symmetry) const
@@ -183,7 +205,7 @@ std::vector<PointFields> LinePoints::fields(const Deformation &upper, const Defo
   for (const Point &point : points_)
   {
     const PointFields &own = (point.is_in_lower ? of_lower : of_upper)[point.number];
-    all.push_back(mapped(point.is_in_lower ? mirrored(own) : own, point.maps));
+    all.push_back(mapped(point.is_in_lower && lower_is_mirrored_ ? mirrored(own) : own, point.maps));
     all.back().place = point.place;
   }
   return all;

@@ -42,6 +42,8 @@ double least_computed_cycles(const LoadOptions &load, const WearOptions &wear)
   // is always computed, in wear as in a response that is periodic.
   if (wear.wears() && wear.largest_jump > 0)
     return std::min(n, 3.);
+  if (load.jump_change_of_friction > 0) // likewise
+    return n == 0 ? 0 : 1 + std::ceil(2 * (n - 1) / (load.jump_cycles + 2.));
   if (load.jump_when_periodic > 0)
     return n == 0 ? 0 : 1 + std::ceil((n - 1) / (load.jump_cycles + 1.));
   return n;
@@ -59,7 +61,7 @@ std::string counted(const double n)
 void check_number_of_steps(const LoadOptions &load, const WearOptions &wear)
 {
   LoadOptions all = load;
-  all.jump_when_periodic = 0;
+  all.jump_when_periodic = all.jump_change_of_friction = 0;
   const double n_all = least_computed_parts(all, WearOptions{}), n_least = least_computed_parts(load, wear);
   if (n_least <= most_solved_parts && n_all <= most_counted_parts)
     return;
@@ -89,7 +91,8 @@ unsigned int LoadOptions::n_cycles() const
 
 bool may_jump(const LoadOptions &load, const WearOptions &wear)
 {
-  return load.jump_when_periodic > 0 || (wear.wears() && wear.largest_jump > 0);
+  return load.jump_when_periodic > 0 || load.jump_change_of_friction > 0 ||
+         (wear.wears() && wear.largest_jump > 0);
 }
 
 double least_computed_parts(const LoadOptions &load, const WearOptions &wear)
@@ -110,6 +113,12 @@ static void declare_jumps(LoadOptions &load, Section &section)
            "Largest number of cycles that are jumped before another one is computed, which shows whether the "
            "response is still periodic.")
       .may_change_on_resume();
+  section.add(
+      "Jump change of friction", load.jump_change_of_friction, number_codec(NumberRange{0, 0.5, true, true}),
+      "Jumps cycles of friction with memory (Friction/Factor): the largest change of the factor at a "
+      "node, relative to its value, in cycles that are jumped, each of which slips and dissipates like "
+      "the last computed one. The program jumps fewer cycles where the factor changes differently from "
+      "jump to jump. 0 = all cycles are computed.");
 }
 
 static void declare_loads(LoadOptions &load, Section &section)

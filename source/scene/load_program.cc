@@ -143,6 +143,7 @@ private:
     }
     const bool is_first = path_leg.leg == &load_.rows.front();
     const double before = is_first ? *row->time - row_time_ : *(path_leg.leg - 1)->row->time;
+    step.seconds = (*row->time - before) / path_leg.leg->steps;
     const unsigned int n_passed = path_leg.cycle - row->cycle;
     step.time = between(before, *row->time, step.share) + n_passed * cycle_time();
   }

@@ -3,6 +3,7 @@
 #include <orthocone/scene/mesh_files.h>
 
 #include <orthocone/body/shapes/imported_mesh.h>
+#include <orthocone/scene/body_overlap.h>
 #include <orthocone/scene/obstacle.h>
 
 #include <sstream>
@@ -39,10 +40,12 @@ std::vector<std::string> mesh_file_warnings(const Parameters &parameters)
   return warnings;
 }
 
-std::vector<std::string> counterface_warnings(const Parameters &parameters)
+std::vector<std::string> counterface_warnings(const Parameters &parameters, const ModelSymmetry &symmetry)
 {
   if (parameters.obstacle.has_normal_z())
     return {};
+  if (parameters.obstacle.kind == ObstacleKind::body)
+    return overlap_warnings(parameters, symmetry);
   return make_obstacle(parameters.obstacle)->warnings(surface_sample(parameters).points);
 }
 } // namespace orthocone

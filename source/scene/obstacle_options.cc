@@ -78,11 +78,13 @@ void declare_obstacle(ObstacleOptions &obstacle, Section &section)
            "mm, and min(A, B) two counterfaces at once. It takes the place of Gap.")
       .unit("mm")
       .also_called({"level set", "signed distance", "sdf"});
-  section.add_word("Normal", obstacle.normal,
-                   "Normal of the counterface. plane: z, and Gap is a distance along z. surface: the "
-                   "counterface fits the body, and Gap is a distance along the normals of its contact "
-                   "surface; where Gap is negative, both overlap by that much, which a load of kind "
-                   "interference drives from 0 to 1.");
+  section.add_word(
+      "Normal", obstacle.normal,
+      "Normal of the counterface. plane: z, and Gap is a distance along z. surface: the "
+      "counterface fits the body, and Gap is a distance along the normals of its contact "
+      "surface; where Gap is negative, both overlap by that much, which a load of kind "
+      "interference drives from 0 to 1. A second body lies in its place then, and Gap is added to "
+      "the distance of both surfaces.");
   obstacle.kind.declare(
       "Kind",
       "The counterface, on which the body is pressed; Gap is the distance between both, whichever of them is "

@@ -48,11 +48,14 @@ void warn_of_large_strain(const std::string &motion, const double largest, const
                        "smaller motion keeps within it");
 }
 
-/// The largest coefficient of friction; infinite where a law that is no ellipse depends on the place.
+/// The largest coefficient of friction; infinite where a law that is no ellipse depends on the place, or
+/// friction has memory.
 double largest_friction(const FrictionOptions &friction)
 {
+  if (friction.has_factor() && !friction.factor.is_constant())
+    return std::numeric_limits<double>::infinity();
   if (friction.has_ellipses())
-    return std::max(friction.mu[0], friction.mu[1]);
+    return friction.factor.value({}) * std::max(friction.mu[0], friction.mu[1]);
   return friction.varies() ? std::numeric_limits<double>::infinity()
                            : friction.law.chosen().law(friction, {0, 0, 0}).largest_friction();
 }

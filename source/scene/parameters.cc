@@ -49,7 +49,7 @@ void share_among_bodies(Parameters &parameters)
   lower.kind = upper.kind;
   lower.thickness = upper.section_thickness();
   upper.loads = lower.loads = parameters.load.loads;
-  upper.faces_down = parameters.obstacle.has_normal_z();
+  upper.faces_down = lower.faces_down = parameters.obstacle.has_normal_z();
 }
 
 ParameterFile read_parameter_file(const std::string &file_name, const std::vector<std::string> &overrides)

@@ -4,8 +4,9 @@
 
 #include <orthocone/base/errors.h>
 #include <orthocone/base/stopwatch.h>
-#include <orthocone/body/backends/factorized_body.h>
 #include <orthocone/multigrid/multigrid_body.h>
+#include <orthocone/scene/body_overlap.h>
+#include <orthocone/scene/body_shelf.h>
 #include <orthocone/scene/change_length.h>
 #include <orthocone/scene/contact_material.h>
 #include <orthocone/scene/first_contact.h>
@@ -28,7 +29,7 @@ void check_fields(const Obstacle &obstacle, const FrictionField &friction, const
   const std::vector<SurfacePoint> points = points_of(surface);
   obstacle.check(points);
   friction.check(points);
-  require_shallow_overlap(obstacle, surface, symmetry);
+  require_shallow_overlap(obstacle, surface);
   if (symmetry.name() == ModelSymmetry().name() && !symmetry.is_section())
     return; // the whole body
   const SurfaceSample sample{points, points};
@@ -51,7 +52,7 @@ double accuracy_of_solutions(const Parameters &parameters)
       least);
 }
 
-std::unique_ptr<const ElasticBody> make_body(const Parameters &parameters, const ModelSymmetry &symmetry,
+std::shared_ptr<const ElasticBody> make_body(const Parameters &parameters, const ModelSymmetry &symmetry,
                                              const std::function<LocalAxes(const ContactSurface &)> &axes_of,
                                              const std::function<void(const Body &)> &on_meshed,
                                              PhaseSeconds &seconds)
@@ -59,7 +60,7 @@ std::unique_ptr<const ElasticBody> make_body(const Parameters &parameters, const
   if (parameters.mesh.backend == BodyBackend::multigrid)
     return make_multigrid_body(parameters, symmetry, accuracy_of_solutions(parameters), axes_of, on_meshed,
                                seconds);
-  return std::make_unique<FactorizedBody>(parameters, symmetry, axes_of, on_meshed, seconds);
+  return BodyShelf::of_process().body(parameters, symmetry, axes_of, on_meshed, seconds);
 }
 
 /// Where the body's surface stands along the normal, or looks away from the counterface, nothing presses on
@@ -146,7 +147,10 @@ Scene::Scene(const Parameters &parameters, const ModelChoice &choice, const Obst
       system_(compliance(), friction_.laws(surface(), obstacle, choice.symmetry))
 {
   if (lower_)
+  {
     gaps_ += lower_->gaps();
+    require_driven_overlap(parameters, gaps_(Eigen::seqN(0, system_.n_nodes(), 3)), surface());
+  }
   part_overlap();
   if (friction_.varies() || !obstacle.is_plane())
     change_lengths_ = orthocone::change_lengths(obstacle, friction_, surface(), axes_);

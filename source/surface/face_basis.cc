@@ -129,6 +129,20 @@ Vector2d PlaneFace::position(const Vector2d &unit) const
   return position;
 }
 
+Vector2d PlaneFace::gradient(const Eigen::VectorXd &field, const Vector2d &unit) const
+{
+  std::vector<Vector2d> of_field; // as places of which one coordinate is the field
+  for (const double value : field)
+    of_field.emplace_back(value, 0);
+  return with_constant(nodes_.size(),
+                       [&](const auto n) -> Vector2d
+                       {
+                         const Matrix2d of_place = linearized<n>(nodes_, places_, {0, 0}, unit).second,
+                                        slopes = linearized<n>(nodes_, of_field, {0, 0}, unit).second;
+                         return of_place.transpose().inverse() * slopes.row(0).transpose();
+                       });
+}
+
 Vector2d PlaneFace::unit_of(const Vector2d &position, const Vector2d &guess) const
 {
   constexpr unsigned int most_iterations = 30; // of Newton's method, which takes 2 to 5
@@ -165,24 +179,28 @@ Vector2d on_edge(const unsigned int edge, const double share)
 }
 } // namespace
 
-bool PlaneFace::is_straight(const unsigned int edge) const
+bool PlaneFace::is_straight(const unsigned int edge, const bool is_projected) const
 {
   constexpr double rounding = 1e-12;
-  const Vector2d first = position(on_edge(edge, 0)), last = position(on_edge(edge, 1));
+  const Vector2d first = position(on_edge(edge, 0)), last = position(on_edge(edge, 1)), way = last - first;
   for (const double node : nodes_)
-    if ((position(on_edge(edge, node)) - first - node * (last - first)).norm() >
-        rounding * (last - first).norm())
+  {
+    Vector2d off = position(on_edge(edge, node)) - first - node * way;
+    if (is_projected)
+      off -= off.dot(way) / way.squaredNorm() * way;
+    if (off.norm() > rounding * way.norm())
       return false;
+  }
   return true;
 }
 
-std::vector<Vector2d> PlaneFace::outline() const
+std::vector<Vector2d> PlaneFace::outline(const bool is_projected) const
 {
   constexpr unsigned int n_pieces = 4; // a 16th of the sagitta is left
   constexpr unsigned int n_edges = 4;
   std::vector<Vector2d> corners;
   for (unsigned int edge = 0; edge < n_edges; ++edge)
-    for (unsigned int i = 0, n = is_straight(edge) ? 1 : n_pieces; i < n; ++i)
+    for (unsigned int i = 0, n = is_straight(edge, is_projected) ? 1 : n_pieces; i < n; ++i)
       corners.push_back(position(on_edge(edge, static_cast<double>(i) / n)));
   return corners;
 }

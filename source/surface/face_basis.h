@@ -32,15 +32,22 @@ public:
 
   Eigen::Vector2d position(const Eigen::Vector2d &unit) const;
 
+  /// Places of the nodes along both directions of the unit square.
+  const std::vector<double> &nodes() const { return nodes_; }
+
+  /// The gradient with respect to the position of a field with these values at the nodes, in its unit per mm.
+  Eigen::Vector2d gradient(const Eigen::VectorXd &field, const Eigen::Vector2d &unit) const;
+
   /// The point of the unit square, or close to it, that has this position (mm). A `guess` that is close to it
   /// takes fewer iterations.
   Eigen::Vector2d unit_of(const Eigen::Vector2d &position, const Eigen::Vector2d &guess = {0.5, 0.5}) const;
 
-  /// Corners (mm) of a polygon along the edges: straight edges stay, curved ones become short pieces.
-  std::vector<Eigen::Vector2d> outline() const;
+  /// Corners (mm) of a polygon along the edges: straight edges stay, curved ones become short pieces. Nodes
+  /// of a projected face need not be evenly spaced on a straight edge.
+  std::vector<Eigen::Vector2d> outline(bool is_projected = false) const;
 
 private:
-  bool is_straight(unsigned int edge) const;
+  bool is_straight(unsigned int edge, bool is_projected) const;
 
   const std::vector<double> &nodes_;
   std::vector<Eigen::Vector2d> places_;

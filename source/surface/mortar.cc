@@ -2,14 +2,11 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/surface/mortar.h>
 
-#include "face_basis.h"
-#include "face_pieces.h"
+#include "opposed_faces.h"
 
 #include <Eigen/Dense>
-#include <Eigen/Geometry>
 
 #include <algorithm>
-#include <cmath>
 #include <utility>
 
 namespace orthocone
@@ -21,80 +18,12 @@ using Eigen::VectorXd;
 
 namespace
 {
-template<typename Places>
-Eigen::AlignedBox2d box_of(const Places &places)
-{
-  Eigen::AlignedBox2d box;
-  for (const Vector2d &place : places)
-    box.extend(place);
-  return box;
-}
-
-/// Whether two boxes share more than an edge.
-bool overlap(const Eigen::AlignedBox2d &a, const Eigen::AlignedBox2d &b)
-{
-  return (a.max().cwiseMin(b.max()).array() > a.min().cwiseMax(b.min()).array()).all();
-}
-
-/// A triangle of an outline.
-struct Part
-{
-  SignedTriangle triangle;
-  Eigen::AlignedBox2d box;
-};
-
-/// A face and the triangles of its outline.
-struct CutFace
-{
-  CutFace(const unsigned int degree, std::vector<Vector2d> places)
-      : face(degree, std::move(places)),
-        area(std::abs(signed_area(face.outline()))),
-        box(box_of(face.outline()))
-  {
-    for (const SignedTriangle &triangle : triangles(face.outline()))
-      parts.push_back({triangle, box_of(triangle.corners)});
-  }
-  PlaneFace face;
-  std::vector<Part> parts{};
-  double area;
-  Eigen::AlignedBox2d box;
-};
-
-std::vector<CutFace> cut_faces(const ContactSurface &surface)
-{
-  std::vector<CutFace> faces;
-  for (const auto &face : surface.faces)
-  {
-    std::vector<Vector2d> places;
-    for (const unsigned int node : face)
-      places.emplace_back(surface.nodes[node].position[0], surface.nodes[node].position[1]);
-    faces.emplace_back(surface.degree, std::move(places));
-  }
-  return faces;
-}
-
-/// Calls use(polygon, sign) with the convex parts, and signs, of which the intersection of two faces is the
-/// sum. What they share along an edge, by rounding, is no part.
-template<typename Use>
-void at_common_parts(const CutFace &own, const CutFace &other, const Use &use)
-{
-  constexpr double rounding = 1e-14; // of an area
-  if (!overlap(own.box, other.box))
-    return;
-  for (const auto &[part, box] : own.parts)
-    for (const auto &[of_other, other_box] : other.parts)
-      if (overlap(box, other_box))
-        if (const PlanePolygon common = common_part(part.corners, of_other.corners);
-            signed_area(common) > rounding * own.area)
-          use(common, part.sign * of_other.sign);
-}
-
 /// Area of a face that others cover, mm^2.
-double covered_area(const CutFace &face, const std::vector<CutFace> &others)
+double covered_area(const Opposition &faces)
 {
   double area = 0;
-  for (const CutFace &below : others)
-    at_common_parts(face, below,
+  for (const auto &other : faces.others)
+    at_common_parts(*faces.own, *other,
                     [&](const PlanePolygon &common, const double sign)
                     { area += sign * signed_area(common); });
   return area;
@@ -104,10 +33,7 @@ double covered_area(const CutFace &face, const std::vector<CutFace> &others)
 void look_at(const CutFace &face, const double area, SurfaceCover &cover)
 {
   if (const double part = area / face.area; part < cover.least)
-  {
-    const Vector2d centre = face.face.position({0.5, 0.5});
-    cover = {part, {{centre[0], centre[1]}}};
-  }
+    cover = {part, face.centre};
 }
 
 /// Gauss points of a triangle, with one corner as the end of a square.
@@ -148,7 +74,7 @@ struct FaceIntegrals
   }
   VectorXd single;
   MatrixXd products;
-  std::vector<std::pair<std::size_t, MatrixXd>> mixed; ///< with the nodes of a face of the other surface
+  std::vector<std::pair<std::vector<unsigned int>, MatrixXd>> mixed; ///< with nodes of the other surface
   double area = 0;
 };
 
@@ -167,7 +93,8 @@ void add_common(const CutFace &own, const CutFace &other, const TriangleRule &ru
                                      at = own.face.unit_of(position, at);
                                      at_other = other.face.unit_of(position, at_other);
                                      const PlaneFace::Values values = own.face.values(at);
-                                     const PlaneFace::Values weighted = sign * area * values;
+                                     const PlaneFace::Values weighted =
+                                         sign * area * own.steepness(values) * values;
                                      sums.single += weighted;
                                      sums.products.noalias() += weighted * values.transpose();
                                      mixed.noalias() += weighted * other.face.values(at_other).transpose();
@@ -175,17 +102,17 @@ void add_common(const CutFace &own, const CutFace &other, const TriangleRule &ru
                   });
 }
 
-FaceIntegrals integrals(const CutFace &own, const std::vector<CutFace> &others, const TriangleRule &rule)
+FaceIntegrals integrals(const Opposition &faces, const TriangleRule &rule)
 {
-  FaceIntegrals sums(own.face.values({0, 0}).size());
-  for (std::size_t k = 0; k < others.size(); ++k)
+  FaceIntegrals sums(static_cast<Index>(faces.own->nodes.size()));
+  for (const auto &other : faces.others)
   {
-    if (!overlap(own.box, others[k].box))
+    if (!overlap(faces.own->box, other->box))
       continue;
-    MatrixXd mixed = MatrixXd::Zero(sums.single.size(), others[k].face.values({0, 0}).size());
-    add_common(own, others[k], rule, sums, mixed);
+    MatrixXd mixed = MatrixXd::Zero(sums.single.size(), static_cast<Index>(other->nodes.size()));
+    add_common(*faces.own, *other, rule, sums, mixed);
     if (!mixed.isZero(0))
-      sums.mixed.emplace_back(k, std::move(mixed));
+      sums.mixed.emplace_back(other->nodes, std::move(mixed));
   }
   return sums;
 }
@@ -194,10 +121,9 @@ FaceIntegrals integrals(const CutFace &own, const std::vector<CutFace> &others, 
 class MapSums
 {
 public:
-  MapSums(const ContactSurface &surface, const ContactSurface &other)
-      : surface_(surface),
-        other_(other),
-        single_(VectorXd::Zero(static_cast<Index>(surface.nodes.size())))
+  MapSums(const std::size_t n_nodes, const std::size_t n_others)
+      : n_others_(static_cast<Index>(n_others)),
+        single_(VectorXd::Zero(static_cast<Index>(n_nodes)))
   {
   }
 
@@ -208,69 +134,88 @@ public:
     const MatrixXd dual = of.single.asDiagonal() * of.products.inverse();
     for (std::size_t i = 0; i < face.size(); ++i)
       single_[face[i]] += of.single[static_cast<Index>(i)];
-    for (const auto &[number, mixed] : of.mixed)
+    for (const auto &[others, mixed] : of.mixed)
     {
       const MatrixXd seen = dual * mixed;
       for (std::size_t i = 0; i < face.size(); ++i)
-        for (std::size_t j = 0; j < other_.faces[number].size(); ++j)
-          terms_.emplace_back(face[i], other_.faces[number][j],
-                              seen(static_cast<Index>(i), static_cast<Index>(j)));
+        for (std::size_t j = 0; j < others.size(); ++j)
+          terms_.emplace_back(face[i], others[j], seen(static_cast<Index>(i), static_cast<Index>(j)));
     }
   }
 
   Eigen::SparseMatrix<double> map() const
   {
-    Eigen::SparseMatrix<double> map(static_cast<Index>(surface_.nodes.size()),
-                                    static_cast<Index>(other_.nodes.size()));
+    Eigen::SparseMatrix<double> map(single_.size(), n_others_);
     map.setFromTriplets(terms_.begin(), terms_.end());
     return single_.cwiseInverse().asDiagonal() * map;
   }
 
 private:
-  const ContactSurface &surface_, &other_;
+  Index n_others_;
   VectorXd single_;
   std::vector<Eigen::Triplet<double>> terms_;
 };
 } // namespace
 
-SurfaceCover surface_cover(const ContactSurface &surface, const ContactSurface &other)
+SurfaceCover surface_cover(const ContactSurface &surface, const ContactSurface &other, const Facing facing)
 {
-  const std::vector<CutFace> others = cut_faces(other);
+  const OpposedFaces faces(surface, other, facing);
   SurfaceCover cover;
-  for (const CutFace &face : cut_faces(surface))
-    look_at(face, covered_area(face, others), cover);
+  for (std::size_t i = 0; i < faces.size(); ++i)
+  {
+    const Opposition opposed = faces.at(i);
+    look_at(*opposed.own, covered_area(opposed), cover);
+  }
   return cover;
 }
 
-double covered_share(const ContactSurface &surface, const ContactSurface &other)
+double covered_share(const ContactSurface &surface, const ContactSurface &other, const Facing facing)
 {
-  const std::vector<CutFace> others = cut_faces(other);
+  const OpposedFaces faces(surface, other, facing);
   double covered = 0, area = 0;
-  for (const CutFace &face : cut_faces(surface))
+  for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    covered += covered_area(face, others);
-    area += face.area;
+    const Opposition opposed = faces.at(i);
+    covered += covered_area(opposed);
+    area += opposed.own->area;
   }
   return area > 0 ? covered / area : 1;
 }
 
-MortarMap mortar_map(const ContactSurface &surface, const ContactSurface &other)
+MortarMap mortar_map(const ContactSurface &surface, const ContactSurface &other, const Facing facing)
 {
-  const std::vector<CutFace> own = cut_faces(surface), others = cut_faces(other);
+  const OpposedFaces faces(surface, other, facing);
   // This is exact for products of two functions on parallelograms.
   const TriangleRule rule(2 * std::max(surface.degree, other.degree) + 1);
   MortarMap result;
-  MapSums sums(surface, other);
-  for (std::size_t i = 0; i < own.size(); ++i)
+  MapSums sums(surface.nodes.size(), other.nodes.size());
+  for (std::size_t i = 0; i < faces.size(); ++i)
   {
-    const FaceIntegrals of = integrals(own[i], others, rule);
-    look_at(own[i], of.area, result.cover);
+    const Opposition opposed = faces.at(i);
+    const FaceIntegrals of = integrals(opposed, rule);
+    look_at(*opposed.own, of.area, result.cover);
     if (result.cover.is_enough())
-      sums.add(surface.faces[i], of);
+      sums.add(opposed.own->nodes, of);
   }
   if (result.cover.is_enough())
     result.map = sums.map();
   return result;
+}
+
+VectorXd distances(const ContactSurface &surface, const ContactSurface &other,
+                   const Eigen::SparseMatrix<double> &map)
+{
+  MatrixXd places(static_cast<Index>(other.nodes.size()), 3);
+  for (std::size_t j = 0; j < other.nodes.size(); ++j)
+    places.row(static_cast<Index>(j)) = other.nodes[j].place();
+  const MatrixXd seen = map * places;
+  VectorXd distances(seen.rows());
+  for (Index i = 0; i < seen.rows(); ++i)
+  {
+    const ContactNode &node = surface.nodes[static_cast<std::size_t>(i)];
+    distances[i] = node.inward.dot(node.place() - seen.row(i).transpose());
+  }
+  return distances;
 }
 
 MatrixXd mapped_compliance(const Eigen::SparseMatrix<double> &map, const DenseView &compliance)

@@ -53,9 +53,9 @@ ContactSurface as_faces(const ContactSurface &surface, const ModelSymmetry &symm
 }
 
 MortarMap mortar_map(const ContactSurface &surface, const ContactSurface &other,
-                     const ModelSymmetry &symmetry)
+                     const ModelSymmetry &symmetry, const Facing facing)
 {
-  MortarMap mortar = mortar_map(as_faces(surface, symmetry), as_faces(other, symmetry));
+  MortarMap mortar = mortar_map(as_faces(surface, symmetry), as_faces(other, symmetry), facing);
   if (symmetry.is_plane_strain() && mortar.cover.is_enough())
     mortar.map = of_lines(mortar.map, surface.degree + 1, other.degree + 1);
   return mortar;

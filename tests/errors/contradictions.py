@@ -254,6 +254,30 @@ ROWS = [
     ("second_probe_outside", "subsection Output\n  set Probes = Centre: 0 0 ; Far: 0 -11\nend\n",
      "{file}: Output/Probes: 'Far' at (0, -11) is off the contact surface: allowed are points within "
      "Geometry/Radius = 10 of the axis"),
+    ("factor_infinite_at_the_start", "subsection Friction\n  set Factor = 1/s\nend\n",
+     "{file}: Friction/Factor = 1/s is infinite at the start, where s, w, p and v are 0 and n is 1: allowed is a finite "
+     "number > 0 there, as 1 + s/(0.1 + s) has it"),
+    ("factor_of_a_speed_without_times", "subsection Friction\n  set Factor = 1/(1 + v)\nend\n",
+     "{file}: Friction/Factor = 1/(1 + v) contains v, the speed of slip, but the load program has no times: allowed is a "
+     "Load program/Program file with a column 'time', or an expression without v"),
+    ("factor_that_is_periodic",
+     "subsection Friction\n  set Factor = 1 + w\nend\nsubsection Load program\n  set Jump when periodic = 1e-6\nend\n",
+     "{file}: Load program/Jump when periodic = 1e-06 with Friction/Factor = 1 + w: allowed is 0, because friction that "
+     "changes from cycle to cycle is not periodic (Load program/Jump change of friction jumps cycles)"),
+    ("factor_that_jumps_without_memory",
+     "subsection Friction\n  set Factor = 1 + p\nend\nsubsection Load program\n  set Jump change of friction = 0.1\nend\n",
+     "{file}: Load program/Jump change of friction = 0.1 with Friction/Factor = 1 + p: allowed is 0, because no slip, "
+     "energy or cycle changes this friction"),
+    ("factor_that_jumps_with_wear",
+     "subsection Friction\n  set Factor = 1 + n\nend\nsubsection Wear\n  set Law = archard\n  set Coefficient = 1e-8\n"
+     "  set Largest depth of a jump = 1e-3\nend\n",
+     "{file}: Wear/Largest depth of a jump = 0.001 with Friction/Factor = 1 + n: allowed is 0, or a Load program/Jump "
+     "change of friction > 0, which bounds what friction changes in a jump"),
+    ("factor_that_jumps_and_wears",
+     "subsection Friction\n  set Factor = 1 + n\nend\nsubsection Wear\n  set Law = archard\n  set Coefficient = 1e-8\nend\n"
+     "subsection Load program\n  set Jump change of friction = 0.1\nend\n",
+     "{file}: Load program/Jump change of friction = 0.1 with Wear/Law = archard: allowed is 0, or a Wear/Largest depth of a "
+     "jump > 0, which bounds what a jump wears"),
     ("stop_and_jump",
      "subsection Load program\n  set Stop when periodic = 1e-8\n  set Jump when periodic = 1e-6\nend\n",
      "{file}: Load program/Stop when periodic = 1e-08 and Load program/Jump when periodic = 1e-06: allowed is one "

@@ -4,6 +4,8 @@
 FOLDER = "values"
 NAME = "a name without '#', '\\', ',', ';' and ':', a number, or nothing"
 SUPPORTS = "nothing, or surfaces with their directions, such as 'x+: x ; side: x y z'"
+CURVED = ("nothing, or surfaces, each once, that are cylinders, spheres or planes, such as 'bore: cylinder through 0 0 5 along "
+          "0 1 0 ; ball: sphere about 0 0 8 ; end: plane'")
 REGIONS = ('nothing, or regions "name: E, nu" (E > 0 in MPa, nu > -1 and < 0.5; each volume once), separated by \';\'')
 
 
@@ -20,6 +22,10 @@ ROWS = [
     *(row(f"supports_{name}", "Geometry", "Supports", value, SUPPORTS)
       for name, value in (("without_directions", "x+"), ("of_nothing", ": x"), ("along_r", "side: r"),
                           ("along_x_twice", "side: x x"), ("without_semicolon", "x-: x, x+: x"))),
+    *(row(f"curved_surfaces_{name}", "Geometry", "Curved surfaces", value, CURVED)
+      for name, value in (("cone", "bore: cone"), ("zero_axis", "bore: cylinder through 0 0 0 along 0 0 0"),
+                          ("two_numbers", "bore: sphere about 0 0"), ("without_axis", "bore: cylinder through 0 0 0"),
+                          ("twice", "end: plane ; end: plane"))),
     row("law_plastic", "Material", "Law", "plastic", "isotropic | orthotropic"),
     row("young_moduli_two", "Material", "Young moduli", "14000, 900", "three numbers > 0 separated by commas"),
     row("poisson_ratios_four", "Material", "Poisson ratios", "0.3, 0.3, 0.3, 0.3", "three numbers separated by commas"),

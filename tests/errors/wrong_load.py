@@ -69,6 +69,8 @@ ROWS = [
      "{file}:4: Load program/Steps per row = 0: allowed is a whole number from 1 to 1000"),
     ("program_file_of_windows", "subsection Load program\n  set Cycles = 1\n  set Program file = c:\\signal.csv\nend\n",
      "{file}:4: Load program/Program file = c:\\signal.csv: allowed is a path without '#' and '\\', or nothing"),
+    ("jump_change_of_friction_negative", "subsection Load program\n  set Jump change of friction = -0.1\nend\n",
+     "{file}:3: Load program/Jump change of friction = -0.1: allowed is a number >= 0 and <= 0.5"),
     ("jump_cycles_zero", "subsection Load program\n  set Jump when periodic = 1e-8\n  set Jump cycles = 0\nend\n",
      "{file}:4: Load program/Jump cycles = 0: allowed is a whole number from 1 to 1000000"),
     ("jump_when_periodic_negative", "subsection Load program\n  set Jump when periodic = -1e-8\nend\n",

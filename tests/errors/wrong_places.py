@@ -64,6 +64,10 @@ ROWS = [
     ("gap_decimal_comma", *gap("0,1*x", "; a ',' stands outside of parentheses")),
     ("gap_unit", *gap("0.1 MPa", "; 'MPa' is not known; MPa is a unit of stress, and this entry has mm, um, \u00b5m, nm, cm, m")),
     ("gap_file_of_windows", *setting("Obstacle", "Gap file", "measured\\gap.txt", "a path without '#' and '\\', or nothing")),
+    ("rosette_of_windows", *setting("Friction", "Rosette", "measured\\friction.txt", "a path without '#' and '\\', or nothing")),
+    ("rosette_weight_negative", *setting("Friction", "Rosette weight", "-0.5", "a number >= 0 and <= 1000, or an expression of x, y and z")),
+    ("exponent_of_a_rhombus", *setting("Friction", "Exponent", "1", "a number >= 1.05 and <= 20")),
+    ("slip_exponent_associated", *setting("Friction", "Slip exponent", "associated", "a number >= 0 and <= 20")),
     ("wear_law_of_holm", *setting("Wear", "Law", "holm", "none | archard | energy")),
     ("wear_coefficient_negative", *setting("Wear", "Coefficient", "-1e-8", "a number >= 0 and <= 1e+06")),
     ("wear_coefficient_of_a_unit", *setting("Wear", "Coefficient", "1e-8 mm", "a number >= 0 and <= 1e+06; mm is a unit of length, and this entry has MPa\u207b\u00b9, "

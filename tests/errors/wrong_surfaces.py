@@ -3,6 +3,23 @@
 """Counterfaces, contact surfaces and axes of friction that cannot be: name of the file, its text without the message, the
 message."""
 FOLDER = "surfaces"
+
+
+def of_file(mesh, curved="", kind="solid"):
+    """A body from a file of the folder `included`, with this entry Curved surfaces."""
+    return (f"subsection Geometry\n  set Kind = {kind}\n  set Shape = file\n  set Mesh file = included/{mesh}.msh\n"
+            f"  set Contact surface = bore\n  set Held surface = rim\n  set Curved surfaces = {curved}\nend\n")
+
+
+def sides_of_boxes(gap=0, lower="x-", load="push: pressure on y-"):
+    """Two boxes in one place, of which the sides x+ and x- touch."""
+    return ("subsection Geometry\n  set Shape = box\n  set Top face = free\n  set Supports = x-: x y z\n  set Contact surface = x+\n"
+            "end\nsubsection Lower geometry\n  set Shape = box\n  set Top face = free\n  set Supports = x+: x y z\n"
+            f"  set Contact surface = {lower}\nend\nsubsection Obstacle\n  set Kind = body\n  set Normal = surface\n  set Gap = {gap}\n"
+            "end\nsubsection Friction\n  set Coefficients = 0.3, 0.3\nend\n"
+            f"subsection Load program\n  set Loads = {load}\n  set Legs = {load.split(':')[0]} 1 : 1\nend\n")
+
+
 ROWS = [
     ("distance_and_gap",
      "subsection Obstacle\n  set Distance = z\n  set Gap = x^2\nend\n",
@@ -18,10 +35,36 @@ ROWS = [
      "distance from a place (x, y, z), or Obstacle/Normal = surface"),
     ("distance_of_a_half_space",
      "subsection Obstacle\n  set Distance = z\n  set Kind = half-space\nend\n",
-     "{file}: Obstacle/Distance = z with Obstacle/Kind = half-space, whose normal is z: allowed is Kind = rigid"),
-    ("normals_of_a_body",
+     "{file}: Obstacle/Distance = z with Obstacle/Kind = half-space: allowed is Kind = rigid, or Normal = surface and "
+     "Kind = body"),
+    ("distance_of_a_body",
+     "subsection Obstacle\n  set Distance = z\n  set Kind = body\nend\n",
+     "{file}: Obstacle/Distance = z with Obstacle/Kind = body: allowed is Kind = rigid, or Normal = surface and Kind = "
+     "body"),
+    ("normals_of_a_half_space",
+     "subsection Obstacle\n  set Normal = surface\n  set Kind = half-space\nend\n",
+     "{file}: Obstacle/Normal = surface with Obstacle/Kind = half-space: allowed is Kind = rigid or body"),
+    ("body_that_looks_away",
      "subsection Obstacle\n  set Normal = surface\n  set Kind = body\nend\n",
-     "{file}: Obstacle/Normal = surface with Obstacle/Kind = body, whose normal is z: allowed is Kind = rigid"),
+     "{file}: Obstacle/Normal = surface: the contact surface of the lower body lies opposite 0 % of the face of the "
+     "contact surface about (0.4419, 0.4419) mm, along its normal: allowed are 90 and more of every face; both bodies "
+     "lie in their places, and the larger contact surface is that of the lower body"),
+    ("bodies_in_one_place",
+     sides_of_boxes(),
+     "{file}: Obstacle/Normal = surface: both bodies overlap by up to 20 mm, at (10, -10) mm, which is more than a "
+     "cell: allowed are bodies that lie in their places, side by side, in the axes of the same scene"),
+    ("bodies_that_overlap_without_interference",
+     sides_of_boxes(gap=19),
+     "{file}: Obstacle/Normal = surface: both bodies overlap by up to 1 mm, at (10, -10) mm: allowed is Load "
+     "program/Loads = fit: interference, which legs drive from 0 to 1, or bodies that do not overlap"),
+    ("interference_of_bodies_apart",
+     sides_of_boxes(gap=21, load="fit: interference"),
+     "{file}: Load program/Loads: 'fit: interference' drives nothing, because the bodies overlap nowhere: allowed are "
+     "meshes that overlap, a negative Obstacle/Gap, such as -0.01, or no such load"),
+    ("lower_contact_surface_unknown",
+     sides_of_boxes(lower="flank"),
+     "{file}: Lower geometry/Contact surface = flank names no surface of Lower geometry/Shape = box: allowed are base, x-, "
+     "x+, y-, y+"),
     ("distance_has_no_gradient",
      "subsection Obstacle\n  set Distance = 0*x + 0.001\nend\n",
      "{file}: Obstacle/Distance = 0*x + 0.001 has the gradient 0 at (-2.652, -2.652) mm of the contact surface, so "
@@ -114,4 +157,31 @@ ROWS = [
      "subsection Friction\n  set First axis = 1, sqrt(x), 0\nend\n",
      "{file}: Friction/First axis is not a number at (-2.652, -2.652) mm of the contact surface: allowed are three "
      "finite numbers"),
+    ("curved_surface_that_is_none", of_file("pipe", "shaft: plane"),
+     "{file}: Geometry/Curved surfaces = shaft is no physical surface: allowed in {absolute}/included/pipe.msh are bore "
+     "(1), rim (2), left (3), right (4), front (5), back (6), each once, and y min (0), y max (5) and other planes on "
+     "its outside such as x = 0"),
+    ("node_off_its_cylinder", of_file("pipe", "bore: cylinder through 0 0 0.1 along 0 1 0"),
+     "{file}: Geometry/Curved surfaces = bore: cylinder through 0 0 0.1 along 0 1 0: the node at (0, 0, 4) mm is 3.9 mm "
+     "off the axis, and the mean radius is 3.91995035 mm: allowed is 1e-6 of it for all nodes of the surface; correct "
+     "the axis, or give the round part a physical surface of its own"),
+    ("node_off_its_sphere", of_file("pipe", "rim: sphere about 0 0 0"),
+     "{file}: Geometry/Curved surfaces = rim: sphere about 0 0 0: the node at (-4.243, 0, 4.243) mm is 6 mm off the "
+     "centre, and the mean radius is 6.90512484 mm: allowed is 1e-6 of it for all nodes of the surface; correct the "
+     "centre, or give the round part a physical surface of its own"),
+    ("node_off_its_plane", of_file("pipe", "rim: plane"),
+     "{file}: Geometry/Curved surfaces = rim: plane: the node at (0, 0, 6) mm is 1.17157288 mm off the mean plane of "
+     "its surface: allowed is 1e-6 of the length of the body; name a surface that is plane"),
+    ("sphere_in_a_section", of_file("section", "bore: sphere about 0 0 0", "plane strain"),
+     "{file}: Geometry/Curved surfaces = bore: sphere about 0 0 0 with Geometry/Kind = plane strain: allowed are "
+     "cylinders along y, such as 'cylinder through 0 0 0 along 0 1 0', and planes"),
+    ("inclined_cylinder_in_a_section", of_file("section", "bore: cylinder through 0 0 0 along 1 1 0", "plane strain"),
+     "{file}: Geometry/Curved surfaces = bore: cylinder through 0 0 0 along 1 1 0 with Geometry/Kind = plane strain: "
+     "allowed are cylinders along y, such as 'cylinder through 0 0 0 along 0 1 0', and planes"),
+    ("inverted_by_an_edge", of_file("bent"),
+     "{file}: {absolute}/included/bent.msh: the cell at (0.5, 0.5, 0.5) mm is inverted: allowed are hexahedra with a "
+     "positive volume at every point, not only at their corners (gmsh: Mesh.HighOrderOptimize = 1)"),
+    ("two_orders", of_file("two_orders"),
+     "{file}: {absolute}/included/two_orders.msh: has 1 element of first order beside 6 of second order: allowed is one "
+     "order for all (gmsh: Mesh.ElementOrder = 2)"),
 ]

@@ -48,6 +48,9 @@ SCENES = {
     "tall body": ("paper/case_c.prm", [*ISOTROPIC, "Mesh/Layers=8", "Geometry/Height=60", "Material/Poisson ratio=0",
                                        "Mesh/Refinements=1", "Load program/Cycles=1",
                                        "Load program/Legs=uz -0.05 : 2 ; ux 0.02 : 2 ; uy 0.02 : 2"]),
+    "pin on its sphere, cells of two sizes": (
+        "import/pin.prm", ["Geometry/Curved surfaces=cap: sphere about 0 0 10", "Mesh/Refined cells=0-40",
+                           "Load program/Legs=0 0 -0.02 : 2 ; 0 0 -0.01 : 1", "Load program/Cycles=1"]),
     "guided": ("paper/case_b.prm", [*ISOTROPIC, *ONE_CYCLE, "Geometry/Top face=guided", "Mesh/Refinements=1"]),
     "box between supports": ("paper/case_c.prm", [*BOX, *FRETTING, "Mesh/Refinements=1", "Mesh/Refined cells=0-1 5",
                                                   "Geometry/Supports=x+: x z ; y-: y"]),

@@ -61,7 +61,7 @@ def bad_files():
 
 
 def expectation(file):
-    """The message that a file expects, with {file} and {folder}."""
+    """The message that a file expects, with {file}, {folder} and {absolute}, its absolute path."""
     sibling = ERRORS / f"{file}.expect"
     if sibling.exists():
         return text_of(sibling).rstrip("\n")
@@ -93,6 +93,7 @@ class BadFileTest(rejection.RejectionTest):
 
     def assert_message(self, file, given):
         message = expectation(file).replace("{file}", given).replace("{folder}", str(pathlib.Path(given).parent))
+        message = message.replace("{absolute}", str((self.errors / file).parent))  # as the program shows mesh files
         result = self.assert_rejected([given], rejection.WRONG_INPUT, "", errors="surrogateescape")
         self.assertEqual(result.stderr, f"orthocone: {message}\n")
 

@@ -36,6 +36,19 @@ def box():
     return nodes, np.array(cells)
 
 
+EDGES = ((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7))  # in the order of Abaqus
+IN_GMSH = (0, 3, 8, 1, 9, 2, 10, 11, 4, 7, 5, 6)
+
+
+def with_middles(nodes, cells):
+    """Nodes with those in the middles of bent edges, and the cells of 20 nodes in the order of Abaqus."""
+    ends = np.sort(cells[:, EDGES], axis=2)
+    edges, number = np.unique(ends.reshape(-1, 2), axis=0, return_inverse=True)
+    middles = nodes[edges].mean(axis=1)
+    middles += 0.1 * np.sin(np.arange(middles.size)).reshape(-1, 3) * (middles[:, 2] * (1 - middles[:, 2]))[:, None]
+    return np.vstack([nodes, middles]), np.hstack([cells, len(nodes) + number.reshape(len(cells), -1)])
+
+
 def faces_at(nodes, cells, z):
     """Rows of cell, label and nodes of the faces at a height."""
     return [(cell, label, cells[cell][list(face)]) for cell in range(len(cells)) for label, face in FACES.items()
@@ -192,6 +205,30 @@ class ImportTest(MeshFileTest):
                 self.assertRegex(result.stderr, r"is not a text file; a mesh by Gmsh in ASCII .* which tools/import makes of binary ")
                 self.assertIn("surfaces: foot (12 faces), head (12 faces)\nimport: volumes: part\n", self.converted("binary.msh"))
                 self.assert_same_files(self.solve("converted.msh", *NAMED), names, TABLES)
+
+    def test_second_order(self):
+        """Hexahedra of 20 nodes by Abaqus and in binary files keep their edges: the same run to the last bit."""
+        nodes, cells = with_middles(self.nodes, self.cells)
+        middle = {frozenset(cell[list(edge)]): cell[8 + i] for cell in cells for i, edge in enumerate(EDGES)}
+        hexahedra = [(17, 3, cell[[*range(8), *(8 + i for i in IN_GMSH)]]) for cell in cells]
+        quads = [(16, group, [*face, *(middle[frozenset(pair)] for pair in zip(face, np.roll(face, -1)))])
+                 for group, faces in ((1, self.foot), (2, self.head)) for _, _, face in faces]
+        self.write("curved.msh", msh(nodes, quads + hexahedra, '2 1 "foot"\n2 2 "head"\n3 3 "Part"'))
+        curved = self.solve("curved.msh", *NAMED, "Mesh/Degree=2")
+        faces = {name: "\n".join(f"{cell + 1}, {label}" for cell, label, _ in rows)
+                 for name, rows in (("foot", self.foot), ("head", self.head))}
+        rows = ["*ELEMENT, TYPE=C3D20R, ELSET=Part\n"] + [
+            f"{i}, {', '.join(str(node + 1) for node in cell)}\n" for i, cell in enumerate(cells, 1)]
+        self.write("curved.inp", "*NODE\n" + "".join(f"{i}, {x!r}, {y!r}, {z!r}\n" for i, (x, y, z) in enumerate(nodes.tolist(), 1))
+                   + "".join(rows) + "".join(f"*SURFACE, NAME={name}\n{text}\n" for name, text in faces.items()))
+        with contextlib.redirect_stdout(io.StringIO()):
+            meshio.write(self.folder / "binary.msh", meshio.read(self.folder / "curved.msh"), file_format="gmsh22", binary=True)
+        for name in ("curved.inp", "binary.msh"):
+            with self.subTest(name):
+                self.assertIn("surfaces: foot (12 faces), head (12 faces)\nimport: volumes: Part\n", self.converted(name))
+                self.assert_same_files(self.solve("converted.msh", *NAMED, "Mesh/Degree=2"), curved, TABLES)
+        straight = self.solve("named.msh", *NAMED, "Mesh/Degree=2")
+        self.assertNotEqual((self.folder / straight / TABLES[0]).read_bytes(), (self.folder / curved / TABLES[0]).read_bytes())
 
     def test_surfaces_of_abaqus(self):
         """Faces of elements, sets of shells, sets of nodes: the same run to the last bit."""

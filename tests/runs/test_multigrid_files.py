@@ -33,7 +33,7 @@ BODY = "Obstacle/Kind = body with Mesh/Backend = multigrid"
 REFUSED = {f"verification/{name}": reason for reason, names in (
     (HALF_SPACE, ("hertz_half_space", "equal_spheres", "orthotropic_sphere")),
     ("Mesh/Backend = multigrid with a normal of the counterface that is more than 70 degrees off z", ("press_fit",)),
-    (BODY, ("cattaneo_line", "filleted_punch", "fretting_fatigue", "roller_on_block")),
+    (BODY, ("cattaneo_line", "filleted_punch", "fretting_fatigue", "roller_on_block", "two_balls")),
     (PLANE, ("line_contact", "orthotropic_line_contact", "pushed_block", "rounded_punch"))) for name in names}
 # Fewer steps, a push that finds an equilibrium, a degree that solids have. At nu = 0.4999 the few cells of the twisted sphere,
 # ten times as high as wide, are what multigrid's message says it does not solve.

@@ -64,7 +64,7 @@ class OutsideTest(unittest.TestCase):
 
     def test_all_else_is_the_program(self):
         """Each has its own entries besides those of the program, where and as they are."""
-        own = {"cone": "Slope", "superellipse": "Exponent", "worn_volume": "Stop at worn volume", "transverse": "Axial modulus"}
+        own = {"cone": "Slope", "lobes": "Depth of lobes", "worn_volume": "Stop at worn volume", "transverse": "Axial modulus"}
         entries = [line for line in run(PROGRAM, "--defaults").stdout.splitlines() if line.startswith("  set ")]
         self.assertGreater(len(entries), 50)
         for name, entry in own.items():
@@ -82,23 +82,22 @@ class OutsideTest(unittest.TestCase):
         self.assertLess(cone[2, 2], 0.9 * plane[2, 2])
         self.assertGreater(cone[-1, 0] ** 2, 1)
 
-    def test_superellipse_of_exponent_two_is_an_ellipse(self):
-        """Slip is along the force: the slip ellipse is a circle."""
-        ellipse = ("Friction/Law=ellipses", "Friction/Coefficients=0.2, 0.15", "Friction/Slip potential=collinear")
-        own = self.forces("superellipse", "two", "Friction/Exponent=2")
-        self.assert_same(own, self.forces("superellipse", "ellipse", *ellipse), 1e-8)
-        five = self.forces("superellipse", "five")
-        self.assertGreater(np.abs(own - five)[:, 0].max(), 0.01 * np.abs(own)[:, 0].max())
+    def test_lobes_without_depth_are_a_circle(self):
+        circle = ("Friction/Law=ellipses", "Friction/Coefficients=0.2, 0.2")
+        own = self.forces("lobes", "none", "Friction/Depth of lobes=0")
+        self.assert_same(own, self.forces("lobes", "circle", *circle), 1e-8)
+        deep = self.forces("lobes", "deep")
+        self.assertGreater(np.abs(own - deep)[:, 0].max(), 0.01 * np.abs(own)[:, 0].max())
 
-    def test_superellipse_holds_at_every_probe(self):
+    def test_lobes_hold_at_every_probe(self):
         """Forces are in the cone, and on it where a node slips, against its slip."""
-        self.table("superellipse", "law")
+        self.table("lobes", "law")
         n_slipping = n_stuck = 0
         for probe in "ABCDEF":
             rows = self.rows("law", f"probe-{probe}.csv")
             at = {name: np.array([float(row[name]) for row in rows]) for name in rows[0] if name != "status"}
             force, slip = (np.stack((at[f"{name}_x"], at[f"{name}_y"])) for name in ("force", "slip"))
-            load = (np.abs(force / [[0.2], [0.15]])**5).sum(axis=0)**0.2
+            load = np.linalg.norm(force, axis=0) / (0.2 * (1 + 0.2 * np.cos(4 * np.arctan2(force[1], force[0]))))
             self.assertTrue((load <= at["force_n"] * (1 + 1e-8)).all())
             for step, (change, status) in enumerate(zip(np.diff(slip, axis=1).T, [row["status"] for row in rows[1:]]), 1):
                 n_stuck += status == "stick"
@@ -110,29 +109,28 @@ class OutsideTest(unittest.TestCase):
         self.assertGreater(n_slipping, 5)
         self.assertGreater(n_stuck, 2)
 
-    def test_superellipse_is_described_by_what_counts(self):
+    def test_lobes_are_described_by_what_counts(self):
         """Entries of ellipses do not count, and a formula that asks for ellipses gives no number."""
-        self.table("superellipse", "described")
+        self.table("lobes", "described")
         log = (self.folder / "described/log.txt").read_text(encoding="utf-8")
-        self.assertIn("friction       Law = superellipse; First friction = 0.2; Second friction = 0.15; Exponent = 5; "
-                      "Orthotropy angle = 0\n", log)
+        self.assertIn("friction       Law = lobes; Mean friction = 0.2; Depth of lobes = 0.2; Orthotropy angle = 0\n", log)
         self.assertRegex(log, "critical friction not known, because .* friction ellipses only\n")
 
-    def test_superellipse_has_the_mirrors_that_its_forces_have(self):
+    def test_lobes_have_the_mirrors_that_their_forces_have(self):
         """About the axes of a pressed body, unless its own are turned."""
         for angle, model in (("0", "quarter"), ("90", "quarter"), ("30", "full")):
-            result = run(self.programs / "superellipse", OUTSIDE / "superellipse.prm", "--check",
+            result = run(self.programs / "lobes", OUTSIDE / "lobes.prm", "--check",
                          "--set=Load program/Legs=0 0 -0.02 : 1", f"--set=Friction/Orthotropy angle={angle}")
             self.assertRegex(result.stdout, f"model +{model} ")
 
     def test_bad_values_of_outside_get_one_line(self):
-        result = self.run_scene("superellipse", "bad", "Contact solver/Method=feng2006")
+        result = self.run_scene("lobes", "bad", "Contact solver/Method=feng2006")
         self.assertEqual((result.returncode, result.stderr.count("\n")), (2, 1))
-        self.assertIn("Method = feng2006 needs friction ellipses, and Friction/Law = superellipse has none", result.stderr)
-        result = self.run_scene("superellipse", "bad", "Friction/Exponent=0.5")
-        self.assertRegex(result.stderr, "Friction/Exponent.*0.5.*allowed is.*\n$")
-        result = run(self.programs / "superellipse", OUTSIDE / "superellipse.prm", "--check", "--set=Friction/Coefficients=1, 2")
-        self.assertIn("Friction/Coefficients = 1, 2 is ignored with Friction/Law = superellipse", result.stdout + result.stderr)
+        self.assertIn("Method = feng2006 needs friction ellipses, and Friction/Law = lobes has none", result.stderr)
+        result = self.run_scene("lobes", "bad", "Friction/Depth of lobes=2")
+        self.assertRegex(result.stderr, "Friction/Depth of lobes.*2.*allowed is.*\n$")
+        result = run(self.programs / "lobes", OUTSIDE / "lobes.prm", "--check", "--set=Friction/Coefficients=1, 2")
+        self.assertIn("Friction/Coefficients = 1, 2 is ignored with Friction/Law = lobes", result.stdout + result.stderr)
         result = self.run_scene("cone", "bad", "Obstacle/Slope=-1")
         self.assertEqual(result.returncode, 2)
         self.assertRegex(result.stderr, "Obstacle/Slope.*-1.*allowed is.*\n$")

@@ -44,12 +44,12 @@ class ReferencePagesTest(unittest.TestCase):
         self.assertGreater(len(entries), 60)
 
     def test_every_column_and_field_of_a_run_has_a_row(self):
-        """From the files that a run writes."""
+        """From the files that a run writes whose friction has memory, so that all columns are there."""
         with tempfile.TemporaryDirectory() as folder:
             run = pathlib.Path(folder) / "run"
             settings = [*SMALL, "Output/Volume fields=1", "Output/Probes=P: 5 0",
                         "Output/Lines=L: 0 0 0 to 0 0 1, 2", "Load program/Legs=0 0 -0.01 : 1",
-                        "Load program/Cycles=1"]
+                        "Load program/Cycles=1", "Friction/Factor=2"]
             subprocess.run([PROGRAM, ROOT / "prm/paper/case_b.prm", "-q", "-o", run,
                             *[f"--set={setting}" for setting in settings]], check=True)
             found = {name.name: name.read_text().splitlines()[0].split(",") for name in run.glob("*.csv")}

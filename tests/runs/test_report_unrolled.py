@@ -39,6 +39,20 @@ class UnrolledTest(Page):
             np.testing.assert_allclose(along, 0, atol=1e-12)
             np.testing.assert_allclose(np.linalg.norm(chart.directions, axis=2), 1, rtol=1e-12)
 
+    def test_a_cone_keeps_its_lengths(self):
+        """Edges of small faces are as long on the map as on the cone, and directions lie along it."""
+        points, quads = tube(1, 240, np.linspace(30, 34, 9))
+        points[:, :2] *= 5 + 0.08 * (points[:, 2:] - 30)
+        chart = unrolled.unrolled(points, quads)
+        on_map = chart.places[chart.quads]
+        in_space = points[chart.points[chart.quads]]
+        for k in range(4):
+            lengths = [np.linalg.norm(corners[:, k] - corners[:, k - 1], axis=1) for corners in (on_map, in_space)]
+            np.testing.assert_allclose(*lengths, rtol=1e-4)
+        step = on_map[:, 2] - on_map[:, 0]
+        way = np.einsum("nd,ndk->nk", step, chart.directions[chart.quads[:, 0]])
+        np.testing.assert_allclose(way, in_space[:, 2] - in_space[:, 0], atol=2e-2 * np.linalg.norm(way, axis=1).max())
+
     def test_what_is_seen_from_above_stays_as_it_is(self):
         points, quads = tube(5, 24, (0, 1, 3))
         self.assertIsNone(unrolled.unrolled(points * [1, 1, 0] + [0, 0, 2], quads))
@@ -57,6 +71,24 @@ class UnrolledTest(Page):
         self.assertIn("force along z", self.script("return document.querySelector('#step-text').textContent"))
         text = self.script("return document.querySelector('main, body').textContent")
         self.assertNotIn("largest normal force", text)
+        self.assertTrue(self.script("return !document.querySelector('#space-panel').hidden"))
+        self.assertEqual(self.turned("ArrowUp"), [True, False], "a view from higher up is another one")
+        self.assertEqual(self.turned("ArrowDown"), [True, False])
+        self.assertEqual(self.turned("Enter"), [True, True], "other keys do nothing")
+
+    def turned(self, key):
+        """Whether something is drawn, and whether it stays the same behind a key."""
+        return self.script(f"""
+            const canvas = document.querySelector('#space'), before = canvas.toDataURL();
+            canvas.dispatchEvent(new KeyboardEvent('keydown', {{key: '{key}'}}));
+            const pixels = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height).data;
+            return [pixels.some(value => value > 0), before === canvas.toDataURL()];""")
+
+    def test_a_flat_surface_is_not_drawn_in_space(self):
+        folder = run("flat", "Load program/Legs=0 0 -0.01 : 2")
+        self.assertEqual(report(folder).returncode, 0)
+        self.read(folder / "report.html")
+        self.assertTrue(self.script("return document.querySelector('#space-panel').hidden"))
 
 
 def tearDownModule():

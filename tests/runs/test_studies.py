@@ -122,7 +122,7 @@ class StudyCommandTest(RunTest):
             with self.subTest(name=name):
                 rows = self.rows_of(name)
                 self.assertGreater(len(rows), 0)
-                self.assertTrue(all(row["command"].startswith(("build/", "mpirun ")) for row in rows))
+                self.assertTrue(all(row["command"].startswith(("build/", "mpirun ", "tools/")) for row in rows))
         pictures = {file.stem for file in self.folder.glob("*.png")}
         self.assertGreaterEqual(len(pictures), len(names))
 

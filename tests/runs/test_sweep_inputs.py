@@ -37,7 +37,7 @@ class SweepInputTest(RunTest):
         self.assert_refused(r"'o\\udcff' is no UTF-8", *DEGREES, "--output", b"o\xff")
         self.assert_refused("makes names of folders of 302 bytes: allowed are 255", "--vary", f"a={'x' * 300},2", "--set", "{a}")
         self.assert_refused("the name has 4001 bytes and 2001 parts", *DEGREES, "--output", "a/" * 2000 + "b")
-        self.assert_refused("jobs = 100000000: allowed is a whole number from 1 to 1000", *DEGREES, "--jobs", "100000000")
+        self.assert_refused("jobs = 100000000: allowed is a whole number from 1 to 400", *DEGREES, "--jobs", "100000000")
         self.assert_refused("FIRST:LAST:NUMBER with two numbers", "--vary", "a=-1e308:1e308:3", "--set", "{a}")
         self.assert_refused("nothing: is no program", *DEGREES, "--program", "nothing")
         self.assert_refused("unrecognized arguments: --nope; '--help' explains", *DEGREES, "--nope")

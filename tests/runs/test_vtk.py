@@ -195,7 +195,9 @@ class VolumeTest(DiscTest):
             self.assert_close(data[f"principal_stress_{i}"], principal, scale=np.abs(stress).max())
         force = table(degree, model, "history.csv")[step - 1]["force_z"]
         total = data.integral(stress[:, 2, 2], *elements(data, degree))[0]
-        self.assert_close(total / HEIGHT / SHARE[model], -force, tolerance=1e-3)
+        # The stress of the elements has the force to rounding. With the tractions of the surface instead of its own at the nodes
+        # there, it has the force as well as the mesh resolves the stress: two layers of degree 1 to 1.5 %.
+        self.assert_close(total / HEIGHT / SHARE[model], -force, tolerance=0.02 if degree == 1 else 1e-3)
 
 
 class ModelTest(VtkTest):

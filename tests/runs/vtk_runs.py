@@ -44,7 +44,7 @@ CONTACT_FIELDS = {"displacement": 3, "slip": 3, "slip_magnitude": 1, "accumulate
                   "friction_traction": 3, "friction_criterion": 1, "status": 1, "nodal_force": 3,
                   "dissipated_energy": 1, "wear_depth": 1, "surface_id": 1}
 VOLUME_FIELDS = {"displacement": 3, "stress": 9, "von_mises_stress": 1, "principal_stress_1": 1, "principal_stress_2": 1,
-                 "principal_stress_3": 1, "region": 1}
+                 "principal_stress_3": 1, "stress_error": 1, "region": 1}
 
 
 @functools.lru_cache(maxsize=None)

@@ -96,9 +96,10 @@ class SizeTest(unittest.TestCase):
         of_topics = {
             "body/backends/curved_held_face", "body/fe/projected_pressure", "body/fe/rates", "body/shapes/bad_mesh_files",
             "contact/law/frictionless", "contact/law/projection", "contact/law/slip_rule", "contact/solvers/elastic_layer", "contact/solvers/failures", "multigrid/hanging_nodes",
-            "results/axisymmetric", "results/forces", "results/frames", "results/gaps", "results/half_space",
+            "results/axisymmetric", "results/forces", "results/curved_bodies", "results/frames", "results/gaps",
+            "results/half_space",
             "results/imported", "results/lower_body", "results/orthotropic", "results/path_dependence", "results/physics",
-            "results/loads", "results/plane_strain", "results/stick_at_rest", "results/supports", "results/symmetry", "results/torsion", "results/wear", "scene/body_entries", "scene/parameter_files"}
+            "results/loads", "results/memory", "results/plane_strain", "results/stick_at_rest", "results/supports", "results/symmetry", "results/torsion", "results/wear", "scene/body_entries", "scene/parameter_files"}
         tests = {path.relative_to(ROOT / "tests/unit").with_suffix("") for path in files("tests/unit") if path.suffix == ".cc"}
         sources = {path.relative_to(ROOT / root).with_suffix("") for root in ("source", "include/orthocone") for path in files(root)}
         self.assertEqual({str(path) for path in tests - sources}, of_topics)

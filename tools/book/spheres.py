@@ -64,6 +64,12 @@ HERTZIAN = (
     Row("elliptic.approach", ELLIPTIC, "approach (mm)", approach(), ELLIPSE[3], 0.003, "Hertz", "body of 22 a x 45 a: 0.2 %"),
 )
 
+BALLS, OF_BALLS = Scene("two_balls"), Sphere(1641.025641, radius=6, counterface=(YOUNG, 0.3))
+TRUE_SHAPES = (
+    Row("balls.a", BALLS, "contact radius (mm)", circle_of(normal, 4), OF_BALLS.contact_radius, 0.003, "Hertz", HALF_SPACE),
+    Row("balls.p0", BALLS, "largest pressure (MPa)", largest_of_circle(4), OF_BALLS.largest_pressure, 0.005, "Hertz", HALF_SPACE),
+)
+
 INSIDE = HERTZ.set("Mesh/Degree=3", "Mesh/Layers=40", "Mesh/Layer grading=0.8", "Output/Volume fields=4")
 BELOW = answers.deepest_shear(0.3)
 
@@ -83,6 +89,7 @@ INNER = (
 
 # Other profiles.
 CONE, QUARTIC, FLATTENED = Scene("cone"), Scene("quartic"), Scene("truncated_sphere")
+CONE_BY_DISTANCE = CONE.set("Obstacle/Gap=0", "Obstacle/Distance=(z + 0.01*sqrt(x^2+y^2))/sqrt(1.0001)")
 CONE_RADIUS = math.sqrt(2 * 1000 / (math.pi * E_STAR * 0.01))
 QUARTIC_RADIUS = (15 * 1000 / (64 * E_STAR * 1e-4))**0.2
 FIRST_FLAT, SECOND_FLAT = (answers.truncated_sphere(force, E_STAR, 10, 0.5) for force in (500, 3000))
@@ -120,6 +127,8 @@ PROFILES = (
         "Love 1939", HALF_SPACE),
     Row("cone.approach", CONE, "approach (mm)", approach(), math.pi * CONE_RADIUS * 0.005, 0.003, "Love 1939",
         "body of 19 a x 38 a: 0.2 %", meshes=LAYERED, order=1),
+    Row("cone.normals", CONE_BY_DISTANCE, "contact radius (mm), cone with its own normals",
+        size_of_profile(1, of_cone, CONE_RADIUS), CONE_RADIUS, 0.003, "Love 1939", HALF_SPACE),
     Row("quartic.a", QUARTIC, "contact radius (mm)", size_of_profile(1, of_quartic, QUARTIC_RADIUS), QUARTIC_RADIUS, 0.003,
         "Galin; Sneddon 1965", HALF_SPACE),
     Row("quartic.approach", QUARTIC, "approach (mm)", approach(), 8 / 3 * 1e-4 * QUARTIC_RADIUS**4, 0.003,
@@ -134,4 +143,4 @@ PROFILES = (
         "Muskhelishvili 1953; Johnson 1985", "nodes follow the circle to half a cell"),
 )
 
-ROWS = (*HERTZIAN, *INNER, *PROFILES)
+ROWS = (*HERTZIAN, *TRUE_SHAPES, *INNER, *PROFILES)

@@ -10,8 +10,8 @@ from body import Body, Fault, counted, faces_with
 
 # Of a hexahedron, S1 to S6.
 FACES = ((0, 1, 2, 3), (4, 7, 6, 5), (0, 4, 5, 1), (1, 5, 6, 2), (2, 6, 7, 3), (3, 7, 4, 0))
-HEXAHEDRON = re.compile(r"(A|D|DC|DCC)?C3D8[A-Z]*")
-QUADRILATERAL = re.compile(r"(D?S4|M3D4|R3D4|SFM3D4|CPS4|CPE4|CAX4)[A-Z0-9]*")
+HEXAHEDRON = re.compile(r"(A|D|DC|DCC)?C3D(8|20)[A-Z]*")
+QUADRILATERAL = re.compile(r"(?:D?S|M3D|R3D|SFM3D|CPS|CPE|CAX)([48])[A-Z0-9]*")
 NEITHER = re.compile(r"(T[23]D|B[23][1-3]|MASS|ROTARYI|SPRING|DASHPOT|CONN|DCOUP|GAP)[A-Z0-9]*")  # lines, points
 MADE = ("NGEN", "NFILL", "NCOPY", "NMAP", "ELGEN", "ELCOPY", "SYSTEM")  # they make or move nodes
 MOST_NESTED, MOST_MEMBERS = 20, 10**8
@@ -110,11 +110,13 @@ class AbaqusFile:
             if not NEITHER.fullmatch(kind):
                 self.others[kind or "none"] += sum(1 for row, before in zip(rows, [[]] + rows) if not before or before[-1])
             return
-        n = 8 if volume else 4
+        n = int(volume[2] if volume else surface[1])
         words = numbers([word for row in rows for word in row], int)
         if len(words) % (n + 1):
             raise Fault(f"has elements of type {kind} without {n} nodes each: allowed are complete ones")
-        elements = {row[0]: row[1:] for row in np.reshape(words, (-1, n + 1)).tolist()}
+        elements = {row[0]: row[1:] if volume else row[1:5] for row in np.reshape(words, (-1, n + 1)).tolist()}
+        if len({len(nodes) for cells in (self.hexahedra, elements if volume else {}) for nodes in cells.values()}) > 1:
+            raise Fault("has hexahedra of 8 and of 20 nodes: allowed is one kind of hexahedra")
         (self.hexahedra if volume else self.quadrilaterals).update(elements)
         if "ELSET" in given:
             key = self.name(given, "ELSET")
@@ -173,7 +175,8 @@ class Sets:
 
     def __init__(self, file):
         if file.others:
-            raise Fault("has " + counted(file.others) + ": allowed are hexahedra of 8 nodes (C3D8, C3D8R, C3D8I and the like)")
+            raise Fault("has " + counted(file.others) + ": allowed are hexahedra of 8 or 20 nodes (C3D8, C3D20R "
+                        "and the like)")
         self.file, self.numbers = file, list(file.points)
         place = {number: index for index, number in enumerate(self.numbers)}
         missing = sorted({node for cell in file.hexahedra.values() for node in cell} - set(place))
@@ -182,7 +185,8 @@ class Sets:
         self.place = place
         self.cells = {number: [place[node] for node in nodes] for number, nodes in file.hexahedra.items()}
         points = np.array(list(file.points.values()), float).reshape(-1, 3) + file.shift
-        self.body = Body(points, np.array(list(self.cells.values()), int).reshape(-1, 8), file.notes)
+        n_nodes = len(next(iter(self.cells.values()), range(8)))
+        self.body = Body(points, np.array(list(self.cells.values()), int).reshape(-1, n_nodes), file.notes)
 
     def faces_of_row(self, name, row):
         """Of a row of *SURFACE: a set or an element, and a face of them, or all that are on the outside."""

@@ -7,6 +7,15 @@ import numpy as np
 from imported_body import border_faces
 
 
+# Of a hexahedron in the order of Abaqus, VTK and meshio: ends of its edges, and the places of these edges and faces in the
+# order of Gmsh.
+EDGES = ((0, 1), (1, 2), (2, 3), (3, 0), (4, 5), (5, 6), (6, 7), (7, 4), (0, 4), (1, 5), (2, 6), (3, 7))
+IN_GMSH = (0, 3, 8, 1, 9, 2, 10, 11, 4, 7, 5, 6, 16, 14, 12, 13, 15, 17, 18)
+FACES = ((0, 4, 7, 3), (1, 2, 6, 5), (0, 1, 5, 4), (3, 2, 6, 7), (0, 1, 2, 3), (4, 5, 6, 7))
+# Gmsh's types of hexahedra and quadrilaterals by the number of middles of a cell.
+TYPES = {0: (5, 3), 12: (17, 16), 19: (12, 10)}
+
+
 class Fault(Exception):
     """What is wrong with a file, as a sentence without its name."""
 
@@ -36,9 +45,11 @@ def plain(name):
 
 class Body:
     def __init__(self, points, cells, notes):
+        """`cells` have 8 nodes at their corners, and of second order 12 or 19 more in the middles of edges, faces and cell."""
+        cells, self.middles = cells[:, :8], cells[:, 8:]
         if not len(cells):
-            raise Fault("has no hexahedra: allowed are meshes of hexahedra of 8 nodes")
-        if not np.isfinite(points[np.unique(cells)]).all():
+            raise Fault("has no hexahedra: allowed are meshes of hexahedra of 8, 20 or 27 nodes")
+        if not np.isfinite(points[np.unique(np.hstack([cells, self.middles]))]).all():
             raise Fault("has coordinates that are no finite numbers")
         _, first = np.unique(np.sort(cells, axis=1), axis=0, return_index=True)
         self.notes = notes  # for the user, a sentence each
@@ -75,18 +86,36 @@ class Body:
         used = self.points[np.unique(self.cells)]
         return used.min(axis=0), used.max(axis=0)
 
+    def faces_with_middles(self, number):
+        """The nodes of the outer faces, by their numbers in the file, in the order of Gmsh."""
+        if not self.middles.shape[1]:
+            return number[self.border]
+        middle = {}  # by the corners around it
+        for corners, nodes in zip(self.cells[self.is_first].tolist(), self.middles[self.is_first].tolist()):
+            for around, node in zip(EDGES + FACES, nodes):
+                middle[frozenset(corners[i] for i in around)] = node
+        faces = []
+        for face in self.border.tolist():
+            edges = [middle[frozenset(pair)] for pair in zip(face, face[1:] + face[:1])]
+            own = [middle[frozenset(face)]] if self.middles.shape[1] > len(EDGES) else []
+            faces.append(number[face + edges + own])
+        return faces
+
     def text(self):
         """Nodes that no cell has are left out."""
-        used, cells = np.unique(self.cells[self.is_first], return_inverse=True)
-        cells, number = cells.reshape(-1, 8) + 1, np.zeros(len(self.points), int)
+        order = [i for i in IN_GMSH if i < self.middles.shape[1]]
+        cells = np.hstack([self.cells, self.middles[:, order]])[self.is_first]
+        used, number = np.unique(cells), np.zeros(len(self.points), int)
         number[used] = np.arange(1, len(used) + 1)
+        of_cell, of_face = TYPES[self.middles.shape[1]]
+        border = self.faces_with_middles(number)
         n = len(self.surfaces)  # groups of volumes come behind those of surfaces
         names = [f'2 {i} "{name}"' for i, name in enumerate(self.surfaces, 1)]
         names += [f'3 {n + i} "{name}"' for i, name in enumerate(self.volumes, 1)]
-        elements = [(3, group, number[self.border[row]])
+        elements = [(of_face, group, border[row])
                     for group, rows in enumerate(self.surfaces.values(), 1) for row in rows]
-        elements += [(5, n + volume if volume else 0, nodes)
-                     for volume, nodes in zip(self.volume_of[self.is_first], cells)]
+        elements += [(of_cell, n + volume if volume else 0, nodes)
+                     for volume, nodes in zip(self.volume_of[self.is_first], number[cells])]
         lines = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat"]
         if names:
             lines += ["$PhysicalNames", len(names), *names, "$EndPhysicalNames"]

@@ -20,7 +20,8 @@ import numpy as np  # noqa: E402
 from body import Body, Fault, counted  # noqa: E402
 
 WRONG_INPUT, FILE_ERROR, LONGEST_LINE = 2, 4, 600
-AROUND = {"hexahedron", "quad", "line", "vertex"}
+CORNERS = {"hexahedron": 8, "hexahedron20": 8, "hexahedron27": 8, "quad": 4, "quad8": 4, "quad9": 4}
+AROUND = {*CORNERS, "line", "line3", "vertex"}
 MOST_NAMED = 12
 
 
@@ -70,13 +71,17 @@ def read_by_meshio(path, is_gmsh):
         if block.type not in AROUND:
             others[block.type] += len(block.data)
     if others:
-        raise Fault(f"has {counted(others)}: allowed are hexahedra of 8 nodes and the quadrilaterals and lines around them")
+        raise Fault(f"has {counted(others)}: allowed are hexahedra of 8, 20 or 27 nodes and the quadrilaterals and "
+                    "lines around them")
+    if len(kinds := {block.type for block in mesh.cells if CORNERS.get(block.type) == 8 and len(block.data)}) > 1:
+        raise Fault(f"has {' and '.join(sorted(kinds))}: allowed is one kind of hexahedra")
     return mesh
 
 
 def body_of(mesh):
     """Physical groups of Gmsh, or the sets of other files."""
-    blocks = {kind: [i for i, block in enumerate(mesh.cells) if block.type == kind] for kind in ("hexahedron", "quad")}
+    blocks = {kind: [i for i, block in enumerate(mesh.cells) if CORNERS.get(block.type) == n and len(block.data)]
+              for kind, n in (("hexahedron", 8), ("quad", 4))}
     cells = [mesh.cells[i].data for i in blocks["hexahedron"]] or [np.empty((0, 8), int)]
     points = np.zeros((len(mesh.points), 3))
     points[:, :mesh.points.shape[1]] = mesh.points
@@ -93,7 +98,7 @@ def body_of(mesh):
                 members = {names.get((dim, int(tag)), str(int(tag))): np.flatnonzero(tags[i] == tag)
                            for tag in np.unique(tags[i]) if tag != 0}
             for name, rows in members.items():
-                groups[name][dim - 2].extend(mesh.cells[i].data[rows].tolist() if dim == 2 else (first[i] + rows).tolist())
+                groups[name][dim - 2].extend(mesh.cells[i].data[rows, :4].tolist() if dim == 2 else (first[i] + rows).tolist())
     for name, (faces, rows) in groups.items():
         if faces:
             body.add_surface(name, faces)

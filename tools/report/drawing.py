@@ -7,6 +7,8 @@ from load_program import UNITS
 
 WIDTH, HEIGHT = 360, 330
 LETTER = 6.8  # width of a letter of a label, about
+MOST_LETTERS = 24
+LAWS = {"rosette": "measured friction", "superellipse": "superelliptic friction"}
 
 
 class Frame:
@@ -42,6 +44,10 @@ def hatched(start, end, css, down=True):
     return svg.line(start, end, css) + strokes
 
 
+def shortened(name):
+    return name if len(name) <= MOST_LETTERS else name[:MOST_LETTERS - 1] + "\u2026"
+
+
 def fits(words):
     return LETTER * len(words) <= WIDTH
 
@@ -75,5 +81,5 @@ def ground(data, start, end):
 def counterface(data):
     """What the body rests on, in words."""
     kind = {"half-space": "elastic half-space", "body": "elastic body"}.get(data.counterface, "rigid")
-    friction = data.law if data.mu is None else "\u03bc varies" if data.friction_varies else f"\u03bc = ({data.mu[0]:g}, {data.mu[1]:g})"
+    friction = LAWS.get(data.law, data.law) if data.mu is None else "\u03bc varies" if data.friction_varies else f"\u03bc = ({data.mu[0]:g}, {data.mu[1]:g})"
     return f"{kind + ', with a gap' if data.has_gap else kind + ' plane' if kind == 'rigid' else kind}, {friction}"

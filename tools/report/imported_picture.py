@@ -33,6 +33,8 @@ def cells(body, frame):
 def drive(data, body, frame):
     """Arrows at the held surface, along the largest motion and the largest force, and what the legs state."""
     largest, out = data.program.extremes(), ""
+    if not len(body.held):
+        return out
     middle, outward = body.held_middle()
     x, y = frame(*middle)
     for kind in "uF":

@@ -5,8 +5,8 @@
 
 /** Values of a run along both axes. */
 class RunAlong {
-  constructor({along, name, mu, angle}, quantities) {
-    Object.assign(this, {name, mu, angle, quantities, places: along.places, steps: along.steps});
+  constructor({along, name, mu, angle, limits}, quantities) {
+    Object.assign(this, {name, mu, angle, limits, quantities, places: along.places, steps: along.steps});
     this.frames = along.frames.map(frame => frame.map(line => new Float32Array(bytes(line).buffer)));
     this.windows = {};
   }
@@ -56,7 +56,7 @@ const ALONG = [["Pressure", "MPa", [["pressure", "pressure"]]],
 
 class LineCharts {
   constructor(maps) {
-    this.runs = data.runs.map((run, r) => run.along && Object.assign(new RunAlong(run, maps.line_quantities), {r}, maps.axes && {mu: null}))
+    this.runs = data.runs.map((run, r) => run.along && Object.assign(new RunAlong(run, maps.line_quantities), {r}, maps.axes && {mu: null, limits: null}))
       .filter(Boolean);
     this.ranges = {};
     this.axes = maps.axes ?? ["x", "y"];  // of an unrolled surface: arc and axis
@@ -112,12 +112,21 @@ class LineCharts {
   }
 }
 
-/** The largest friction traction in the direction of (x, y) under a pressure: on the friction ellipse. */
-function frictionLimit({mu, angle: degrees}, pressure, x, y) {
-  if (!mu)
+/** The largest friction traction in the direction of (x, y) under a pressure: on the friction ellipse, or on the curve of a
+ *  table. */
+function frictionLimit({mu, angle: degrees, limits}, pressure, x, y) {
+  const size = Math.hypot(x, y);
+  if (!(mu || limits) || !(size > 1e-9 * pressure))
     return null;
+  if (limits)
+    return pressure * limitAlong(limits, Math.atan2(y, x));
   const angle = degrees * Math.PI / 180, [a, b] = mu;
   const first = Math.cos(angle) * x + Math.sin(angle) * y, second = Math.cos(angle) * y - Math.sin(angle) * x;
-  const size = Math.hypot(x, y), norm = Math.hypot(first / a, second / b);
-  return size > 1e-9 * pressure ? pressure * size / norm : null;
+  return pressure * size / Math.hypot(first / a, second / b);
+}
+
+/** Between limits at even angles all around. */
+function limitAlong(limits, angle) {
+  const n = limits.length, place = (angle / (2 * Math.PI) + 1) * n, before = Math.floor(place), part = place - before;
+  return (1 - part) * limits[before % n] + part * limits[(before + 1) % n];
 }

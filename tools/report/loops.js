@@ -79,6 +79,14 @@ function drawBodyLoops() {
   }
 }
 
+/** The largest friction force per unit normal force in each direction; nothing where it varies or is not known. */
+function limitOutline() {
+  if (data.limits)
+    return data.limits.map((size, k) => [Math.cos(2 * Math.PI * k / data.limits.length) * size,
+                                         Math.sin(2 * Math.PI * k / data.limits.length) * size]);
+  return data.mu ? ellipsePoints(data.mu, data.angle) : null;
+}
+
 function ellipsePoints([a, b], degrees) {
   const c = Math.cos(degrees * Math.PI / 180), s = Math.sin(degrees * Math.PI / 180);
   return Array.from({length: 120}, (_, k) => {
@@ -108,9 +116,10 @@ function drawProbeLoops(name) {
   path("Path of slip", {name: "slip_x", ...slip}, {name: "slip_y", ...slip}, t => t.slip_x, t => t.slip_y, {equal: true});
   path("Path of the friction force", {name: "force_x", ...force}, {name: "force_y", ...force}, t => t.force_x, t => t.force_y,
        {equal: true});
-  path(data.mu ? "Path in the friction ellipse (dashed)" : "Path of force_t / force_n", {name: "force_x / force_n", unit: ""},
+  const outline = limitOutline();
+  path(data.limits ? "Path in the limit of friction (dashed)" : outline ? "Path in the friction ellipse (dashed)" : "Path of force_t / force_n", {name: "force_x / force_n", unit: ""},
        {name: "force_y / force_n", unit: ""}, t => over(t.force_x, t.force_n), t => over(t.force_y, t.force_n),
-       data.mu ? {equal: true, outline: ellipsePoints(data.mu, data.angle)} : {equal: true});
+       outline ? {equal: true, outline} : {equal: true});
   const table = run => tables[data.runs.indexOf(run)];
   overSteps(grid, "Slip over the steps", table, "mm", [["slip_x", "slip_x"], ["slip_y", "slip_y"],
                                                        ["accumulated_slip", "accumulated"]], {least: slip.least});

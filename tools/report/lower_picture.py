@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""Drawing of the second elastic body from the side: as the mirror image about z = 0 of the body that its sections give."""
+"""Drawing of the second elastic body from the side: as the mirror image about z = 0 of the body that its sections give, or
+in its place beside a surface with normals of its own."""
 import numpy as np
 import svg
 from drawing import hatched, inside
@@ -37,15 +38,15 @@ class Block(Below):
 
 
 class FromFile(Below):
-    """The body of a mesh file."""
+    """The body of a mesh file, which may be in its place."""
 
-    def __init__(self, body):
-        self.body = body
+    def __init__(self, body, is_in_place):
+        self.body, self.is_in_place = body, is_in_place
         (left, low), (right, high) = body.box()
-        super().__init__((left, -high), (right, -low))
+        super().__init__(*(((left, low), (right, high)) if is_in_place else ((left, -high), (right, -low))))
 
     def shape(self, frame):
-        turned = frame.upside_down()
+        turned = frame if self.is_in_place else frame.upside_down()
         return (cells(self.body, turned)
                 + path_of(turned, lines_of(self.body, self.body.contact), "touching", closed=True)
                 + path_of(turned, lines_of(self.body, border_of(self.body.held)), "plate", closed=True))
@@ -57,7 +58,8 @@ def lower_of(data):
         return None
     entries = data.parameters["Lower geometry"]
     if entries["Shape"] == "file":
-        return FromFile(data.lower_body) if data.lower_body else None
+        is_in_place = data.parameters["Obstacle"].get("Normal") == "surface"
+        return FromFile(data.lower_body, is_in_place) if data.lower_body else None
     if entries["Shape"] == "box":
         sizes = [float(size) for size in entries["Sizes"].split(",")]
         return Block(sizes[0], sizes[2])

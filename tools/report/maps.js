@@ -15,6 +15,7 @@ const FIELDS = {
   accumulated_slip: {name: "accumulated slip", unit: "mm", lasts: true},
   dissipated_energy: {name: "dissipated energy per area", unit: "N/mm", lasts: true},
   wear_depth: {name: "wear depth", unit: "mm", lasts: true},
+  friction_factor: {name: "factor of friction", unit: ""},
 };
 // Viridis in nine colours; between them it is as good as straight.
 const VIRIDIS = ["440154", "472d7b", "3b528b", "2c728e", "21918c", "28ae80", "5ec962", "addc30", "fde725"]
@@ -99,10 +100,12 @@ class MapFrame {
 }
 
 /** For every pixel of a square picture four nodes and their weights: then a frame costs one look a pixel. A
- *  quadrilateral is four triangles around its centre, so that a symmetric state gives a symmetric picture. */
+ *  quadrilateral is four triangles around its centre, so that a symmetric state gives a symmetric picture. `shadeOf`
+ *  says how bright a quadrilateral is, from 0 to 1. */
 class Raster {
-  constructor(mesh, size, margin, {centre, radius}) {
-    [this.size, this.centre, this.radius] = [size, centre, radius];
+  constructor(mesh, size, margin, {centre, radius}, shadeOf = () => 1) {
+    [this.size, this.centre, this.radius, this.shadeOf] = [size, centre, radius, shadeOf];
+    this.shades = new Float32Array(size * size);
     this.scale = (size / 2 - margin) / radius;
     this.nodes = new Int32Array(4 * size * size).fill(-1);
     this.weights = new Float32Array(4 * size * size);
@@ -118,6 +121,7 @@ class Raster {
   fillQuad(mesh, quad) {
     const corners = Array.from(quad, node => this.place([mesh.x[node], mesh.y[node]]));
     const centre = [0, 1].map(d => corners.reduce((sum, corner) => sum + corner[d] / 4, 0));
+    this.shade = this.shadeOf(quad);
     for (let k = 0; k < 4; ++k) this.fillTriangle(quad, k, corners[k], corners[(k + 1) % 4], centre);
   }
 
@@ -135,6 +139,7 @@ class Raster {
         const wc = ((bx - ax) * (y - ay) - (x - ax) * (by - ay)) / area;
         if (wb < tolerance || wc < tolerance || wb + wc > 1 - tolerance) continue;
         const at = 4 * (row * this.size + column);
+        this.shades[at / 4] = this.shade;
         this.nodes.set(quad, at);
         this.weights.fill(wc / 4, at, at + 4);
         this.weights[at + k] += 1 - wb - wc;
@@ -150,7 +155,7 @@ class Raster {
     for (let pixel = 0; pixel < this.size * this.size; ++pixel) {
       if (this.nodes[4 * pixel] < 0) continue;
       const colour = colourOf(4 * pixel);
-      for (let c = 0; c < 3; ++c) image.data[4 * pixel + c] = colour[c];
+      for (let c = 0; c < 3; ++c) image.data[4 * pixel + c] = this.shades[pixel] * colour[c];
       image.data[4 * pixel + 3] = 255;
     }
     context.putImageData(image, 0, 0);

@@ -15,10 +15,12 @@ from unrolled import Chart, unrolled
 
 MOST_FRAMES = 60
 MOST_SMALL_MAPS = 15
+FLAT = 0.02  # height of a surface by its length, up to which it is not drawn in space
 MOST_VALUES = 375_000  # nodes times frames: six bytes each keep the page below some 3 MB
 FIELDS = ("slip_magnitude", "pressure", "friction_criterion", "accumulated_slip", "dissipated_energy")
 NEEDED = (*FIELDS, "friction_traction", "slip", "status")
 WORN = "wear_depth"  # of runs whose surface wears
+FACTOR = "friction_factor"  # of friction with memory
 
 
 def packed(array):
@@ -38,10 +40,13 @@ class Maps:
             last = self.file(self.all_steps[-1])
             if last is not None and WORN in last.data and last[WORN].max() > 0:
                 self.names = (*FIELDS, WORN)
+            if last is not None and FACTOR in last.data:
+                self.names = (*self.names, FACTOR)
             self.nodes, self.node_of_point = distinct(self.mesh.points)
             chart = self.chart(self.node_of_point[self.mesh.quadrilaterals()])
             self.places, self.quads, self.axes, self.directions = chart.places, chart.quads, chart.axes, chart.directions
             self.nodes = self.nodes[chart.points]
+            self.in_space = self.mesh.points[self.nodes]
 
     def chart(self, quads):
         places = self.mesh.points[self.nodes]
@@ -50,7 +55,7 @@ class Maps:
     def file(self, step):
         def contact():
             with contextlib.redirect_stderr(io.StringIO()):  # meshio prints before it gives up
-                return checked.fields(self.data.run.contact(step, self.kind), NEEDED, (WORN,))
+                return checked.fields(self.data.run.contact(step, self.kind), NEEDED, (WORN, FACTOR))
         return self.data.read(self.name(step), contact)
 
     def name(self, step):
@@ -99,6 +104,11 @@ class Maps:
             frame[name] = {"low": low, "high": high, "levels": packed(levels)}
         return frame
 
+    def is_flat(self):
+        """Whether a view from above shows the surface as it is."""
+        extents = np.ptp(self.in_space, axis=0)
+        return extents[2] <= FLAT * extents.max()
+
     def payload(self):
         if not self.steps:
             return None
@@ -106,6 +116,8 @@ class Maps:
         places = self.places
         own = {"axes": self.axes, "centre": [float(f"{place:.9g}") for place in self.centre],
                "radius": float(f"{np.hypot(*(places - self.centre).T).max():.9g}")} if self.axes else {}
+        if not self.is_flat():
+            own["space"] = packed(self.in_space.astype(np.float32))
         return {**own, "x": packed(places[:, 0].astype(np.float32)), "y": packed(places[:, 1].astype(np.float32)),
                 "quads": packed(self.quads.astype(index)), "index_bytes": index().nbytes,
                 "small": spread_steps(self.steps, MOST_SMALL_MAPS, self.data.blocks),

@@ -1,45 +1,18 @@
 # SPDX-License-Identifier: LGPL-2.1-or-later
 # Copyright (C) 2026 the orthocone authors
-"""Three drawings of the model: contact surface from above, ellipses of friction and slip, cylinder from the side."""
-import math
-
+"""Drawings of the model: contact surface from above, friction law, cylinder from the side."""
 import checked
+import law_picture
 import numpy as np
 import surface_picture
 import svg
-from drawing import HEIGHT, WIDTH, Frame, area_of, counterface, ground, hatched, inside, load_words, two_parts
+from drawing import HEIGHT, WIDTH, Frame, area_of, counterface, ground, hatched, inside, load_words, shortened, two_parts
 from imported_picture import imported_view
+from law_picture import axis_lines
 from lower_picture import Block, lower_of
 from outline import clipped
 
 MOST_DRAWN_CELLS = 5000
-MOST_LETTERS = 24
-
-
-def shortened(name):
-    return name if len(name) <= MOST_LETTERS else name[:MOST_LETTERS - 1] + "\u2026"
-
-
-def turned(points, degrees):
-    c, s = math.cos(math.radians(degrees)), math.sin(math.radians(degrees))
-    return [(c * x - s * y, s * x + c * y) for x, y in points]
-
-
-def ellipse(a, b, n=96):
-    return [(a * math.cos(2 * math.pi * k / n), b * math.sin(2 * math.pi * k / n)) for k in range(n)]
-
-
-def axis_lines(frame, reach, angle):
-    """The axes of orthotropy, 1 and 2, if they are turned, else x and y."""
-    names = ("x", "y") if angle % 360 == 0 else ("1", "2")
-    out = ""
-    x, y = frame.origin
-    for direction, name in zip(turned([(1, 0), (0, 1)], angle), names):
-        end = frame(x + reach * direction[0], y + reach * direction[1])
-        start = frame(x - reach * direction[0], y - reach * direction[1])
-        out += svg.arrow(start, end, "axis")
-        out += svg.text((end[0] + 9 * direction[0], end[1] - 9 * direction[1] + 4), name, "label")
-    return out
 
 
 # --- the contact surface from above ---
@@ -118,45 +91,6 @@ def surface(data):
     out += axis_lines(frame, 1.14 * data.radius, data.angle) + probes(data, frame)
     out += svg.text((WIDTH / 2, HEIGHT - 4), f"{note}; {size_of(data)}", "small")
     return svg.picture(WIDTH, HEIGHT, out, "Contact surface from above, with mesh, axes and probes")
-
-
-# --- ellipses ---
-
-def slip_arrows(data, frame, length):
-    """At forces on the friction ellipse the direction opposite to their slip: the normal of the slip ellipse."""
-    out = ""
-    for x, y in ellipse(*data.mu, n=16):
-        normal = (x / data.p[0]**2, y / data.p[1]**2)
-        size = math.hypot(*normal)
-        tip = (x + length * normal[0] / size, y + length * normal[1] / size)
-        (x, y), tip = turned([(x, y), tip], data.angle)
-        out += svg.arrow(frame(x, y), frame(*tip), "slip-arrow", head=5)
-    return out
-
-
-def ellipses(data):
-    largest_mu, largest_p = max(data.mu), max(data.p)
-    same_scale = 0.1 <= largest_p / largest_mu <= 10
-    factor = 1 if same_scale else largest_mu / largest_p
-    p = (data.p[0] * factor, data.p[1] * factor)
-    reach = max(largest_mu, max(p))
-    frame = Frame(106 / reach, (WIDTH / 2, HEIGHT / 2 - 15))
-    out = axis_lines(frame, 1.24 * reach, data.angle)
-    out += svg.polyline(frame.all(turned(ellipse(*p), data.angle)), "slip-ellipse", closed=True)
-    out += svg.polyline(frame.all(turned(ellipse(*data.mu), data.angle)), "friction-ellipse", closed=True)
-    out += slip_arrows(data, frame, 0.16 * reach)
-    associated = math.isclose(data.mu[0] * data.p[1], data.mu[1] * data.p[0], rel_tol=1e-9)
-    words = [("friction-ellipse", f"friction ellipse \u03bc = ({data.mu[0]:g}, {data.mu[1]:g})"),
-             ("slip-ellipse", f"slip ellipse p = ({data.p[0]:g}, {data.p[1]:g})"
-              + ("" if same_scale else ", scaled: only its shape matters"))]
-    for k, (css, legend) in enumerate(words):
-        y = HEIGHT - 34 + 15 * k
-        out += svg.line((40, y - 4), (62, y - 4), css) + svg.text((68, y), legend, "small", "start")
-    out += svg.text((WIDTH / 2, HEIGHT - 4), ("associated" if associated else "non-associated")
-                    + ("; at the centre" if data.friction_varies else "") + "; arrow at a force: opposite to its slip",
-                    "small")
-    return svg.picture(WIDTH, HEIGHT, out, "Friction ellipse and slip ellipse, to the same scale" if same_scale
-                       else "Friction ellipse and slip ellipse")
 
 
 # --- the cylinder from the side ---
@@ -241,6 +175,5 @@ def views_from_the_side(data):
 
 def figures(data):
     """(caption, SVG) of each drawing."""
-    of_friction = [("Ellipses of friction and slip", ellipses(data))] if any(data.mu or ()) else []
-    return [("Contact surface, from above", surface(data)), *of_friction,
+    return [("Contact surface, from above", surface(data)), *law_picture.figures(data),
             *views_from_the_side(data)]

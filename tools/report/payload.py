@@ -59,6 +59,12 @@ def cycle_part(data):
             else numbers(values) for name, values in columns.items()}
 
 
+def friction_of(data):
+    """The limit of friction that charts draw, which is the same everywhere: the ellipse, or forces all around."""
+    return {"mu": None if data.friction_varies or data.has_factor else data.mu, "angle": data.angle,
+            "limits": None if data.measured.limits is None else numbers(data.measured.limits)}
+
+
 def comparable_part(data, name, frames=()):
     """What the charts show of every run; `frames` are the steps of the maps of the first one. Forces on the held face are
     those of the plane with the other sign."""
@@ -76,7 +82,7 @@ def comparable_part(data, name, frames=()):
             "lines": body_lines.lines(data, numbers), "along": data.maps.line_payload(frames),
             "wear": (data.read("history.csv", lambda: worn.profiles(data, numbers))
                      if data.wears and data.n_solved else None),
-            "mu": data.mu, "angle": data.angle}
+            **friction_of(data)}
 
 
 def run_names(runs):
@@ -97,5 +103,6 @@ def payload_of(runs):
     return {"runs": [comparable_part(run, name, frames) for run, name in zip(runs, run_names(runs))],
             "maps": data.maps.payload(), "plane": data.is_plane, "has_normal_z": data.has_normal_z, "periodic": thresholds,
             "radius": data.radius, "centre": numbers(data.centre),
-            "outline": [[numbers(point) for point in polygon] for polygon in data.outline], "mu": data.mu, "angle": data.angle,
+            "outline": [[numbers(point) for point in polygon] for polygon in data.outline],
+            **friction_of(data),
             "tolerance": data.number("Contact solver", "Tolerance", 0)}

@@ -19,6 +19,9 @@ class Player {
     this.timer = null;
     for (const [field, {name}] of Object.entries(FIELDS).filter(([key]) => key in this.frames[0]))
       htmlElement(byId("field"), "option", {value: field}, name);
+    if (maps.space)
+      this.space = new SpaceView(new Float32Array(bytes(maps.space).buffer), this.mesh.quads, () => this.drawMap());
+    byId("space-panel").hidden = !maps.space;
     this.look();
     this.addThumbs(maps.small);
     addMapSaving(this);
@@ -179,6 +182,7 @@ class Player {
   drawMap() {
     const frame = this.frames[this.index], range = this.range(this.index);
     this.raster.draw(byId("map"), frame, this.field, range, this.showsOpen);
+    this.space?.draw(frame, this.field, range, this.showsOpen);
     const legend = byId("map-legend");
     legend.replaceChildren();
     if (this.field === "status") this.drawStates(legend);

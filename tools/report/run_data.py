@@ -12,6 +12,7 @@ from following import is_running
 from imported_body import ImportedBody
 from load_program import LoadProgram, SignalProgram
 from maps import Maps
+from measured_law import MeasuredLaw
 from run_folder import BadFile, RunFolder
 
 NEEDED = ("step", "residual", "stick_area", "max_slip", "max_pressure", "total_dissipation", "n_open", "n_stick",
@@ -37,7 +38,7 @@ class RunData:
         self.cycles = self.read("cycles.csv", lambda: checked.columns(self.run.cycles, OF_CYCLES, OF_CYCLES, "last_step"))
         self.blocks = self.program.blocks(self.steps)
         # Of friction that varies the page shows that of the centre, which the summary has.
-        self.friction_varies = any(re.search("[xy]", text) for text in self.friction_texts())
+        self.friction_varies = any(re.search("[xyz]", text) for text in self.friction_texts())
         centre = {"mu": (0, 0), "p": (1, 1), "angle_degrees": 0, **self.summary.get("friction", {})}
         self.law = self.parameters.get("Friction", {}).get("Law", "ellipses")
         # A law that is no ellipse has neither: what draws an ellipse is left out then.
@@ -139,7 +140,18 @@ class RunData:
 
     def friction_texts(self):
         words = ("associated", "collinear")
-        return [text for name, text in self.parameters.get("Friction", {}).items() if name != "Law" and text not in words]
+        return [text for name, text in self.parameters.get("Friction", {}).items()
+                if name not in ("Law", "Rosette", "Factor") and text not in words]
+
+    @property
+    def has_factor(self):
+        """Whether a factor of its own scales the friction of every node."""
+        return self.parameters.get("Friction", {}).get("Factor", "1") != "1"
+
+    @functools.cached_property
+    def measured(self):
+        """The tables of a law that is no ellipse."""
+        return MeasuredLaw(self)
 
     def pair(self, entry):
         def two():

@@ -10,6 +10,7 @@ import numpy as np
 from run_folder import check_ordinary
 
 FACES = ((0, 3, 2, 1), (4, 5, 6, 7), (0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (3, 0, 4, 7))  # of a hexahedron, outwards
+CORNERS = {"hexahedron": 8, "quad": 4}  # nodes of first order; those of second order follow them
 ROUNDING = 1e-6  # of the extent of the body
 PLACE = re.compile(r"([xyz])(?: +(min|max)| *= *(\S+))")
 
@@ -22,6 +23,25 @@ def read(path):
             return meshio.read(path, file_format="gmsh")
     except (Exception, SystemExit):  # meshio exits on some files and raises what it likes on others
         return None
+
+
+def extruded(mesh):
+    """The layer of hexahedra, 1 mm thick along y, of a mesh of quadrangles in the plane y = 0; other meshes as they are."""
+    if any(block.type.startswith("hexahedron") for block in mesh.cells):
+        return mesh
+    tags, n = mesh.cell_data["gmsh:physical"], len(mesh.points)
+    blocks, of_blocks = [], []
+    for block, tag in zip(mesh.cells, tags):
+        if block.type.startswith("quad"):
+            blocks.append(("hexahedron", np.hstack([block.data[:, :4], block.data[:, :4] + n])))
+        elif block.type.startswith("line"):
+            ends = block.data[:, :2]
+            blocks.append(("quad", np.hstack([ends, ends[:, ::-1] + n])))
+        else:
+            continue
+        of_blocks.append(tag)
+    return meshio.Mesh(np.concatenate([mesh.points, mesh.points + [0, 1, 0]]), blocks, cell_data={"gmsh:physical": of_blocks},
+                       field_data=mesh.field_data)
 
 
 def border_faces(cells):
@@ -40,9 +60,10 @@ def border_of(faces):
 
 class ImportedBody:
     def __init__(self, mesh, geometry):
-        self.mesh, self.points = mesh, mesh.points
+        self.mesh = extruded(mesh)
+        self.points = self.mesh.points
         self.border = border_faces(np.concatenate([cells for cells, _ in self.blocks("hexahedron")]))
-        self.contact = self.surface(geometry["Contact surface"])
+        self.contact = np.concatenate([self.surface(name.strip()) for name in geometry["Contact surface"].split(",")])
         self.held = self.surface(geometry["Held surface"])
         symmetric = [self.points[self.surface(name.strip()).ravel()]
                      for name in geometry.get("Symmetry surfaces", "").split(",") if name.strip()]
@@ -61,10 +82,14 @@ class ImportedBody:
 
     def blocks(self, kind):
         tags = self.mesh.cell_data.get("gmsh:physical", [None] * len(self.mesh.cells))
-        return [(block.data, tag) for block, tag in zip(self.mesh.cells, tags) if block.type == kind]
+        return [(block.data[:, :CORNERS[kind]], tag) for block, tag in zip(self.mesh.cells, tags)
+                if re.fullmatch(kind + r"\d*", block.type)]
 
     def surface(self, name):
-        """Quadrilaterals of a physical surface, by name or number, or of a place such as z min or x = 0."""
+        """Quadrilaterals of a physical surface, by name or number, or of a place such as z min or x = 0; none without a
+        name."""
+        if not name:
+            return np.empty((0, 4), dtype=int)
         if name not in self.mesh.field_data and (place := PLACE.fullmatch(name)):
             return self.faces_at("xyz".index(place[1]), place[2] or float(place[3]))
         number = self.mesh.field_data[name][0] if name in self.mesh.field_data else int(name)

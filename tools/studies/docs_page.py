@@ -92,7 +92,7 @@ def main(tool, about, runs_in, pictures, tables=None):
     parser.add_argument("--docs", action="store_true", help="also refresh the pictures and tables in docs/")
     options = parser.parse_args()
     runs = runs_in(ROOT / "build/orthocone", options.output / "runs")
-    page = {"figures": "paper"}.get(tool, tool)
+    page = {"figures": "paper", "friction": "measured_friction"}.get(tool, tool)
     try:
         draw(tool, pictures, runs, options.output, ROOT / "docs/images" if options.docs else None)
         if options.docs and tables:

@@ -7,4 +7,4 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parent.parent
 sys.path[:0] = [str(folder) for folder in (HERE, HERE / "pictures", HERE / "benchmark", HERE / "peers", HERE.parent / "book",
-                                          HERE.parent / "runs")]
+                                          HERE.parent / "runs", HERE.parent / "rosettes")]

@@ -18,7 +18,7 @@ import sweep_runs  # noqa: E402
 from run_folder import BadFile, content_of, object_of, one_line, write_whole  # noqa: E402
 
 ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
-MOST_RUNS, MOST_JOBS = 100000, 1000
+MOST_RUNS, MOST_JOBS = 100000, 400
 MOST_BYTES_OF_NAME, MOST_BYTES_OF_PATH = 255, 4000  # of a run's folder, and of the study's: Linux takes no more
 MOST_FILES = 1000  # that a scene includes or names: the program takes no more
 FILE_ENTRIES = ("Obstacle/Gap file", "Geometry/Mesh file", "Lower geometry/Mesh file")
@@ -182,7 +182,8 @@ def require_same_study(folder, study, anew):
     write_whole(path, json.dumps(study, indent=2) + "\n")
 
 
-def run_study(options):
+def study_of(options, kind_of_run=sweep_runs.Run):
+    """The grid of a study, the folder that is its own, and its runs. Raises WrongInput."""
     grid = grid_of(options.vary)
     check_use(grid, options.set)
     content_of(options.file)  # an error if it cannot be read
@@ -209,8 +210,13 @@ def run_study(options):
     require_same_study(output, {"file": str(options.file.resolve()), "set": options.set, "names": names,
                                 "fields": options.fields,
                                 "checksum": checksum_of(options, points)}, options.anew)
-    runs = [sweep_runs.Run(point, output / "runs" / name, [*fixed, *settings_of(point, options.set)])
+    runs = [kind_of_run(point, output / "runs" / name, [*fixed, *settings_of(point, options.set)])
             for point, name in zip(points, folders)]
+    return grid, output, runs
+
+
+def run_study(options):
+    grid, output, runs = study_of(options)
     sweep_runs.run_all(runs, options)
     rows = sweep_runs.write_table(runs, output / "sweep.csv")
     sweep_page.write_page(output / "sweep.html", options.file, options.set, grid, rows)

@@ -6,11 +6,9 @@ import io
 import json
 import os
 import pathlib
-import queue
 import signal
 import subprocess
 import sys
-import threading
 
 sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "runs"))
 from run_folder import RunFolder, write_whole  # noqa: E402
@@ -50,6 +48,13 @@ class Run:
     def is_complete(self):
         return self.summary().get("status") == "complete"
 
+    def has_failed(self):
+        return self.exit != 0
+
+    def state(self):
+        """Words about a run that has ended."""
+        return f"exit code {self.exit}: {self.message}" if self.has_failed() else "complete"
+
     def words(self, file, anew):
         """Arguments of the program. One thread a run: several run at a time."""
         words = [str(file), "--quiet", "--threads", "1", "--output", str(self.folder)]
@@ -59,21 +64,32 @@ class Run:
 
 
 class Worker:
-    """A process of the program that pays the time of a start once: loading its libraries takes longer than a small run."""
+    """A process of the program that runs several points at a time. It pays the time of a start once: loading its libraries
+    takes longer than a small run. Points that have the same body share it."""
 
-    def __init__(self, program):
+    def __init__(self, program, jobs):
         # All symbols are looked up at the start, not once more in every run; BLAS makes no threads of its own.
         environment = {**os.environ, "LD_BIND_NOW": "1", "OPENBLAS_NUM_THREADS": "1"}
-        self.process = subprocess.Popen([program, "--batch"], stdin=subprocess.PIPE, stdout=subprocess.PIPE,
-                                        encoding="utf-8", errors="replace", env=environment)
+        self.process = subprocess.Popen([program, "--batch", "--jobs", str(jobs)], stdin=subprocess.PIPE,
+                                        stdout=subprocess.PIPE, encoding="utf-8", errors="replace", env=environment)
+        self.n_lines, self.running = 0, {}  # runs by numbers of their lines
 
-    def answer(self, words):
+    def begin(self, run, words):
+        self.n_lines += 1
+        self.running[self.n_lines] = run
         try:
             self.process.stdin.write(json.dumps(words) + "\n")
             self.process.stdin.flush()
-            return json.loads(self.process.stdout.readline())
+        except OSError:
+            pass  # it was killed, and gives no answer
+
+    def answer(self):
+        """The next run that has ended, and what the program says of it; None where the process has ended."""
+        try:
+            answer = json.loads(self.process.stdout.readline())
+            return self.running.pop(answer["line"]), answer
         except (OSError, ValueError):
-            return None  # it was killed
+            return None
 
     def end(self):
         try:
@@ -81,56 +97,55 @@ class Worker:
         except OSError:
             pass  # it was killed
         self.process.wait()
+        self.process.stdout.close()
 
 
 def work_off(todo, options, done):
-    worker = Worker(options.program)
-    while not options.is_interrupted:
-        try:
-            run = todo.get_nowait()
-        except queue.Empty:
-            break
-        answer = worker.answer(run.words(options.file, options.anew))
-        if answer is None:
-            worker.end()
-            answer = {"exit": 137, "message": "the worker was killed", "cpu_seconds": None}
-            worker = Worker(options.program)
-        run.exit, run.message, run.cpu_seconds = answer["exit"], answer["message"].strip(), answer["cpu_seconds"]
-        done(run)
+    """Runs a list of runs on one worker, and on another one if that is killed."""
+    worker, jobs = Worker(options.program, options.jobs), options.jobs
+    while worker.running or (todo and not options.is_interrupted):
+        while todo and len(worker.running) < jobs and not options.is_interrupted:
+            run = todo.pop(0)
+            worker.begin(run, run.words(options.file, options.anew))
+        if found := worker.answer():
+            run, answer = found
+            run.exit, run.message, run.cpu_seconds = answer["exit"], answer["message"].strip(), answer["cpu_seconds"]
+            done(run)
+            continue
+        worker.end()
+        for run in worker.running.values() if not options.is_interrupted else ():
+            run.exit, run.message = 137, "the worker was killed"
+            done(run)
+        worker = Worker(options.program, jobs)
     worker.end()
 
 
 def run_all(runs, options):
-    """Runs what is not complete, on `options.jobs` workers."""
-    todo = queue.Queue()
+    """Runs what is not complete, `options.jobs` runs at a time."""
+    todo = []
     for run in runs:
         if not options.anew and run.is_complete():
             run.exit = 0
         else:
             run.folder.parent.mkdir(parents=True, exist_ok=True)
-            todo.put(run)
-    n_all, n_done, lock = todo.qsize(), 0, threading.Lock()
+            todo.append(run)
+    n_all, n_done = len(todo), 0
     print(f"{len(runs)} points, {n_all} to run", flush=True)
 
     def done(run):
         nonlocal n_done
-        with lock:
-            n_done += 1
-            state = "complete" if run.exit == 0 else f"exit code {run.exit}: {run.message}"
-            print(f"{n_done} of {n_all}: {run.folder.name}: {state}", flush=True,
-                  file=sys.stdout if run.exit == 0 else sys.stderr)
+        n_done += 1
+        print(f"{n_done} of {n_all}: {run.folder.name}: {run.state()}", flush=True,
+              file=sys.stderr if run.has_failed() else sys.stdout)
 
-    threads = [threading.Thread(target=work_off, args=(todo, options, done)) for _ in range(min(options.jobs, n_all))]
     def stop(*_):
         """The runs get the signal, too: each finishes its step, and the study can go on from there."""
         options.is_interrupted = True
 
     options.is_interrupted = False
     before = signal.signal(signal.SIGINT, stop)
-    for thread in threads:
-        thread.start()
-    for thread in threads:
-        thread.join()
+    if todo:
+        work_off(todo, options, done)
     signal.signal(signal.SIGINT, before)
 
 

@@ -29,6 +29,13 @@ struct MemoryLimit
 /// (RLIMIT_AS).
 MemoryLimit memory_limit();
 
+/// Memory that this process and others beside it could take now without others losing theirs: what the
+/// machine and the control groups have left, GB. Infinite where nothing is known.
+double free_gigabytes();
+
+/// Whether there is a limit of the address space (RLIMIT_AS).
+bool has_bounded_address_space();
+
 /// Throws InputError if less of the address space is left than any run needs. OpenBLAS asks for memory in
 /// threads of its own, and would wait for it for ever.
 void require_address_space();

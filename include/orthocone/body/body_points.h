@@ -3,6 +3,7 @@
 #pragma once
 
 #include <orthocone/body/body.h>
+#include <orthocone/body/deformation.h>
 #include <orthocone/body/fe/cell_fields.h>
 
 #include <cstddef>
@@ -11,13 +12,6 @@
 
 namespace orthocone
 {
-/// What the fields of a body are made of.
-struct Deformation
-{
-  Eigen::VectorXd displacement; ///< of all degrees of freedom, mm
-  Strain free_strain{};         ///< causes no stress
-};
-
 /// Points of the modelled part of a body: the cells that they lie in, found once, and the fields there. A
 /// point where several cells meet has the mean of their fields, because stress jumps between cells, and no
 /// cell has the right to it. Where several processes share the body, all must make this object and ask it,

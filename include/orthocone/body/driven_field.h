@@ -39,6 +39,10 @@ DrivenField driven_field(const Body &body, const BodyOptions &options, const Con
                          const ModelSymmetry &symmetry,
                          const std::function<Eigen::VectorXd(const Eigen::VectorXd &forces)> &solve);
 
+/// Displacements (mm) of the n contact nodes in their local axes, 3 n x m, out of m displacements of all
+/// degrees of freedom that this process knows, n_dofs x m. All processes must call it.
+Eigen::MatrixXd at_contact_nodes(const ContactFrame &frame, const Eigen::MatrixXd &volume);
+
 /// The names of two loads that move the same nodes along the same axis, as on surfaces that meet at an edge,
 /// in the words "a and b along x"; "" where there are none. All processes must call it.
 std::string moved_twice(const Body &body, const GeometryOptions &geometry);

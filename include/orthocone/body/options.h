@@ -144,6 +144,32 @@ struct Support
   std::array<bool, 3> directions; ///< x, y, z
 };
 
+/// What a surface of a mesh file is exactly.
+enum class SurfaceKind
+{
+  plane,
+  cylinder,
+  sphere,
+};
+
+template<>
+struct Words<SurfaceKind>
+{
+  static constexpr std::array<std::pair<SurfaceKind, std::string_view>, 3> table{
+      {{SurfaceKind::plane, "plane"}, {SurfaceKind::cylinder, "cylinder"}, {SurfaceKind::sphere, "sphere"}}};
+};
+
+/// A surface of a mesh file that is a plane, a cylinder or a sphere.
+struct CurvedSurface
+{
+  std::string surface; ///< its name
+  SurfaceKind kind = SurfaceKind::plane;
+  std::array<double, 3> centre{};    ///< of a sphere, or a point of the axis of a cylinder, mm
+  std::array<double, 3> direction{}; ///< of that axis, of any length
+
+  std::string text() const; ///< as the entry has it
+};
+
 /// The entries of section Geometry; lengths in mm.
 struct GeometryOptions
 {
@@ -157,6 +183,7 @@ struct GeometryOptions
   // Physical groups of that file, by name or number:
   std::string held_surface{};
   std::vector<std::string> symmetry_surfaces{};
+  std::vector<CurvedSurface> curved_surfaces{};
   std::vector<Support> supports{};         ///< of any shape
   std::vector<Load> loads{};               ///< of the load program, on both bodies; no entry of this section
   GeometryKind kind = GeometryKind::solid; ///< of the scene: the lower body has the upper one's
@@ -164,6 +191,9 @@ struct GeometryOptions
   SectionName section = "Geometry";
   bool is_lower = false;  ///< whether this is the second body
   bool faces_down = true; ///< whether the counterface has the normal z; an entry of section Obstacle
+
+  /// Whether the body is computed as its mirror image about z = 0.
+  bool is_mirrored() const { return is_lower && faces_down; }
 
   /// Whether a load acts on this body.
   bool has(const Load &load) const { return load.is_on_lower == is_lower; }

@@ -40,7 +40,13 @@ struct ContactState
   Eigen::VectorXd found_depth;       ///< worn before the last step: `displacement` is relative to it, mm
   Eigen::VectorXd slip_at_stick;     ///< slip (x, y) where the node last stuck or turned round, mm
   std::vector<NodeStatus> status;
+  // Of friction with memory; empty without it, or where its factor does not depend on the speed.
+  Eigen::VectorXd friction_factor{}; ///< of the last step
+  Eigen::VectorXd slip_speed{};      ///< in the last step, mm/s
 };
+
+/// The friction law of a node in the last step.
+FrictionLaw law_of(const ContactSystem &system, const ContactState &state, Eigen::Index node);
 
 /// Displacement of a state (3 n, mm) relative to the obstacle, without the room that wear has made: the gap
 /// before the first step, and the motion of the nodes since.

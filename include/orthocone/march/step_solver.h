@@ -3,6 +3,7 @@
 #pragma once
 
 #include <orthocone/contact/solvers/contact_solver.h>
+#include <orthocone/march/friction_memory.h>
 #include <orthocone/march/implicit_wear.h>
 #include <orthocone/march/start_forces.h>
 #include <orthocone/scene/scene.h>
@@ -28,7 +29,8 @@ public:
   ~StepSolver();
 
   /// Advances `state` to the end of `step`, in its parts if it has any. On failure (report.converged is
-  /// false) `state` stays as it was. Throws SolveError where the body cannot be solved.
+  /// false) `state` stays as it was. Throws SolveError where the body cannot be solved, or friction with
+  /// memory has no coefficients.
   SolverReport solve(ContactState &state, const LoadStep &step);
 
   /// What the last call of solve() failed on: the problem of the whole step, or of its part
@@ -95,6 +97,7 @@ private:
   Eigen::VectorXd opening_; ///< node_compliance()
   WearLaw wear_;
   ImplicitWear implicit_wear_;
+  FrictionMemory friction_;
   double tolerance_;
   std::unique_ptr<ContactSolver> solver_;
   StartForces starts_;

@@ -58,15 +58,13 @@ private:
 class CycleTable
 {
 public:
-  explicit CycleTable(RunFolder &folder)
-      : folder_(folder)
-  {
-  }
+  CycleTable(RunFolder &folder, const Parameters &parameters);
 
   void start();
   void write(const CycleRow &row);
 
 private:
   RunFolder &folder_;
+  const Columns<CycleRow> columns_;
 };
 } // namespace orthocone

@@ -53,6 +53,9 @@ struct RunRecord
   std::pair<double, unsigned int> flattening{0, 0};          ///< MotionChecks::flattening, and its step
   std::pair<double, unsigned int> pressure_of_modulus{0, 0}; ///< MotionChecks::pressure_of_modulus, likewise
   std::pair<double, unsigned int> slide_of_face{0, 0};       ///< MotionChecks::slide_of_face, likewise
+  std::pair<double, unsigned int> change_of_factor{0, 0};    ///< StepChecks::change_of_factor, likewise
+  std::pair<double, unsigned int> largest_factor{0, 0};      ///< FactorRange::largest, likewise
+  double energy_of_fall = 0; ///< StepChecks::energy_of_fall of all steps, N mm
   ZoneRecord zones{};
   // Energies of all steps, those of jumped cycles included (docs/theory.md, section 4), N mm.
   double work = 0;        ///< of the upper face

@@ -29,6 +29,7 @@ struct ContactFields
   double dissipated_energy = 0;                          ///< N/mm, accumulated, per area
   double wear_depth = 0;                                 ///< mm, accumulated
   unsigned int surface = 0;                              ///< number of the contact surface
+  double friction_factor = 0;                            ///< on the coefficients of friction in the step
 };
 
 /// The number of the contact surface at an image of a node on surface `number`: a mirror exchanges x- and x+
@@ -54,6 +55,7 @@ struct ContactField
   const char *unit; ///< empty for shares and counts
   const char *how;
   std::variant<Scalar, Vector, Derived> of;
+  bool (*is_there)(const Parameters &) = nullptr; ///< in the files of such a run; in all of them without it
 
   unsigned int n_components() const { return std::holds_alternative<Vector>(of) ? 3 : 1; }
 
@@ -61,8 +63,9 @@ struct ContactField
   Eigen::Vector3d value(const ContactFields &fields) const;
 };
 
-/// The fields in the order of the files.
+/// The fields in the order of the files: all of them, and those of a run.
 const std::vector<ContactField> &contact_field_list();
+std::vector<ContactField> contact_field_list(const Parameters &parameters);
 
 /// Computes the fields of the nodes of a state. Only reads.
 class ContactFieldEvaluator

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <orthocone/results/fretting_loop.h>
+#include <orthocone/results/friction_jumps.h>
 #include <orthocone/results/solved_step.h>
 #include <orthocone/results/wear_jumps.h>
 #include <orthocone/scene/cycle_row.h>
@@ -18,9 +19,9 @@ namespace orthocone
 /// Largest difference between the states at both ends of a cycle: of nodal forces relative to `largest_force`
 /// (N), of displacements of nodes and held face relative to `length` (mm); a rotation counts with `reach`
 /// (mm), the largest distance of a node from its centre. Nodal forces are those of single nodes of the whole
-/// body, whatever part is modelled (`shares` are ModelSymmetry::force_shares()). The law knows no rate, and
-/// the state is its whole memory: a cycle that ends as it began is repeated by all that follow.
-/// docs/theory.md, section 6.
+/// body, whatever part is modelled (`shares` are ModelSymmetry::force_shares()). The change of the factor of
+/// friction with memory counts, too. The law knows no rate, and the state is its whole memory: a cycle that
+/// ends as it began is repeated by all that follow. docs/theory.md, section 6.
 double change_of_state(const ContactState &start, const ContactState &end, const Eigen::VectorXd &shares,
                        double largest_force, double length, double reach = 0);
 
@@ -56,6 +57,7 @@ struct CycleMemory
   std::vector<StepRange> jumped;
   std::vector<LoopPoint> loop; ///< the start of the cycle and its steps so far
   WearMemory wear;
+  FrictionJumpMemory friction;
 
   /// Number of steps that were jumped.
   unsigned int n_jumped_steps() const;
@@ -68,7 +70,7 @@ class CycleWatch
 public:
   /// `areas`: of the nodes of the model, mm^2. `reach`: reach_of() the body, mm.
   CycleWatch(const LoadOptions &load, const Eigen::VectorXd &shares, const Eigen::VectorXd &areas,
-             double reach = 0, WearJumps wear = {{}, {}});
+             double reach = 0, WearJumps wear = {{}, {}}, FrictionJumps friction = {});
 
   /// To be called with every accepted step; `before` is the state before it. Returns the row of a cycle that
   /// this step completes.
@@ -97,6 +99,7 @@ private:
   void set_row(const ContactState &end, const Totals &totals);
   void ask_rules(const CycleRow &row);
   unsigned int n_alike(const ContactState &end);
+  unsigned int n_followed(const ContactState &end, unsigned int left);
 
   const LoadOptions load_;
   const unsigned int n_steps_;   ///< of a cycle
@@ -105,6 +108,7 @@ private:
   const Eigen::VectorXd shares_; ///< ModelSymmetry::force_shares()
   const Eigen::VectorXd areas_;
   WearJumps wear_;
+  FrictionJumps friction_;
   unsigned int n_to_jump_ = 0;
   std::string why_to_stop_;
   CycleMemory memory_;

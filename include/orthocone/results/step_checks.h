@@ -29,6 +29,9 @@ struct StepChecks
       0; ///< largest slip in contact relative to the length over which gap and friction change
   double wear_of_flattening = 0; ///< largest depth worn in the step relative to what the normal force of the
                                  ///< node flattens the body by
+  double change_of_factor =
+      0;                     ///< largest relative change of a node's factor of friction from the step before
+  double energy_of_fall = 0; ///< that the fall of friction in slip sets free, N mm
   MotionChecks motion{};
   bool is_finite = true;    ///< all numbers of the state are
   Eigen::VectorXd volume{}; ///< K^-1 r of the free unknowns, by which equilibrium is judged, mm

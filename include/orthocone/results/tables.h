@@ -28,6 +28,10 @@ Columns<SolvedStep> with_loads(Columns<SolvedStep> columns, const std::vector<Lo
 /// The same with the columns of several contact surfaces behind, whose names begin with those of the
 /// surfaces.
 Columns<SolvedStep> with_surfaces(Columns<SolvedStep> columns, const std::vector<std::string> &surfaces);
+
+/// The same with the columns of friction with memory behind, where there is one.
+Columns<SolvedStep> with_factor(Columns<SolvedStep> columns, const FrictionOptions &friction);
+Columns<CycleRow> with_factor(Columns<CycleRow> columns, const FrictionOptions &friction);
 const Columns<SolvedStep> &checks_columns();
 const Columns<SolvedStep> &timing_columns();
 const Columns<ProbedStep> &probe_columns();

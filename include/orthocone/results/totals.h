@@ -17,6 +17,14 @@ struct SurfaceTotals
   double total_dissipation = 0;                    ///< N mm
 };
 
+/// The factor on the coefficients of friction over the nodes in contact.
+struct FactorRange
+{
+  double least = 0;
+  double mean = 0; ///< by area
+  double largest = 0;
+};
+
 /// Results of the whole body after a step, whatever part of it is modelled.
 struct Totals
 {
@@ -41,6 +49,7 @@ struct Totals
   Eigen::VectorXd load_areas{}; ///< Scene::load_areas(), mm^2
   double worn_volume = 0;       ///< mm^3
   double max_wear_depth = 0;    ///< mm
+  std::optional<FactorRange> factor{};   ///< of friction with memory, where nodes are in contact
   std::vector<SurfaceTotals> surfaces{}; ///< of each of several contact surfaces; none of one alone
 };
 

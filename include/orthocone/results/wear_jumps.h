@@ -31,6 +31,9 @@ public:
   /// follow, at most `most`.
   unsigned int after_cycle(const ContactState &start, const ContactState &end, unsigned int most);
 
+  /// To be called where fewer cycles are jumped than that.
+  void shorten(unsigned int n) { memory_.n_jumped = n; }
+
   const WearMemory &memory() const { return memory_; }
   void restore(const WearMemory &memory) { memory_ = memory; }
 

@@ -43,6 +43,10 @@ struct CycleRow
   double wear_error = 0;           ///< WearMemory::error at the end, mm^3
   LoopFigures loop{};              ///< of the (last computed) cycle
   double worst_energy = 0;         ///< largest dissipation per area of a node in the cycles of the row, N/mm
+  double least_factor = 0;         ///< of friction over nodes in contact, in the cycle (FactorRange)
+  double mean_factor = 0;          ///< in the last step of the cycle that has contact; 0 without contact
+  double largest_factor = 0;       ///< in the cycle
+  double factor_error = 0;         ///< FrictionJumpMemory::error at the end
   double worst_wear = 0;           ///< largest depth that a node loses in the cycles of the row, mm
 };
 } // namespace orthocone

@@ -35,7 +35,7 @@ public:
 
   bool is_in_lower() const { return !of_lower_.empty(); }
 
-  /// Fields at the points, in global axes. `lower`, of the mirror image of the lower body, counts if
+  /// Fields at the points, in global axes. `lower`, of the lower body or its mirror image, counts if
   /// is_in_lower().
   std::vector<PointFields> fields(const Deformation &upper, const Deformation &lower) const;
 
@@ -49,9 +49,11 @@ private:
     bool is_in_lower;
     std::size_t number; ///< among the points of its body
   };
+  void find_lower_points(const Body &upper);
   void require_inside(const Line &line, const Parameters &parameters, const ModelSymmetry &symmetry) const;
   bool is_inside(const Point &point, const ModelSymmetry &symmetry) const;
 
+  bool lower_is_mirrored_;
   std::vector<Point> points_;
   std::optional<BodyPoints> upper_;  ///< always there
   std::vector<BodyPoints> of_lower_; ///< one, or none where no point lies there

@@ -49,6 +49,7 @@ struct LoadStep
   bool ends_cycle = false;
   std::vector<double> loads{};  ///< at the end of the step
   std::optional<double> time{}; ///< at the end of the step, s; nothing in a program without times
+  double seconds = 0;           ///< that the step takes; 0 in a program without times, and in the preload
   /// The parts in which the step is solved; the last one ends where the step does. If empty, it is solved in
   /// one. Their `step_of_leg` and `phase` count parts.
   std::vector<LoadStep> parts{};

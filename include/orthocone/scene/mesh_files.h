@@ -3,6 +3,7 @@
 #pragma once
 
 #include <orthocone/scene/options.h>
+#include <orthocone/surface/model_symmetry.h>
 
 #include <string>
 #include <vector>
@@ -16,6 +17,6 @@ std::string describe_mesh_files(const Parameters &parameters);
 /// ImportedMesh::warnings() of the same bodies, with the names of their own entries.
 std::vector<std::string> mesh_file_warnings(const Parameters &parameters);
 
-/// Obstacle::warnings() at the contact nodes of the scene.
-std::vector<std::string> counterface_warnings(const Parameters &parameters);
+/// Obstacle::warnings() at the contact nodes of the scene, or overlap_warnings() of two bodies.
+std::vector<std::string> counterface_warnings(const Parameters &parameters, const ModelSymmetry &symmetry);
 } // namespace orthocone

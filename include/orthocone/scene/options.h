@@ -9,6 +9,7 @@
 #include <orthocone/body/options.h>
 #include <orthocone/contact/law/friction_law.h>
 #include <orthocone/contact/solvers/contact_solver_options.h>
+#include <orthocone/scene/friction_factor.h>
 #include <orthocone/scene/stop_rule.h>
 #include <orthocone/scene/wear_kind.h>
 
@@ -101,6 +102,9 @@ public:
   /// Adds the entries of this kind, which count where it is chosen.
   virtual void declare(Section &, const Condition & /*is_chosen*/) {}
 
+  /// Whether it takes the entries Coefficients and Slip potential.
+  virtual bool has_semi_axes() const { return false; }
+
   /// Whether the law depends on the place.
   virtual bool varies(const FrictionOptions &) const { return false; }
 
@@ -127,11 +131,15 @@ struct FrictionOptions
   std::optional<Expression> varying_angle{};
   std::optional<std::array<Expression, 3>> first_axis{}; ///< its projection is the first axis
   Choice<FrictionLawOptions> law{};
+  FrictionFactor factor{}; ///< on all coefficients, from step to step
 
+  /// Whether friction has memory.
+  bool has_factor() const { return !factor.is_one() && !is_frictionless(); }
   bool has_ellipses() const { return law == FrictionLawKind::ellipses; }
   std::string first_axis_text() const; ///< as the entry has it
   bool varies() const { return varying_angle || first_axis || law.chosen().varies(*this); }
-  bool is_frictionless() const { return has_ellipses() && mu[0] == 0 && !varying_mu; }
+  bool has_semi_axes() const { return law.chosen().has_semi_axes(); }
+  bool is_frictionless() const { return has_semi_axes() && mu[0] == 0 && !varying_mu; }
 
   /// Semi-axes p_x, p_y of the slip ellipse; without friction (1, 1), which means nothing.
   std::array<double, 2> p() const
@@ -273,16 +281,19 @@ struct LoadOptions
   unsigned int cycles = 1;
   double accuracy =
       0; ///< wanted of `quantity_names` as far as load steps cause errors, percent; 0: steps as given
-  std::string program_file{};     ///< path, or empty; its rows take the place of `legs`
-  unsigned int steps_per_row = 1; ///< load steps of each row of that file
-  std::vector<Leg> rows{};        ///< of that file: read_program_file()
-  Kinds<StopRule> stops{};        ///< each of which may end the run before its last cycle
-  double jump_when_periodic = 0;  ///< bound of the change of state in a cycle; 0 = never
-  unsigned int jump_cycles = 100; ///< most cycles that are jumped before the next one is computed
-  std::vector<Load> loads{};      ///< beside the held face, on both bodies
+  std::string program_file{};         ///< path, or empty; its rows take the place of `legs`
+  unsigned int steps_per_row = 1;     ///< load steps of each row of that file
+  std::vector<Leg> rows{};            ///< of that file: read_program_file()
+  Kinds<StopRule> stops{};            ///< each of which may end the run before its last cycle
+  double jump_when_periodic = 0;      ///< bound of the change of state in a cycle; 0 = never
+  unsigned int jump_cycles = 100;     ///< most cycles that are jumped before the next one is computed
+  double jump_change_of_friction = 0; ///< relative, of a node in cycles that are jumped; 0 = none
+  std::vector<Load> loads{};          ///< beside the held face, on both bodies
 
   /// The legs that are passed through `cycles` times.
   const std::vector<Leg> &cycle_legs() const { return program_file.empty() ? legs : rows; }
+
+  unsigned int first_cycle() const { return preload.empty() ? 1 : 0; } ///< of the first step
 
   /// The number of complete cycles: those that were found in the program file, or `cycles`.
   unsigned int n_cycles() const;

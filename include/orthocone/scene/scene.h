@@ -131,7 +131,7 @@ private:
   const LoadProgram program_;
   const FrictionField friction_;
   PhaseSeconds seconds_;
-  std::unique_ptr<const ElasticBody> body_;
+  std::shared_ptr<const ElasticBody> body_; ///< other scenes may have it, too
   LocalAxes axes_;
   Eigen::VectorXd pressed_areas_;
   std::unique_ptr<const LowerBody> lower_;

@@ -3,6 +3,8 @@
 #include <orthocone/body/backends/condensed_body.h>
 
 #include <algorithm>
+#include <cmath>
+#include <stdexcept>
 #include <utility>
 
 namespace orthocone
@@ -12,12 +14,58 @@ using Eigen::Matrix3d;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 
+namespace
+{
+Matrix3d in_local_axes(const Matrix3d &block, const Matrix3d &axes_of_row, const Matrix3d &axes_of_column)
+{
+  return axes_of_row.transpose() * block * axes_of_column;
+}
+} // namespace
+
 CondensedBody::CondensedBody(const BodyUnknowns &unknowns, const StiffnessFactor &factor, LocalAxes axes)
     : unknowns_(unknowns),
       factor_(factor),
       frame_(unknowns, std::move(axes)),
       compliance_(local_compliance())
 {
+}
+
+CondensedBody::CondensedBody(const CondensedBody &other, LocalAxes axes)
+    : unknowns_(other.unknowns_),
+      factor_(other.factor_),
+      frame_(unknowns_, std::move(axes)),
+      compliance_(turned_compliance(other))
+{
+}
+
+bool CondensedBody::can_turn() const
+{
+  const auto is_whole = [](const double component) { return component == 0 || std::abs(component) == 1; };
+  for (std::size_t i = 0; i < frame_.nodes().size(); ++i)
+    if (const Matrix3d &turn = frame_.global_in_local(i);
+        !std::all_of(turn.data(), turn.data() + turn.size(), is_whole))
+      return false;
+  return true;
+}
+
+/// Turning out of global axes that are named in another order, or negative, adds nothing but zeros: the
+/// blocks between both turns are those of local_compliance().
+MatrixXd CondensedBody::turned_compliance(const CondensedBody &other) const
+{
+  if (!other.can_turn())
+    throw std::logic_error("a compliance turns out of global axes only");
+  const DenseView &before = *other.compliance_.dense();
+  MatrixXd local(before.rows(), before.cols());
+  const Index n = before.rows() / 3;
+  for (Index j = 0; j < n; ++j)
+    for (Index i = 0; i < n; ++i)
+    {
+      const Matrix3d block = other.frame_.global_in_local(i) * before.block<3, 3>(3 * i, 3 * j) *
+                             other.frame_.global_in_local(j).transpose();
+      local.block<3, 3>(3 * i, 3 * j) =
+          in_local_axes(block, frame_.global_in_local(i), frame_.global_in_local(j));
+    }
+  return local;
 }
 
 /// The inverse of the Schur complement where its unknowns are directions of nodes, turned into local axes.
@@ -45,7 +93,7 @@ MatrixXd CondensedBody::local_compliance() const
     for (Index i = 0; i < n; ++i)
     {
       const Matrix3d block = local.block<3, 3>(3 * i, 3 * j);
-      local.block<3, 3>(3 * i, 3 * j) = turns[i].transpose() * block * turns[j];
+      local.block<3, 3>(3 * i, 3 * j) = in_local_axes(block, turns[i], turns[j]);
     }
   return local;
 }

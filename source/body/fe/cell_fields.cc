@@ -107,9 +107,9 @@ std::vector<PointFields> CellFields<dim>::in(const typename DisplacementSpace<di
     fields[q].place = in_space(values_.quadrature_point(q));
     fields[q].displacement = displacement_at(space_, values_, q, nodal);
     fields[q].volume = cell->material_id();
+    fields[q].volume_change = (is_projected ? changes[q] : trace(strain)) - trace(free_strain_);
     fields[q].stress =
-        materials_.of(cell->material_id())
-            .stress(strain - free_strain_, (is_projected ? changes[q] : trace(strain)) - trace(free_strain_));
+        materials_.of(cell->material_id()).stress(strain - free_strain_, fields[q].volume_change);
   }
   return fields;
 }

@@ -5,9 +5,11 @@
 #include "contact_faces.h"
 #include "datum.h"
 #include "dof_places.h"
+#include "face_nodes.h"
 #include "local_dofs.h"
 
 #include <orthocone/base/ranks.h>
+#include <orthocone/body/shapes/curved_cells.h>
 
 #include <deal.II/base/polynomial.h>
 #include <deal.II/base/quadrature_lib.h>
@@ -25,23 +27,6 @@ namespace
 /// The nodes of the lower face of a cell, where the lexicographic numbering begins.
 template<int dim>
 constexpr unsigned int lower_face = dealii::GeometryInfo<dim>::faces_per_cell - 2;
-
-/// Nodes of a face by their lexicographic numbers in the cell, themselves lexicographic: along two axes that
-/// make a right-handed system with the normal into the cell.
-template<int dim>
-std::vector<unsigned int> nodes_of_face(const unsigned int face, const unsigned int degree)
-{
-  const unsigned int normal = face / 2, n = degree + 1;
-  unsigned int first = (normal + 1) % dim, second = dim == 2 ? normal : (normal + 2) % dim;
-  if (dim == 3 && face % 2 == 1)
-    std::swap(first, second);
-  const std::array<unsigned int, 3> stride{{1, n, n * n}};
-  std::vector<unsigned int> nodes;
-  for (unsigned int j = 0; j < (dim == 2 ? 1 : n); ++j)
-    for (unsigned int i = 0; i < n; ++i)
-      nodes.push_back((face % 2) * degree * stride[normal] + i * stride[first] + j * stride[second]);
-  return nodes;
-}
 
 /// Points in [0, 1], both ends among them, of the rule with weight r that is exact to degree 2 * degree - 1.
 std::vector<double> gauss_lobatto_jacobi_points(const unsigned int degree)
@@ -64,7 +49,8 @@ DisplacementSpace<dim>::DisplacementSpace(const dealii::Triangulation<dim> &tria
       contact_faces_down_(held.contact_faces_down),
       scalar_fe_(options.degree),
       fe_(scalar_fe_, n_components()),
-      mapping_(dim == 2 ? 1 : options.degree), // the cells of sections have straight edges
+      // The cells of sections have straight edges but for those of a file of second order.
+      mapping_(dim == 2 && !has_curved_cells(triangulation) ? 1 : options.degree),
       dof_handler_(triangulation),
       n_quadrature_points_(options.n_quadrature_points()),
       volumetric_quadrature_(options.resolved_volumetric_quadrature()),
@@ -91,7 +77,7 @@ DisplacementSpace<dim>::DisplacementSpace(const dealii::Triangulation<dim> &tria
                                     [this](const unsigned int component) { return direction_of(component); });
   directions_ = std::move(places.directions);
   positions_ = std::move(places.positions);
-  held_centre_ = held_centre_of(triangulation);
+  held_centre_ = held_centre_of(mapping_, triangulation);
   if (dim == 2)
     make_axis_face_basis();
   find_contact_surface(hanging);
@@ -143,14 +129,16 @@ dealii::IndexSet DisplacementSpace<dim>::dofs_of_contact(const std::array<bool, 
   return all;
 }
 
-/// Degrees of freedom of contact nodes with a part along the normal of the body there.
+/// Degrees of freedom of contact nodes along the normal of the body there, or within 60 degrees of it: where
+/// a roller stands across a curved surface, as a plane of symmetry does, the normal of a facet may be off the
+/// roller's plane by half of the angle between facets.
 template<int dim>
 dealii::IndexSet DisplacementSpace<dim>::dofs_along_contact_normals() const
 {
-  constexpr double least = 0.1; // component of the normal
+  constexpr double least = 0.5; // cosine
   dealii::IndexSet all(dof_handler_.n_dofs());
-  dealii::FEFaceValues<dim> values(mapping_, scalar_fe_, dealii::QMidpoint<dim - 1>(),
-                                   dealii::update_normal_vectors);
+  const dealii::Quadrature<dim - 1> nodes(scalar_fe_.get_unit_face_support_points());
+  dealii::FEFaceValues<dim> values(mapping_, scalar_fe_, nodes, dealii::update_normal_vectors);
   std::vector<dealii::types::global_dof_index> dofs(fe_.n_dofs_per_face());
   for (const auto &cell : dof_handler_.active_cell_iterators())
     for (const unsigned int face : cell->face_indices())
@@ -158,11 +146,14 @@ dealii::IndexSet DisplacementSpace<dim>::dofs_along_contact_normals() const
           is_contact(cell->face(face)->boundary_id()))
       {
         values.reinit(typename dealii::Triangulation<dim>::active_cell_iterator(cell), face);
-        const Eigen::Vector3d normal = in_space(dealii::Point<dim>(values.normal_vector(0)));
         cell->face(face)->get_dof_indices(dofs);
         for (unsigned int i = 0; i < dofs.size(); ++i)
-          if (std::abs(normal[direction_of(fe_.face_system_to_component_index(i).first)]) > least)
+        {
+          const auto [component, node] = fe_.face_system_to_component_index(i);
+          const Eigen::Vector3d normal = in_space(dealii::Point<dim>(values.normal_vector(node)));
+          if (std::abs(normal[direction_of(component)]) > least)
             all.add_index(dofs[i]);
+        }
       }
   return all;
 }

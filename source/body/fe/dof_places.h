@@ -6,8 +6,11 @@
 
 #include <orthocone/base/ranks.h>
 #include <orthocone/body/shapes/boundary.h>
+#include <orthocone/body/shapes/curved_cells.h>
 
+#include <deal.II/base/quadrature_lib.h>
 #include <deal.II/dofs/dof_handler.h>
+#include <deal.II/fe/fe_q.h>
 #include <deal.II/fe/fe_values.h>
 #include <deal.II/fe/mapping.h>
 
@@ -76,45 +79,83 @@ inline double measure_of(const dealii::Triangulation<3>::face_iterator &face)
   return cross_product_3d(face->vertex(3) - face->vertex(0), face->vertex(2) - face->vertex(1)).norm() / 2;
 }
 
+/// Sums of the measures of faces and of their first moments; by quadrature where edges are curved.
+template<int dim>
+class FaceMoments
+{
+public:
+  FaceMoments(const dealii::Mapping<dim> &mapping, const bool is_curved)
+      : is_curved_(is_curved),
+        fe_(1),
+        values_(mapping, fe_, dealii::QGauss<dim - 1>(n_points),
+                dealii::update_JxW_values | dealii::update_quadrature_points)
+  {
+  }
+
+  void add(const typename dealii::Triangulation<dim>::active_cell_iterator &cell, const unsigned int number)
+  {
+    const auto face = cell->face(number);
+    if (!is_curved_)
+      return add(measure_of(face), in_space(face->center()));
+    values_.reinit(cell, number);
+    for (const unsigned int q : values_.quadrature_point_indices())
+      add(values_.JxW(q), in_space(values_.quadrature_point(q)));
+  }
+
+  double area = 0;
+  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+
+private:
+  static constexpr unsigned int n_points = 5;
+
+  void add(const double measure, const Eigen::Vector3d &centre)
+  {
+    area += measure;
+    moment += measure * centre;
+  }
+
+  bool is_curved_;
+  dealii::FE_Q<dim> fe_;
+  dealii::FEFaceValues<dim> values_;
+};
+
 /// Centroid of the held face of the whole body (mm): the centroid of the modelled part, moved into the planes
 /// of symmetry, or onto the axis.
 template<int dim>
-Eigen::Vector3d held_centre_of(const dealii::Triangulation<dim> &triangulation)
+Eigen::Vector3d held_centre_of(const dealii::Mapping<dim> &mapping,
+                               const dealii::Triangulation<dim> &triangulation)
 {
-  double area = 0;
-  Eigen::Vector3d moment = Eigen::Vector3d::Zero();
+  FaceMoments<dim> sums(mapping, has_curved_cells(triangulation));
   Eigen::Vector3d is_inside = Eigen::Vector3d::Ones();
   double extent = 0;
-  const auto add = [&](const auto &face)
+  const auto add = [&](const auto &cell, const unsigned int number)
   {
-    const Eigen::Vector3d centre = in_space(face->center());
+    const auto face = cell->face(number);
     if (face->boundary_id() == Boundary::plane_normal_to_x || face->boundary_id() == Boundary::axis)
       is_inside[0] = 0;
     if (face->boundary_id() == Boundary::plane_normal_to_y)
       is_inside[1] = 0;
-    extent = std::max(extent, centre.norm());
-    if (face->boundary_id() != Boundary::top_face)
-      return;
-    area += measure_of(face);
-    moment += measure_of(face) * centre;
+    extent = std::max(extent, in_space(face->center()).norm());
+    if (face->boundary_id() == Boundary::top_face)
+      sums.add(cell, number);
   };
   for (const auto &cell : triangulation.active_cell_iterators())
     if (cell->is_locally_owned())
-      for (const auto &face : cell->face_iterators())
-        if (face->at_boundary())
-          add(face);
+      for (const unsigned int face : cell->face_indices())
+        if (cell->face(face)->at_boundary())
+          add(cell, face);
   if (is_distributed(triangulation))
   {
-    area = sum_over_ranks(area);
-    sum_over_ranks(moment.data(), 3);
+    sums.area = sum_over_ranks(sums.area);
+    sum_over_ranks(sums.moment.data(), 3);
     extent = largest_of_ranks(extent);
     for (double &inside : is_inside)
       inside = -largest_of_ranks(-inside);
   }
-  if (area == 0)
+  if (sums.area == 0)
     return Eigen::Vector3d::Zero();
   constexpr double rounding = 1e-12;
-  const Eigen::Vector3d centre = is_inside.cwiseProduct(moment / area);
+  const Eigen::Vector3d centre = is_inside.cwiseProduct(sums.moment / sums.area);
   return (centre.array().abs() < rounding * extent).select(0, centre);
 }
 } // namespace orthocone

@@ -78,7 +78,7 @@ private:
   {
     face_values_.reinit(MeshCell(cell), face);
     Vector3d direction = load(k).direction;
-    direction[2] *= options_.geometry.is_lower ? -1 : 1; // the second body is computed upside down
+    direction[2] *= options_.geometry.is_mirrored() ? -1 : 1;
     for (const unsigned int q : face_values_.quadrature_point_indices())
     {
       const auto &normal = face_values_.normal_vector(q);

@@ -6,6 +6,7 @@
 #include <deal.II/grid/tria_accessor.h>
 
 #include <algorithm>
+#include <array>
 #include <vector>
 
 namespace orthocone
@@ -40,6 +41,19 @@ template<typename Face>
 dealii::Tensor<1, 3> area_vector(const Face &face)
 {
   return cross_product_3d(face->vertex(3) - face->vertex(0), face->vertex(2) - face->vertex(1)) / 2;
+}
+
+/// The same of a face by its nodes: its corners alone, or with them the middles of its lines and its own, in
+/// deal.II's order. Then it is that of each of the four quadrilaterals between them.
+inline std::vector<dealii::Tensor<1, 3>> area_vectors(const std::vector<dealii::Point<3>> &nodes)
+{
+  const auto of = [&](const std::array<unsigned int, 4> &corners)
+  {
+    return cross_product_3d(nodes[corners[3]] - nodes[corners[0]], nodes[corners[2]] - nodes[corners[1]]) / 2;
+  };
+  if (nodes.size() == 4)
+    return {of({{0, 1, 2, 3}})};
+  return {of({{0, 6, 4, 8}}), of({{6, 1, 8, 5}}), of({{4, 8, 2, 7}}), of({{8, 5, 7, 3}})};
 }
 
 /// Number of pieces without a common face that the cells form.

@@ -76,6 +76,8 @@ public:
   }
   unsigned int number_of(const unsigned int vertex) const { return numbers_.at(vertex); }
 
+  const std::map<unsigned int, unsigned int> &numbers() const { return numbers_; }
+
   std::vector<dealii::Point<2>> points;
 
 private:
@@ -83,25 +85,61 @@ private:
 };
 } // namespace
 
+/// The nodes in the middle of the hexahedron over a quadrangle, in Gmsh's order; those above a node are
+/// `above` it, and those half way are `half_way`.
+static std::vector<unsigned int> extruded_middles(const GmshFile::Element<4> &quadrangle,
+                                                  const unsigned int above, const unsigned int half_way)
+{
+  const auto &corners = quadrangle.nodes;
+  const auto &middles = quadrangle.middles; // of its edges from corner to corner, and perhaps its own
+  if (middles.empty())
+    return {};
+  std::vector<unsigned int> all{middles[0],
+                                middles[3],
+                                corners[0] + half_way,
+                                middles[1],
+                                corners[1] + half_way,
+                                middles[2],
+                                corners[2] + half_way,
+                                corners[3] + half_way,
+                                middles[0] + above,
+                                middles[3] + above,
+                                middles[1] + above,
+                                middles[2] + above};
+  if (middles.size() > 4)
+    for (const unsigned int node :
+         {middles[4], middles[0] + half_way, middles[3] + half_way, middles[1] + half_way,
+          middles[2] + half_way, middles[4] + above, middles[4] + half_way})
+      all.push_back(node);
+  return all;
+}
+
 void extrude(GmshFile &file)
 {
   check_plane(file);
   const auto n = static_cast<unsigned int>(file.nodes.size());
-  for (unsigned int i = 0; i < n; ++i)
-    file.nodes.push_back({{file.nodes[i][0], *file.thickness, file.nodes[i][2]}});
-  for (const auto &[nodes, group] : file.quadrilaterals)
+  for (unsigned int layer = 1; layer <= (file.is_second_order ? 2 : 1); ++layer)
+    for (unsigned int i = 0; i < n; ++i)
+      file.nodes.push_back({{file.nodes[i][0], *file.thickness / layer, file.nodes[i][2]}});
+  for (const auto &quadrangle : file.quadrilaterals)
+  {
+    const auto &nodes = quadrangle.nodes;
     file.hexahedra.push_back(
         {{{nodes[0], nodes[1], nodes[2], nodes[3], nodes[0] + n, nodes[1] + n, nodes[2] + n, nodes[3] + n}},
-         group});
+         quadrangle.group,
+         extruded_middles(quadrangle, n, 2 * n)});
+  }
   file.quadrilaterals.clear();
-  for (const auto &[nodes, group] : file.lines)
-    file.quadrilaterals.push_back({{{nodes[0], nodes[1], nodes[1] + n, nodes[0] + n}}, group});
+  for (const auto &line : file.lines)
+    file.quadrilaterals.push_back(
+        {{{line.nodes[0], line.nodes[1], line.nodes[1] + n, line.nodes[0] + n}}, line.group});
   file.lines.clear();
   for (PhysicalGroup &group : file.groups)
     ++group.dimension;
 }
 
-void flatten(const dealii::Triangulation<3> &layer, dealii::Triangulation<2> &section)
+std::map<unsigned int, unsigned int> flatten(const dealii::Triangulation<3> &layer,
+                                             dealii::Triangulation<2> &section)
 {
   SectionVertices vertices;
   std::vector<dealii::CellData<2>> cells;
@@ -129,5 +167,6 @@ void flatten(const dealii::Triangulation<3> &layer, dealii::Triangulation<2> &se
   for (const auto &face : section.active_face_iterators())
     if (face->at_boundary())
       face->set_boundary_id(ids.at(edge_of(face->vertex_index(0), face->vertex_index(1))));
+  return vertices.numbers();
 }
 } // namespace orthocone

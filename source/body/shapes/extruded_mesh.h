@@ -6,6 +6,8 @@
 
 #include <deal.II/grid/tria.h>
 
+#include <map>
+
 namespace orthocone
 {
 /// Extrudes a mesh of quadrangles in the plane y = 0 by file.thickness to one layer of hexahedra between y =
@@ -13,7 +15,8 @@ namespace orthocone
 /// surfaces. What is off the plane becomes a fault of the file.
 void extrude(GmshFile &file);
 
-/// The quadrangles (x, z) of such a layer, with its material and boundary ids. Throws std::logic_error where
-/// a cell has no face in y = 0.
-void flatten(const dealii::Triangulation<3> &layer, dealii::Triangulation<2> &section);
+/// The quadrangles (x, z) of such a layer, with its material and boundary ids. Returns the numbers of the
+/// vertices of the section by those of the layer. Throws std::logic_error where a cell has no face in y = 0.
+std::map<unsigned int, unsigned int> flatten(const dealii::Triangulation<3> &layer,
+                                             dealii::Triangulation<2> &section);
 } // namespace orthocone

@@ -4,6 +4,7 @@
 
 #include <orthocone/base/errors.h>
 #include <orthocone/base/text.h>
+#include <orthocone/body/shapes/curved_surfaces.h>
 #include <orthocone/body/shapes/gmsh_file.h>
 #include <orthocone/body/shapes/surface_places.h>
 
@@ -34,6 +35,15 @@ public:
       faults_.add(given + " is the surface of " + other + ", too");
     else
       seen_.push_back({entry, group, plane});
+  }
+
+  /// Checks a surface that other entries may name, too.
+  void require_faces(const std::string &entry, const std::string &name)
+  {
+    std::vector<Surface> others;
+    others.swap(seen_);
+    require(entry, name);
+    seen_.swap(others);
   }
 
   void throw_if_any() const
@@ -92,6 +102,7 @@ void check_mesh_file(const GeometryOptions &geometry)
   const GmshFile file = collect_gmsh_file(
       geometry.mesh_file,
       geometry.is_plane_strain() ? std::optional(geometry.section_thickness()) : std::nullopt);
+  check_curved_surfaces(geometry);
   SurfaceCheck check(file);
   if (geometry.contact_surfaces.empty())
     check.require(geometry.section + "/Contact surface", "");
@@ -102,6 +113,8 @@ void check_mesh_file(const GeometryOptions &geometry)
     check.require(geometry.section + "/Held surface", geometry.held_surface);
   for (const std::string &surface : geometry.symmetry_surfaces)
     check.require(geometry.section + "/Symmetry surfaces", surface);
+  for (const CurvedSurface &curved : geometry.curved_surfaces)
+    check.require_faces(geometry.section + "/Curved surfaces", curved.surface);
   for (const Support &support : geometry.supports)
     check.require(geometry.section + "/Supports", support.surface);
   for (const Load &load : geometry.loads)

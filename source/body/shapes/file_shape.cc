@@ -5,6 +5,7 @@
 #include "shapes.h"
 
 #include <orthocone/body/shapes/boundary.h>
+#include <orthocone/body/shapes/curved_surfaces.h>
 #include <orthocone/body/shapes/imported_mesh.h>
 #include <orthocone/body/shapes/supports.h>
 
@@ -193,8 +194,9 @@ public:
         .add("Mesh file", geometry.mesh_file, path_codec(),
              "Mesh by Gmsh for Shape = file (format 2.1, 2.2 or 4.1, ASCII, lengths in mm); its path is "
              "relative to the folder of the parameter file. The mesh consists of hexahedra, or in plane "
-             "strain of quadrangles in the plane y = 0, whose surfaces are physical lines. It covers the "
-             "modelled part of the body. On a counterface by Gap its contact surface lies at z >= 0, because "
+             "strain of quadrangles in the plane y = 0, whose surfaces are physical lines; those of second "
+             "order have curved edges. It covers the modelled part of the body. On a counterface by Gap its "
+             "contact surface lies at z >= 0, because "
              "the height of a contact node is added to Gap.")
         .path(geometry.mesh_file)
         .only_if(is_chosen);
@@ -208,6 +210,7 @@ public:
              "Surfaces of a Mesh file in the planes x = 0 and y = 0 about which the body is symmetric, by "
              "their names, numbers or places.")
         .only_if(is_chosen);
+    declare_curved_surfaces(geometry, is_chosen, section);
   }
 
   bool has_layers() const override { return false; }

@@ -11,11 +11,7 @@ namespace orthocone
 {
 namespace
 {
-/// Numbers of nodes of Gmsh's elements, from type 1 on. From the eighth on all but the point are of second
-/// order.
-constexpr std::array<unsigned int, 19> n_nodes_of{
-    {2, 3, 4, 4, 8, 6, 5, 3, 6, 9, 10, 27, 18, 14, 1, 8, 20, 15, 13}};
-enum ElementType : unsigned int
+enum ElementForm : unsigned int
 {
   line = 1,
   triangle = 2,
@@ -27,7 +23,24 @@ enum ElementType : unsigned int
   single_point = 15,
 };
 
-/// Counts the elements of each type and group.
+/// A type of Gmsh's elements.
+struct ElementType
+{
+  ElementForm form;
+  unsigned int order;
+  unsigned int n_corners, n_nodes;
+};
+
+/// Gmsh's types from 1 on.
+constexpr std::array<ElementType, 19> element_types{{
+    {line, 1, 2, 2},        {triangle, 1, 3, 3},      {quadrilateral, 1, 4, 4}, {tetrahedron, 1, 4, 4},
+    {hexahedron, 1, 8, 8},  {prism, 1, 6, 6},         {pyramid, 1, 5, 5},       {line, 2, 2, 3},
+    {triangle, 2, 3, 6},    {quadrilateral, 2, 4, 9}, {tetrahedron, 2, 4, 10},  {hexahedron, 2, 8, 27},
+    {prism, 2, 6, 18},      {pyramid, 2, 5, 14},      {single_point, 0, 1, 1},  {quadrilateral, 2, 4, 8},
+    {hexahedron, 2, 8, 20}, {prism, 2, 6, 15},        {pyramid, 2, 5, 13},
+}};
+
+/// Counts the elements of each form, order and group.
 class ElementCounts
 {
 public:
@@ -36,10 +49,14 @@ public:
   {
   }
 
-  void add(const unsigned int type, const unsigned int number)
+  void add(const ElementType &type, const unsigned int number)
   {
-    ++of_type_[type];
-    const unsigned int dimension = type == line ? 1 : type == quadrilateral ? 2 : type == hexahedron ? 3 : 0;
+    ++of_form_[type.form];
+    ++of_order_[type.order];
+    const unsigned int dimension = type.form == line            ? 1
+                                   : type.form == quadrilateral ? 2
+                                   : type.form == hexahedron    ? 3
+                                                                : 0;
     const unsigned int least = file_.thickness ? 1 : 2;
     if (number == 0 || dimension < least || dimension > least + 1)
       return;
@@ -64,17 +81,15 @@ public:
   /// Adds what is wrong to the faults of the file.
   void check_types() const
   {
-    std::size_t n_curved = 0;
-    for (const auto &[type, n] : of_type_)
-      n_curved += type > pyramid && type != single_point ? n : 0;
     FaultList &faults = file_.faults;
     const std::string cells = file_.thickness ? "quadrangles" : "hexahedra";
-    if (n_curved > 0)
-      faults.add("has " + std::to_string(n_curved) + " elements of second order: allowed are linear ones " +
-                 "(gmsh: Mesh.ElementOrder = 1)");
+    if (of_order_[1] > 0 && of_order_[2] > 0)
+      faults.add("has " + std::to_string(of_order_[1]) + (of_order_[1] == 1 ? " element" : " elements") +
+                 " of first order beside " + std::to_string(of_order_[2]) +
+                 " of second order: allowed is one order for all (gmsh: Mesh.ElementOrder = 2)");
     if (!unknown_types_.empty())
-      faults.add("has elements of type " + unknown_types() + ": allowed are linear " + cells +
-                 " (gmsh: Mesh.ElementOrder = 1)");
+      faults.add("has elements of type " + unknown_types() + ": allowed are " + cells +
+                 " of first or second order (gmsh: Mesh.ElementOrder = 2)");
     if (file_.thickness)
       return check_plane_types();
     const std::size_t n_others = of(tetrahedron) + of(prism) + of(pyramid) + of(triangle);
@@ -110,10 +125,10 @@ private:
           "Surface");
   }
 
-  std::size_t of(const unsigned int type) const
+  std::size_t of(const ElementForm form) const
   {
-    const auto found = of_type_.find(type);
-    return found == of_type_.end() ? 0 : found->second;
+    const auto found = of_form_.find(form);
+    return found == of_form_.end() ? 0 : found->second;
   }
   std::string unknown_types() const
   {
@@ -124,7 +139,8 @@ private:
   }
 
   GmshFile &file_;
-  std::map<unsigned int, std::size_t> of_type_;
+  std::map<ElementForm, std::size_t> of_form_;
+  std::array<std::size_t, 3> of_order_{}; ///< 0: points
   std::set<long> unknown_types_;
   std::size_t last_ = 0; ///< group to which an element was added
 };
@@ -185,32 +201,36 @@ private:
   /// The sign of a group is the orientation of its elements.
   void add(const long type, const long signed_group)
   {
-    if (type == 0 || static_cast<std::size_t>(type) > n_nodes_of.size())
+    if (type == 0 || static_cast<std::size_t>(type) > element_types.size())
     {
       counts_.add_unknown_type(type);
       return reader_.skip_line();
     }
-    const auto known = static_cast<unsigned int>(type);
+    const ElementType &known = element_types[static_cast<std::size_t>(type) - 1];
     const auto group = static_cast<unsigned int>(std::labs(signed_group));
-    if (known == hexahedron)
-      file_.hexahedra.push_back({read_nodes<8>(), group});
-    else if (known == quadrilateral && (group != 0 || file_.thickness))
-      file_.quadrilaterals.push_back({read_nodes<4>(), group});
-    else if (known == line && group != 0 && file_.thickness)
-      file_.lines.push_back({read_nodes<2>(), group});
+    if (known.form == hexahedron)
+      file_.hexahedra.push_back(read_element<8>(known, group));
+    else if (known.form == quadrilateral && (group != 0 || file_.thickness))
+      file_.quadrilaterals.push_back(read_element<4>(known, group));
+    else if (known.form == line && group != 0 && file_.thickness)
+      file_.lines.push_back(read_element<2>(known, group));
     else
-      for (unsigned int i = 0; i < n_nodes_of[known - 1]; ++i)
+      for (unsigned int i = 0; i < known.n_nodes; ++i)
         read_node();
+    file_.is_second_order = file_.is_second_order || known.order == 2;
     counts_.add(known, group);
   }
 
+  /// Gmsh names the corners first.
   template<std::size_t n>
-  std::array<unsigned int, n> read_nodes()
+  GmshFile::Element<n> read_element(const ElementType &type, const unsigned int group)
   {
-    std::array<unsigned int, n> nodes{};
-    for (unsigned int &node : nodes)
+    GmshFile::Element<n> element{{}, group};
+    for (unsigned int &node : element.nodes)
       node = read_node();
-    return nodes;
+    for (unsigned int i = type.n_corners; i < type.n_nodes; ++i)
+      element.middles.push_back(read_node());
+    return element;
   }
 
   /// The place of a node in the file; 0 for one that is not there, which becomes a fault.

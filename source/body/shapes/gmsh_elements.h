@@ -20,7 +20,7 @@ using NodeNumbers = std::vector<std::pair<long, unsigned int>>;
 
 /// Reads section $Elements of format 4.1 (`in_blocks`) or 2.2 into `file`, and counts the elements of each
 /// physical group. Throws InputError unless every number is one that readers can hold. Nodes that are not
-/// there and elements besides linear hexahedra, with what lies around them, become faults of the file.
+/// there, elements besides hexahedra with what lies around them, and two orders become faults of the file.
 void read_gmsh_elements(SectionReader &reader, const EntityGroups &groups, const NodeNumbers &nodes,
                         bool in_blocks, GmshFile &file);
 } // namespace orthocone

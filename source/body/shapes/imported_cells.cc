@@ -49,11 +49,89 @@ FacesOfGroups faces_of_groups(const GmshFile &file, const std::vector<unsigned i
   }
   return faces_of_group;
 }
+
+/// Corners of edges and faces of Gmsh's hexahedron, in the order of the nodes in their middles.
+constexpr std::array<std::array<unsigned int, 2>, 12> ends_of_edges{{{{0, 1}},
+                                                                     {{0, 3}},
+                                                                     {{0, 4}},
+                                                                     {{1, 2}},
+                                                                     {{1, 5}},
+                                                                     {{2, 3}},
+                                                                     {{2, 6}},
+                                                                     {{3, 7}},
+                                                                     {{4, 5}},
+                                                                     {{4, 7}},
+                                                                     {{5, 6}},
+                                                                     {{6, 7}}}};
+constexpr std::array<std::array<unsigned int, 4>, 6> corners_of_faces{
+    {{{0, 3, 2, 1}}, {{0, 1, 5, 4}}, {{0, 4, 7, 3}}, {{1, 2, 6, 5}}, {{2, 3, 7, 6}}, {{4, 5, 6, 7}}}};
+
+/// Enters the middles of the cells. Returns whether cells agree about those that they share.
+class MiddleReader
+{
+public:
+  MiddleReader(const GmshFile &file, const std::vector<unsigned int> &vertex_of_node, CoarseCurves<3> &curves)
+      : file_(file),
+        vertex_of_node_(vertex_of_node),
+        curves_(curves)
+  {
+  }
+
+  bool read(const GmshFile::Element<8> &cell)
+  {
+    bool is_consistent = true;
+    const auto n = cell.middles.size();
+    constexpr auto n_edges = ends_of_edges.size(), n_faces = corners_of_faces.size();
+    for (std::size_t i = 0; i < n_edges && i < n; ++i)
+      is_consistent &= enter(curves_.of_lines, key_of(cell, ends_of_edges[i]), cell.middles[i]);
+    for (std::size_t i = 0; i < n_faces && n_edges + i < n; ++i)
+      is_consistent &= enter(curves_.of_quads, key_of(cell, corners_of_faces[i]), cell.middles[n_edges + i]);
+    if (n > n_edges + n_faces)
+      is_consistent &=
+          enter(curves_.of_hexes, key_of(cell, std::array<unsigned int, 8>{{0, 1, 2, 3, 4, 5, 6, 7}}),
+                cell.middles.back());
+    return is_consistent;
+  }
+
+private:
+  template<std::size_t n>
+  std::array<unsigned int, n> key_of(const GmshFile::Element<8> &cell,
+                                     const std::array<unsigned int, n> &corners) const
+  {
+    std::array<unsigned int, n> key{};
+    for (std::size_t i = 0; i < n; ++i)
+      key[i] = vertex_of_node_[cell.nodes[corners[i]]];
+    std::sort(key.begin(), key.end());
+    return key;
+  }
+
+  template<typename Key>
+  bool enter(std::map<Key, dealii::Point<3>> &middles, const Key &key, const unsigned int node) const
+  {
+    const auto &given = file_.nodes[node];
+    const dealii::Point<3> place(given[0], given[1], given[2]);
+    return middles.emplace(key, place).first->second == place;
+  }
+
+  const GmshFile &file_;
+  const std::vector<unsigned int> &vertex_of_node_;
+  CoarseCurves<3> &curves_;
+};
+
+[[noreturn]] void fail_to_fit(const GmshFile &file, dealii::Triangulation<3> &triangulation)
+{
+  triangulation.clear();
+  throw InputError(file.path +
+                   ": its elements do not fit together: allowed are hexahedra that share whole "
+                   "faces, each with one other" +
+                   (file.is_second_order ? ", and all nodes of these" : ""));
+}
 } // namespace
 
 /// Makes the cells as deal.II's reader of such files does. Quadrilaterals that are no faces on the outside
 /// are left out: files without physical surfaces have them between parts of the body.
-FacesOfGroups make_imported_cells(const GmshFile &file, dealii::Triangulation<3> &triangulation)
+FacesOfGroups make_imported_cells(const GmshFile &file, dealii::Triangulation<3> &triangulation,
+                                  CoarseCurves<3> &curves)
 {
   constexpr std::array<unsigned int, 8> place_of{{0, 1, 5, 4, 2, 3, 7, 6}}; // of Gmsh's nodes in a cell
   constexpr unsigned int unused = dealii::numbers::invalid_unsigned_int;
@@ -84,10 +162,12 @@ FacesOfGroups make_imported_cells(const GmshFile &file, dealii::Triangulation<3>
   }
   catch (const std::exception &)
   {
-    triangulation.clear();
-    throw InputError(file.path + ": its elements do not fit together: allowed are hexahedra that share "
-                                 "whole faces, each with one other");
+    fail_to_fit(file, triangulation);
   }
+  MiddleReader middles(file, vertex_of_node, curves);
+  for (const auto &given : file.hexahedra)
+    if (!middles.read(given))
+      fail_to_fit(file, triangulation);
   return faces_of_groups(file, vertex_of_node, triangulation);
 }
 } // namespace orthocone

@@ -3,8 +3,11 @@
 #include <orthocone/body/shapes/imported_mesh.h>
 
 #include "cell_quality.h"
+#include "coarse_curves.h"
 #include "extruded_mesh.h"
+#include "fitted_surfaces.h"
 #include "imported_cells.h"
+#include "imported_places.h"
 
 #include <orthocone/base/errors.h>
 #include <orthocone/base/numbers.h>
@@ -15,9 +18,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iomanip>
 #include <set>
-#include <sstream>
 
 namespace orthocone
 {
@@ -26,22 +27,6 @@ namespace
 using dealii::Point;
 
 constexpr double rounding = 1e-9; // of the extent: the rounding of mesh programs
-
-std::string place(const Point<3> &point)
-{
-  std::ostringstream text;
-  text << std::setprecision(4) << "(" << point[0] << ", " << point[1] << ", " << point[2] << ") mm";
-  return text.str();
-}
-
-std::set<unsigned int> vertices_of(const std::vector<dealii::Triangulation<3>::active_face_iterator> &faces)
-{
-  std::set<unsigned int> all;
-  for (const auto &face : faces)
-    for (const unsigned int v : face->vertex_indices())
-      all.insert(face->vertex_index(v));
-  return all;
-}
 } // namespace
 
 GmshFile read_mesh_file(const GeometryOptions &geometry)
@@ -55,20 +40,12 @@ ImportedMesh::ImportedMesh(const GeometryOptions &geometry)
     : geometry_(geometry),
       file_(read_mesh_file(geometry)),
       box_(file_),
-      triangulation_(dealii::Triangulation<3>::limit_level_difference_at_vertices)
+      triangulation_(dealii::Triangulation<3>::limit_level_difference_at_vertices),
+      curves_(std::make_unique<CoarseCurves<3>>())
 {
-  faces_of_group_ = make_imported_cells(file_, triangulation_);
-  file_ = GmshFile{file_.path, file_.groups, {}, {}, {}, {}};
-  const auto &vertices = triangulation_.get_vertices();
-  lowest_ = highest_ = vertices[0];
-  for (const Point<3> &vertex : vertices)
-    for (unsigned int d = 0; d < 3; ++d)
-    {
-      lowest_[d] = std::min(lowest_[d], vertex[d]);
-      highest_[d] = std::max(highest_[d], vertex[d]);
-    }
-  for (unsigned int d = 0; d < 3; ++d)
-    extent_ = std::max(extent_, highest_[d] - lowest_[d]);
+  faces_of_group_ = make_imported_cells(file_, triangulation_, *curves_);
+  file_ = GmshFile{file_.path, file_.groups, {}, {}, {}, {}, file_.is_second_order};
+  measure_box();
   for (const std::string &surface : geometry_.contact_surfaces)
   {
     touching_.push_back(faces_of(surface));
@@ -78,10 +55,63 @@ ImportedMesh::ImportedMesh(const GeometryOptions &geometry)
   held_ = faces_of(geometry_.held_surface);
   for (const std::string &surface : marked_surfaces(geometry_))
     marked_.push_back(faces_of(surface));
+  follow_curves();
   find_planes();
   align();
   check_cells();
   check_surfaces();
+  if (!curves_->is_empty())
+    attach(*curves_, triangulation_);
+}
+
+ImportedMesh::~ImportedMesh() = default;
+
+void ImportedMesh::measure_box()
+{
+  lowest_ = highest_ = triangulation_.get_vertices()[0];
+  const auto take = [this](const Point<3> &node)
+  {
+    for (unsigned int d = 0; d < 3; ++d)
+    {
+      lowest_[d] = std::min(lowest_[d], node[d]);
+      highest_[d] = std::max(highest_[d], node[d]);
+    }
+  };
+  for (const Point<3> &vertex : triangulation_.get_vertices())
+    take(vertex);
+  for (const auto &middle : curves_->of_lines)
+    take(middle.second);
+  for (const auto &middle : curves_->of_quads)
+    take(middle.second);
+  for (unsigned int d = 0; d < 3; ++d)
+    extent_ = std::max(extent_, highest_[d] - lowest_[d]);
+}
+
+void ImportedMesh::follow_curves()
+{
+  std::vector<FacesOfSurface> surfaces;
+  for (const CurvedSurface &surface : geometry_.curved_surfaces)
+    surfaces.push_back({surface, faces_of(surface.surface)});
+  if (!surfaces.empty())
+    fit_surfaces(surfaces, geometry_.section + "/Curved surfaces", extent_, triangulation_, *curves_);
+  if (!surfaces.empty() || !curves_->is_empty())
+    complete(*curves_, triangulation_);
+}
+
+std::vector<Point<3>> ImportedMesh::nodes_of(const Face &face) const
+{
+  std::vector<Point<3>> nodes;
+  for (const unsigned int v : face->vertex_indices())
+    nodes.push_back(face->vertex(v));
+  const auto take = [&](const auto &middles, const auto &key)
+  {
+    if (const auto found = middles.find(key); found != middles.end())
+      nodes.push_back(found->second);
+  };
+  for (const unsigned int line : face->line_indices())
+    take(curves_->of_lines, key_of<2>(face->line(line)));
+  take(curves_->of_quads, key_of<4>(face));
+  return nodes;
 }
 
 /// Finds the plane of each symmetry surface. Each must be in one of the two planes, with the body on one side
@@ -93,9 +123,9 @@ void ImportedMesh::find_planes()
     const double tolerance = tolerance_of(surface);
     std::array<double, 2> off{};
     for (const Face &face : faces_of(surface))
-      for (const unsigned int v : face->vertex_indices())
+      for (const Point<3> &node : nodes_of(face))
         for (unsigned int d = 0; d < 2; ++d)
-          off[d] = std::max(off[d], std::abs(face->vertex(v)[d]));
+          off[d] = std::max(off[d], std::abs(node[d]));
     const unsigned int d = off[0] <= off[1] ? 0 : 1;
     const std::string axis(1, "xy"[d]);
     if (off[d] > tolerance)
@@ -123,131 +153,24 @@ void ImportedMesh::align()
     of_contact = std::max(of_contact, tolerance_of(surface));
   const auto settle = [](double &coordinate, const double tolerance)
   { coordinate = std::abs(coordinate) <= tolerance ? 0 : coordinate; };
+  const auto settle_node = [&](Point<3> &node, const bool is_in_contact)
+  {
+    if (planes_.normal_to_x)
+      settle(node[0], of_symmetry);
+    if (planes_.normal_to_y)
+      settle(node[1], of_symmetry);
+    if (is_in_contact)
+      settle(node[2], of_contact);
+  };
   for (const auto &cell : triangulation_.active_cell_iterators())
     for (const unsigned int v : cell->vertex_indices())
-    {
-      if (planes_.normal_to_x)
-        settle(cell->vertex(v)[0], of_symmetry);
-      if (planes_.normal_to_y)
-        settle(cell->vertex(v)[1], of_symmetry);
-      if (in_contact.count(cell->vertex_index(v)) > 0)
-        settle(cell->vertex(v)[2], of_contact);
-    }
-}
-
-void ImportedMesh::check_cells()
-{
-  std::vector<std::string> inverted;
-  for (const auto &cell : triangulation_.active_cell_iterators())
-    if (const double quality = scaled_jacobian(cell); !(quality > 0))
-      inverted.push_back(place(cell->center()));
-    else if (quality <= worst_quality_)
-    {
-      worst_quality_ = quality;
-      worst_place_ = cell->center();
-    }
-  const bool is_one = inverted.size() == 1;
-  FaultList faults;
-  if (!inverted.empty())
-    faults.add((is_one ? "the cell at " : "the cells at ") + enumeration(inverted) +
-               (is_one ? " is" : " are") +
-               " inverted: allowed are hexahedra with a positive volume at each of their corners");
-  if (const unsigned int n = n_pieces(triangulation_); n > 1)
-    faults.add("has " + std::to_string(n) +
-               " pieces without a common face: allowed is one body (gmsh: Coherence, Coherence Mesh)");
-  faults.throw_if_any(file_.path + ": ");
-}
-
-/// Finds quadrilaterals of a physical surface that are no faces of the body.
-void ImportedMesh::check_outside(const std::string &given, const std::string &surface,
-                                 FaultList &faults) const
-{
-  const PhysicalGroup *const group = file_.find(2, surface);
-  const std::size_t outside = faces_of(surface).size(),
-                    n_given = group == nullptr ? outside : group->n_elements;
-  if (outside != n_given)
-    faults.add(given + " has " + std::to_string(n_given) + " faces, of which " + std::to_string(outside) +
-               " are on the outside of the cells: allowed are all");
-}
-
-/// Finds places where the contact surface is below its plane or does not look down on it.
-void ImportedMesh::check_contact(FaultList &faults) const
-{
-  const std::string given = geometry_.contact_entry();
-  std::vector<std::string> below, upwards;
-  for (const auto vertex : vertices_of(contact_))
-    if (const Point<3> &at = triangulation_.get_vertices()[vertex]; at[2] < 0)
-      below.push_back(place(at));
-  for (const auto &cell : triangulation_.active_cell_iterators())
-    for (const auto &face : cell->face_iterators())
-      if (face->at_boundary() && is_contact(id_of(face)))
-        if (const auto normal = area_vector(face);
-            normal * (face->center() - cell->center()) * normal[2] >= 0)
-          upwards.push_back(place(face->center()));
-  if (!below.empty())
-    faults.add(given + " is below the plane at " + enumeration(below) +
-               ": allowed is z >= 0, because the height of a contact node is its gap, or a counterface by "
-               "Obstacle/Distance");
-  if (!upwards.empty())
-    faults.add(given + " does not look down at " + enumeration(upwards) +
-               ": allowed is a surface that faces downwards, towards the counterface, or a counterface by "
-               "Obstacle/Distance or with Obstacle/Normal = surface");
-}
-
-void ImportedMesh::check_surfaces() const
-{
-  FaultList faults;
-  const auto check = [&](const std::string &entry, const std::string &surface)
-  { check_outside(geometry_.section + "/" + entry + " = " + shown(surface), surface, faults); };
-  for (const std::string &surface : geometry_.contact_surfaces)
-    check("Contact surface", surface);
-  check("Held surface", geometry_.held_surface);
-  if (const auto twice = std::adjacent_find(contact_.begin(), contact_.end()); twice != contact_.end())
-    faults.add(geometry_.contact_entry() + " has a face in two of its surfaces, at " +
-               place((*twice)->center()) + ": allowed are surfaces without common faces");
-  const std::set<unsigned int> vertices = vertices_of(contact_);
-  std::vector<std::string> common;
-  for (const auto held : vertices_of(held_))
-    if (vertices.count(held) > 0)
-      common.push_back(place(triangulation_.get_vertices()[held]));
-  if (!common.empty())
-    faults.add(geometry_.section + "/Held surface = " + shown(geometry_.held_surface) +
-               " has nodes of the contact surface, such as " + common.front() +
-               ": allowed are surfaces that do not touch");
-  check_marked(faults);
-  if (geometry_.faces_down)
-    check_contact(faults);
-  faults.throw_if_any();
-}
-
-/// Finds surfaces of supports and loads with faces of another surface that counts: each face has one name.
-void ImportedMesh::check_marked(FaultList &faults) const
-{
-  const std::vector<std::string> names = marked_surfaces(geometry_);
-  for (std::size_t i = 0; i < marked_.size(); ++i)
-  {
-    const bool is_support = std::any_of(geometry_.supports.begin(), geometry_.supports.end(),
-                                        [&](const Support &support) { return support.surface == names[i]; });
-    const std::string given =
-        (is_support ? geometry_.section + "/Supports: " : std::string("Load program/Loads: ")) +
-        shown(names[i]);
-    check_outside(given, names[i], faults);
-    for (const Face &face : marked_[i])
-    {
-      const auto id = id_of(face);
-      const std::string other = is_contact(id)                 ? "the contact surface"
-                                : id == Boundary::top_face     ? "the held surface"
-                                : id < Boundary::first_support ? "a plane of symmetry"
-                                : id < Boundary::first_support + i
-                                    ? shown(names[id - Boundary::first_support])
-                                    : "";
-      if (other.empty())
-        continue;
-      faults.add(given + " has faces of " + other + ", such as the one at " + place(face->center()) +
-                 ": allowed are surfaces without common faces");
-      break;
-    }
-  }
+      settle_node(cell->vertex(v), in_contact.count(cell->vertex_index(v)) > 0);
+  const auto touches = [&](const auto &key)
+  { return std::all_of(key.begin(), key.end(), [&](const auto v) { return in_contact.count(v) > 0; }); };
+  for (auto &[key, middle] : curves_->of_lines)
+    settle_node(middle, touches(key));
+  for (auto &[key, middle] : curves_->of_quads)
+    settle_node(middle, touches(key));
 }
 
 std::vector<ImportedMesh::Face> ImportedMesh::faces_of(const std::string &surface) const
@@ -259,11 +182,15 @@ std::vector<ImportedMesh::Face> ImportedMesh::faces_of(const std::string &surfac
   }
   std::vector<Face> faces;
   const std::optional<PlaneOfAxis> plane = box_.find(surface);
-  const auto is_in_plane = [&](const Point<3> &point)
-  { return std::abs(point[plane->axis] - plane->at) <= box_.tolerance(); };
+  const auto lies_in_plane = [&](const Face &face)
+  {
+    const std::vector<Point<3>> nodes = nodes_of(face);
+    return std::all_of(nodes.begin(), nodes.end(),
+                       [&](const Point<3> &node)
+                       { return std::abs(node[plane->axis] - plane->at) <= box_.tolerance(); });
+  };
   for (const Face &face : triangulation_.active_face_iterators())
-    if (plane && face->at_boundary() && is_in_plane(face->vertex(0)) && is_in_plane(face->vertex(1)) &&
-        is_in_plane(face->vertex(2)) && is_in_plane(face->vertex(3)))
+    if (plane && face->at_boundary() && lies_in_plane(face))
       faces.push_back(face);
   std::sort(faces.begin(), faces.end());
   return faces;
@@ -280,10 +207,8 @@ dealii::types::boundary_id ImportedMesh::id_of(const Face &face) const
 {
   const auto lies_in = [&](const unsigned int d)
   {
-    for (const unsigned int v : face->vertex_indices())
-      if (face->vertex(v)[d] != 0)
-        return false;
-    return true;
+    const std::vector<Point<3>> nodes = nodes_of(face);
+    return std::all_of(nodes.begin(), nodes.end(), [&](const Point<3> &node) { return node[d] == 0; });
   };
   for (unsigned int surface = 0; surface < touching_.size(); ++surface)
     if (std::binary_search(touching_[surface].begin(), touching_[surface].end(), face))
@@ -316,7 +241,9 @@ void ImportedMesh::copy_to(dealii::Triangulation<2> &section) const
 {
   dealii::Triangulation<3> layer;
   copy_to(layer);
-  flatten(layer, section);
+  const std::map<unsigned int, unsigned int> numbers = flatten(layer, section);
+  if (!curves_->is_empty())
+    attach(flattened(*curves_, numbers), section);
   for (const auto &face : section.active_face_iterators())
     if (geometry_.held_surface.empty() || (face->at_boundary() && face->boundary_id() == Boundary::top_face))
       return;
@@ -324,15 +251,19 @@ void ImportedMesh::copy_to(dealii::Triangulation<2> &section) const
                    " has no line of the plane (x, z): allowed is a physical line, or a place such as z max");
 }
 
-/// Whether faces of a surface meet at angles that are neither nearly 0 nor as large as at an edge.
-bool ImportedMesh::is_curved() const
+/// Whether plane faces of a surface meet at angles that are neither nearly 0 nor as large as at an edge.
+/// Those of second order, and of surfaces that are named, are not plane.
+bool ImportedMesh::has_facets(const Among surfaces) const
 {
+  if (file_.is_second_order)
+    return false;
   const double least = std::cos(pi / 1800), most = std::cos(pi / 4);             // 0.1 and 45 degrees
   std::map<std::pair<unsigned int, unsigned int>, dealii::Tensor<1, 3>> normals; // by line and surface
   for (const auto &cell : triangulation_.active_cell_iterators())
     for (const auto &face : cell->face_iterators())
     {
-      if (!face->at_boundary())
+      if (!face->at_boundary() || curves_->forms_of_quads.count(key_of<4>(face)) > 0 ||
+          (surfaces == Among::contact && !is_contact(face->boundary_id())))
         continue;
       dealii::Tensor<1, 3> normal = area_vector(face) / area_vector(face).norm();
       normal *= normal * (face->center() - cell->center()) > 0 ? 1 : -1;
@@ -354,17 +285,24 @@ std::vector<std::string> ImportedMesh::warnings(const MeshOptions &mesh) const
     warnings.push_back(geometry_.section + "/Mesh file: the body is " + to_text(extent_) +
                        " mm long, because lengths are read as mm; scale a mesh in metres by 1000 (gmsh: "
                        "Mesh.ScalingFactor = 1000)");
-  if ((mesh.refinements > 0 || mesh.adaptive > 0 || !mesh.refined_cells.empty()) && is_curved())
-    warnings.emplace_back(mesh.section +
-                          "/Refinements: the cells of the file have plane faces, so that smaller cells keep "
-                          "the facets of curved surfaces; only a finer mesh by gmsh follows the curves");
-  if (!geometry_.faces_down && mesh.degree > 1 && is_curved())
+  if ((mesh.refinements > 0 || mesh.adaptive > 0 || !mesh.refined_cells.empty()) && has_facets(Among::all))
+    warnings.emplace_back(
+        mesh.section +
+        "/Refinements: the cells of the file have plane faces, so that smaller cells keep "
+        "the facets of curved surfaces; elements of second order (gmsh: Mesh.ElementOrder = 2) and " +
+        geometry_.section + "/Curved surfaces follow the curves");
+  if (!geometry_.faces_down && mesh.degree > 1 && has_facets(Among::contact))
     warnings.push_back(
         geometry_.section +
         "/Mesh file: the cells of the file have plane faces, so that the contact surface is made "
         "of facets where the body is curved; under a curved Obstacle/Distance their edges touch "
-        "first, and pressures differ from node to node. Obstacle/Normal = surface fits the "
-        "facets, and smaller cells make them smaller");
+        "first, and pressures differ from node to node. A rigid counterface fits the facets with "
+        "Obstacle/Normal = surface; elements of second order (gmsh: Mesh.ElementOrder = 2) and " +
+        geometry_.section + "/Curved surfaces have none");
+  if (!curves_->is_empty() && mesh.degree == 1)
+    warnings.push_back(mesh.section + "/Degree = 1: elements of this degree have straight edges between the "
+                                      "nodes, whereas the edges of the file are curved; a degree of 2 and "
+                                      "more follows them");
   constexpr double poor = 0.1;
   if (worst_quality_ < poor)
     warnings.push_back(geometry_.section + "/Mesh file: the worst cell has a scaled Jacobian of " +

@@ -5,6 +5,7 @@
 #include "common_id.h"
 
 #include <orthocone/base/errors.h>
+#include <orthocone/body/shapes/boundary.h>
 
 #include <deal.II/grid/tria_accessor.h>
 
@@ -54,7 +55,54 @@ void require_meshable(const dealii::Triangulation<dim> &unrefined, const MeshOpt
     require_meshable(unrefined.n_active_cells() * std::pow(n_children<dim>, options.refinements));
 }
 
-/// Sets the refinement flags of a round.
+using Lines = std::set<unsigned int>;
+
+/// The lines of the contact faces of a cell, by their numbers.
+Lines contact_lines(const dealii::Triangulation<3>::active_cell_iterator &cell)
+{
+  Lines lines;
+  for (const auto &face : cell->face_iterators())
+    if (face->at_boundary() && is_contact(face->boundary_id()))
+      for (const unsigned int i : face->line_indices())
+        lines.insert(face->line_index(i));
+  return lines;
+}
+
+/// Whether the cell has one of these lines of the contact surface, but no face there. On such a line nodes of
+/// the contact surface would hang on degrees of freedom that belong to no contact node.
+bool is_beside(const dealii::Triangulation<3>::active_cell_iterator &cell, const Lines &lines)
+{
+  const Lines own = contact_lines(cell);
+  const auto indices = cell->line_indices();
+  return std::any_of(indices.begin(), indices.end(),
+                     [&](const unsigned int i)
+                     { return lines.count(cell->line_index(i)) > 0 && own.count(cell->line_index(i)) == 0; });
+}
+
+/// Flags cells beside contact faces that are halved, too. Returns whether there are any.
+bool halve_beside_contact(dealii::Triangulation<3> &triangulation)
+{
+  Lines halved;
+  for (const auto &cell : triangulation.active_cell_iterators())
+    if (cell->refine_flag_set())
+      halved.merge(contact_lines(cell));
+  bool is_any = false;
+  for (const auto &cell : triangulation.active_cell_iterators())
+    if (!cell->refine_flag_set() && is_beside(cell, halved))
+    {
+      cell->set_refine_flag();
+      is_any = true;
+    }
+  return is_any;
+}
+
+/// A section has no lines besides its faces.
+bool halve_beside_contact(dealii::Triangulation<2> &)
+{
+  return false;
+}
+
+/// Sets the refinement flags of a round. Elements of degree 1 have no degrees of freedom on lines.
 template<int dim>
 void mark(dealii::Triangulation<dim> &triangulation, const MeshOptions &options, const std::size_t round)
 {
@@ -64,6 +112,10 @@ void mark(dealii::Triangulation<dim> &triangulation, const MeshOptions &options,
   for (const auto &cell : triangulation.active_cell_iterators())
     if (is_marked[cell->active_cell_index()])
       cell->set_refine_flag();
+  if (options.degree > 1)
+    do
+      triangulation.prepare_coarsening_and_refinement(); // flags neighbours, which may have such lines, too
+    while (halve_beside_contact(triangulation));
 }
 } // namespace
 

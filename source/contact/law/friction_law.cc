@@ -72,14 +72,28 @@ FrictionLaw::FrictionLaw(std::shared_ptr<const TangentMaps> maps)
   slip_amplification_ = largest_weight / least_weight;
 }
 
+// The size of the reduced slip is free: it is divided by the factor, as that of an ellipse is by mu.
+FrictionLaw FrictionLaw::scaled(const double factor) const
+{
+  if (!maps_)
+    return OrthotropicFriction{factor * ellipse_.mu_x, factor * ellipse_.mu_y, ellipse_.p_x, ellipse_.p_y};
+  FrictionLaw law = *this;
+  law.factor_ *= factor;
+  law.mean_friction_ *= factor;
+  law.least_friction_ *= factor;
+  law.largest_friction_ *= factor;
+  return law;
+}
+
 Matrix2d FrictionLaw::force_derivative(const Vector2d &force) const
 {
-  return maps_ ? Matrix2d(maps_->reduced_force_derivative(force).inverse()) : Matrix2d(mu_.asDiagonal());
+  return maps_ ? Matrix2d(factor_ * maps_->reduced_force_derivative(force).inverse())
+               : Matrix2d(mu_.asDiagonal());
 }
 
 Matrix2d FrictionLaw::reduced_slip_derivative(const Vector2d &slip) const
 {
-  return maps_ ? maps_->reduced_slip_derivative(slip) : Matrix2d(slip_.asDiagonal());
+  return maps_ ? Matrix2d(maps_->reduced_slip_derivative(slip) / factor_) : Matrix2d(slip_.asDiagonal());
 }
 
 double FrictionLaw::load(const Vector2d &force) const
@@ -106,18 +120,4 @@ Vector2d FrictionLaw::cone_normal(const Vector2d &force) const
   return force_derivative(force).inverse().transpose() * reduced_force(force);
 }
 
-bool is_associated(const FrictionLaw &law)
-{
-  constexpr double rounding = 1e-12;
-  return law.ellipse() == nullptr || std::sqrt(law.slip_amplification()) - 1 <= rounding;
-}
-
-FrictionLaw towards_associated(const FrictionLaw &law, const double t)
-{
-  if (law.ellipse() == nullptr || law.is_frictionless())
-    return law;
-  const Vector2d mu = law.ellipse()->mu(), p = law.ellipse()->p();
-  const double ratio = std::pow(p[0] / p[1], t) * std::pow(mu[0] / mu[1], 1 - t);
-  return OrthotropicFriction{mu[0], mu[1], mu[0], mu[0] / ratio};
-}
 } // namespace orthocone

@@ -71,6 +71,16 @@ ContactStep ContactStep::with_laws(FrictionLaws laws) const
   return step;
 }
 
+ContactStep ContactStep::with_factors(const VectorXd &factors) const
+{
+  if (factors.size() == 0)
+    return *this;
+  FrictionLaws scaled;
+  for (Index node = 0; node < n_nodes(); ++node)
+    scaled.push_back(law(node).scaled(factors[node]));
+  return with_laws(std::move(scaled));
+}
+
 NodeVector ContactStep::change_of_displacement(const VectorXd &change) const
 {
   NodeVector d;

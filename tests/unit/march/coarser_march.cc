@@ -3,7 +3,6 @@
 #include <orthocone/march/coarser_march.h>
 
 #include "body/even_mesh.h"
-#include "body/mpi.h"
 
 #include <gtest/gtest.h>
 
@@ -16,7 +15,6 @@ namespace
 /// Case B's friction on cells that are nearly cubes.
 Parameters refined(const unsigned int refinements)
 {
-  start_mpi_unwatched();
   Parameters parameters;
   parameters.mesh = even_mesh(2, refinements);
   parameters.mesh.backend = BodyBackend::multigrid;

@@ -155,7 +155,7 @@ TEST(AlgebraicCoarse, DoesWithoutCoarserMeshes)
 /// Without a factorization of the finest stiffness, which such a body has no memory for elsewhere.
 TEST(CoarseSolver, TakesThousandsOfQuadraticCells)
 {
-  start_mpi_unwatched();
+  start_mpi();
   constexpr unsigned int most_iterations = 13, n = 7;
   const MeshOptions options = cells_without_hierarchy(2, n);
   const BodyMesh mesh(default_geometry, options, quarter);

@@ -28,7 +28,7 @@ struct RefinedBody
   RefinedBody(const GeometryOptions &geometry, const MeshOptions &mesh, const SymmetryPlanes &planes,
               const LocalAxes &axes = LocalAxes(0), const CoarseMethod on_coarsest = CoarseMethod::by_size,
               const MaterialOptions &material = default_material)
-      : body((start_mpi_unwatched(), geometry), mesh, material, planes, axes),
+      : body((start_mpi(), geometry), mesh, material, planes, axes),
         stiffness(body.discretization, material),
         cycle(body.discretization, mesh, geometry, material, on_coarsest),
         elastic(stiffness, cycle)

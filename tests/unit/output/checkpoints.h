@@ -24,6 +24,7 @@ inline CycleMemory cycles_after(const ContactState &state)
   cycles.change = 1. / 9;
   cycles.periodic_since = 1;
   cycles.jumped = {{16, 30}, {46, 60}};
+  cycles.friction = {state.accumulated_slip, state.dissipated_energy, 7, 1, 1. / 13};
   return cycles;
 }
 
@@ -52,6 +53,9 @@ inline Checkpoint checkpoint_after(const unsigned int number, const Parameters &
   checkpoint.tables = {{"history.csv", {1234, 0xfedcba98}}, {"probe-P.csv", {5, 7}}};
   checkpoint.fields = {{1, 2, 3, 5, 10, 15, 16}, {}, {{"P", {2, 4, 6}}, {"Q", {}}}};
   checkpoint.state = scene.state;
+  checkpoint.state.friction_factor = Eigen::VectorXd::LinSpaced(scene.state.n_nodes(), 0.1, 3);
+  checkpoint.state.slip_speed = Eigen::VectorXd::LinSpaced(scene.state.n_nodes(), 0, 1. / 3);
+  checkpoint.record.largest_factor = {3, 2};
   checkpoint.starts = solver.memory();
   checkpoint.cycles = cycles_after(scene.state);
   checkpoint.record.energy_defect = {0.7, 2};

@@ -3,7 +3,6 @@
 //
 // Loads beside the held face: uniform states, reciprocity, energies, all kinds in both backends and all
 // models.
-#include "body/mpi.h"
 #include "results/scenes.h"
 
 #include <orthocone/results/tables.h>
@@ -266,7 +265,6 @@ TEST(Loads, KeepTheEnergyOfACycle)
 
 TEST(Loads, AreTheSameByBothBackends)
 {
-  start_mpi_unwatched();
   Parameters parameters =
       loaded_box({"bulk: traction on x+ along x", "warm: temperature", "face: motion on x- along z"},
                  {move_to(0, 0, -0.002, 1), leg_of({{"bulk", 20}, {"warm", 2}, {"face", -1e-4}})});

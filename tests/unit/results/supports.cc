@@ -3,7 +3,6 @@
 //
 // Surfaces that are held at zero beside the held face: patch tests, rollers in place of planes of symmetry,
 // forces in place of motions, both backends and all models.
-#include "body/mpi.h"
 #include "results/scenes.h"
 
 #include <orthocone/multigrid/multigrid_body.h>
@@ -130,7 +129,6 @@ TEST(Supports, CarryAFaceThatDoesNotTouch)
 
 TEST(Supports, AreTheSameByBothBackends)
 {
-  start_mpi_unwatched();
   Parameters parameters = supported_box({{"x+", {{true, false, true}}}, {"y-", along_y}});
   parameters.mesh.refinements = 1;
   parameters.mesh.cells = {{2, 2, 1}};

@@ -65,7 +65,7 @@ Parameters adapted(Parameters parameters)
 
 void elastic(const Words &words)
 {
-  test::start_mpi_unwatched();
+  test::start_mpi();
   {
     const Parameters parameters = adapted(SceneWords(words).parameters);
     const Stopwatch set_up;

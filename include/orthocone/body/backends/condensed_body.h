@@ -19,6 +19,14 @@ public:
   /// `unknowns` and `factor` must outlive the body. Throws as StiffnessFactor::trailing_inverse() does.
   CondensedBody(const BodyUnknowns &unknowns, const StiffnessFactor &factor, LocalAxes axes);
 
+  /// The same body with other local axes: W is turned from global axes to these by the same operations as it
+  /// was made, so that it has the same bits as if it were condensed anew. Throws std::logic_error unless
+  /// other.can_turn().
+  CondensedBody(const CondensedBody &other, LocalAxes axes);
+
+  /// Whether all local axes are global axes, from which W turns back without rounding.
+  bool can_turn() const;
+
   const DenseCompliance &compliance() const { return compliance_; } ///< W, 3 n x 3 n, local axes, mm/N
 
   const ContactFrame &frame() const { return frame_; }
@@ -32,6 +40,7 @@ public:
 
 private:
   Eigen::MatrixXd local_compliance() const;
+  Eigen::MatrixXd turned_compliance(const CondensedBody &other) const;
 
   const BodyUnknowns &unknowns_;
   const StiffnessFactor &factor_;

@@ -7,6 +7,7 @@
 #include <orthocone/body/elastic_body.h>
 
 #include <functional>
+#include <memory>
 #include <optional>
 
 namespace orthocone
@@ -20,10 +21,17 @@ public:
   FactorizedBody(const BodyOptions &options, const ModelSymmetry &symmetry,
                  const std::function<LocalAxes(const ContactSurface &)> &axes_of,
                  const std::function<void(const Body &)> &on_meshed, PhaseSeconds &seconds);
+
+  /// The body of another one with these local axes, to the last bit as if it were made with them. Mesh and
+  /// factor are shared. Throws std::logic_error unless other.can_turn().
+  FactorizedBody(const FactorizedBody &other, const LocalAxes &axes);
   FactorizedBody(const FactorizedBody &) = delete; // its modules refer to each other
   FactorizedBody &operator=(const FactorizedBody &) = delete;
 
-  const Body &mesh() const override { return mesh_; }
+  /// Whether the local axes are global axes, out of which W turns without rounding.
+  bool can_turn() const { return condensed_.can_turn(); }
+
+  const Body &mesh() const override { return base_->mesh; }
   const Compliance &compliance() const override { return condensed_.compliance(); }
   const ContactFrame &frame() const override { return condensed_.frame(); }
   const DrivenField *driven() const override { return driven_ ? &*driven_ : nullptr; }
@@ -33,15 +41,22 @@ public:
   }
   BodyMismatch mismatch(const NodeVector &force, const NodeVector &elastic, const double bound) const override
   {
-    return condensed_.mismatch(stiffness_, force, elastic, bound);
+    return condensed_.mismatch(base_->stiffness, force, elastic, bound);
   }
 
 private:
+  /// What does not know of local axes.
+  struct Base
+  {
+    Base(const BodyOptions &options, const ModelSymmetry &symmetry,
+         const std::function<void(const Body &)> &on_meshed, PhaseSeconds &seconds);
+    Body mesh;
+    Stiffness stiffness;
+    StiffnessFactor factor;
+  };
   std::optional<DrivenField> driven_field(const BodyOptions &options, const ModelSymmetry &symmetry) const;
 
-  Body mesh_;
-  Stiffness stiffness_;
-  StiffnessFactor factor_;
+  std::shared_ptr<const Base> base_;
   CondensedBody condensed_;
   std::optional<DrivenField> driven_; ///< with supports or loads
 };

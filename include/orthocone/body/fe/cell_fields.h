@@ -19,7 +19,9 @@ struct PointFields
   Eigen::Vector3d place = Eigen::Vector3d::Zero();        ///< mm
   Eigen::Vector3d displacement = Eigen::Vector3d::Zero(); ///< mm
   Stress stress{};                                        ///< MPa
-  unsigned int volume = 0; ///< number of the physical volume of a mesh file; 0 otherwise
+  double volume_change = 0; ///< relative, of the elastic strain, as it is in the stress
+  double stress_error = 0;  ///< estimated, as a von Mises stress, MPa; where it is known
+  unsigned int volume = 0;  ///< number of the physical volume of a mesh file; 0 otherwise
 };
 
 /// Fields of a displacement, at the same points in one cell after the other.

@@ -2,8 +2,9 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
+#include <orthocone/body/fe/parallelepiped.h>
+
 #include <deal.II/fe/fe_dgp.h>
-#include <deal.II/grid/tria.h>
 
 #include <Eigen/Dense>
 
@@ -32,17 +33,7 @@ public:
   /// Begins a cell with `n_dofs` degrees of freedom.
   void reset(const typename dealii::Triangulation<dim>::cell_iterator &cell, const Eigen::Index n_dofs)
   {
-    dealii::Tensor<2, dim> axes;
-    centre_ = dealii::Point<dim>();
-    for (const unsigned int i : cell->vertex_indices())
-    {
-      const dealii::Point<dim> unit = dealii::GeometryInfo<dim>::unit_cell_vertex(i);
-      centre_ += cell->vertex(i) / n_vertices;
-      for (unsigned int d = 0; d < dim; ++d)
-        for (unsigned int e = 0; e < dim; ++e)
-          axes[d][e] += (unit[e] - 0.5) * 4 / n_vertices * cell->vertex(i)[d];
-    }
-    to_unit_ = invert(axes);
+    cell_ = Parallelepiped<dim>(cell);
     mass_.setZero(n_polynomials(), n_polynomials());
     moments_.setZero(n_polynomials(), n_dofs);
   }
@@ -62,10 +53,7 @@ public:
     // Products of Legendre's polynomials in the coordinates of the parallelepiped that is nearest to the
     // cell: any basis will do, but this one keeps the mass matrix well conditioned in flat cells at any
     // angle.
-    dealii::Point<dim> unit;
-    for (unsigned int d = 0; d < dim; ++d)
-      unit[d] = 0.5;
-    unit += to_unit_ * (place - centre_);
+    const dealii::Point<dim> unit = cell_.coordinates(place);
     Eigen::VectorXd values(n_polynomials());
     for (unsigned int k = 0; k < fe_.n_dofs_per_cell(); ++k)
       values[k] = fe_.shape_value(k, unit);
@@ -81,10 +69,8 @@ public:
 private:
   Eigen::Index n_polynomials() const { return fe_.n_dofs_per_cell(); }
 
-  static constexpr unsigned int n_vertices = dealii::GeometryInfo<dim>::vertices_per_cell;
   dealii::FE_DGP<dim> fe_;
-  dealii::Point<dim> centre_;
-  dealii::Tensor<2, dim> to_unit_; ///< 1/mm
+  Parallelepiped<dim> cell_;
   Eigen::MatrixXd mass_;
   Eigen::MatrixXd moments_; ///< of the divergences of the degrees of freedom
 };

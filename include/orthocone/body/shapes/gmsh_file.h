@@ -21,16 +21,19 @@ struct PhysicalGroup
   std::size_t n_elements;
 };
 
-/// A file of Gmsh (format 2.1, 2.2 or 4.1, ASCII) with a mesh of linear hexahedra, before its cells are made,
-/// or of quadrangles in the plane y = 0, which are extruded to such. Coordinates are in mm.
+/// A file of Gmsh (format 2.1, 2.2 or 4.1, ASCII) with a mesh of hexahedra of first or second order, before
+/// its cells are made, or of quadrangles in the plane y = 0, which are extruded to such. Coordinates are in
+/// mm.
 struct GmshFile
 {
-  /// An element by the indices of its nodes, in Gmsh's order, and its physical group, 0 for none.
+  /// An element by the indices of its nodes, in Gmsh's order, and its physical group, 0 for none. One of
+  /// second order also has nodes in the middle of its edges and perhaps of its faces and of itself.
   template<std::size_t n>
   struct Element
   {
-    std::array<unsigned int, n> nodes;
+    std::array<unsigned int, n> nodes; ///< at its corners
     unsigned int group;
+    std::vector<unsigned int> middles{};
   };
 
   std::string path;                         ///< as messages show it
@@ -39,6 +42,7 @@ struct GmshFile
   std::vector<Element<8>> hexahedra;
   std::vector<Element<4>> quadrilaterals; ///< of physical surfaces
   FaultList faults;                       ///< of the elements, without the path
+  bool is_second_order = false;           ///< whether its elements may be curved
   std::optional<double> thickness{};      ///< of a mesh that is extruded along y, mm
   std::vector<Element<2>> lines{};        ///< of physical lines, before the mesh is extruded
 
@@ -55,6 +59,6 @@ struct GmshFile
 GmshFile collect_gmsh_file(const std::string &file_name, std::optional<double> thickness = {});
 
 /// The same; throws InputError, too, if there are elements besides hexahedra and the quadrilaterals, lines
-/// and points around them, or nodes that are not there.
+/// and points around them, all of one order, or nodes that are not there.
 GmshFile read_gmsh_file(const std::string &file_name, std::optional<double> thickness = {});
 } // namespace orthocone

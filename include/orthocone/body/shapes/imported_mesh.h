@@ -10,25 +10,31 @@
 #include <deal.II/grid/tria.h>
 
 #include <map>
+#include <memory>
 #include <string>
 #include <vector>
 
 namespace orthocone
 {
+template<int dim>
+struct CoarseCurves;
+
 /// The file of a geometry: its hexahedra, or in plane strain its quadrangles, extruded. Throws as
 /// read_gmsh_file() does.
 GmshFile read_mesh_file(const GeometryOptions &geometry);
 
 /// The checked mesh of a file (mm): one piece of hexahedra that are not inverted, on or above the plane z =
-/// 0, with surfaces for contact, hold and symmetry (docs/theory.md, section 2, "Bodies from files"), which
-/// are physical groups or planes. Boundary and material ids are the numbers of the first physical groups, 0
-/// for none. Nodes that rounding has left beside their plane are moved into it.
+/// 0, whose edges are curved as those of its elements of second order, with surfaces for contact, hold and
+/// symmetry (docs/theory.md, section 2, "Bodies from files"), which are physical groups or planes. Boundary
+/// and material ids are the numbers of the first physical groups, 0 for none. Nodes that rounding has left
+/// beside their plane are moved into it.
 class ImportedMesh
 {
 public:
   /// Throws InputError, which names the path of the file or the entry and what is allowed, and FileError if
   /// the file cannot be read.
   explicit ImportedMesh(const GeometryOptions &geometry);
+  ~ImportedMesh();
   ImportedMesh(const ImportedMesh &) = delete;
   ImportedMesh &operator=(const ImportedMesh &) = delete;
 
@@ -50,6 +56,8 @@ public:
 private:
   using Face = dealii::Triangulation<3>::active_face_iterator;
 
+  void measure_box();
+  void follow_curves();
   void find_planes();
   void align();
   void check_cells();
@@ -57,7 +65,15 @@ private:
   void check_outside(const std::string &entry, const std::string &surface, FaultList &faults) const;
   void check_marked(FaultList &faults) const;
   void check_contact(FaultList &faults) const;
-  bool is_curved() const;
+  enum class Among
+  {
+    all,
+    contact
+  };
+  bool has_facets(Among surfaces) const;
+  std::string where_volumes_count() const;
+  double quality_of(const dealii::Triangulation<3>::cell_iterator &cell) const;
+  std::vector<dealii::Point<3>> nodes_of(const Face &face) const; ///< corners, then the middles if any
   dealii::types::boundary_id id_of(const Face &face) const;
   std::vector<Face> faces_of(const std::string &surface) const;
   double tolerance_of(const std::string &surface) const;
@@ -66,6 +82,7 @@ private:
   GmshFile file_;
   const MeshBox box_;
   dealii::Triangulation<3> triangulation_;
+  std::unique_ptr<CoarseCurves<3>> curves_; ///< without middles for elements of first order
   std::map<unsigned int, std::vector<Face>> faces_of_group_;
   std::vector<Face> contact_, held_;        ///< sorted
   std::vector<std::vector<Face>> touching_; ///< the same of each contact surface

@@ -31,8 +31,8 @@ public:
   /// The force that has this r'.
   virtual Eigen::Vector2d force(const Eigen::Vector2d &reduced) const = 0;
 
-  /// g of a slip, mm, and d g / d d_t. The size of g is free: of the order of the slip times the coefficient
-  /// of friction, as for the ellipse, iterations are as fast as there.
+  /// g of a slip, mm, and d g / d d_t. The size of g is free: of the order of the slip divided by the
+  /// coefficient of friction, as for the ellipse, iterations are as fast as there.
   virtual Eigen::Vector2d reduced_slip(const Eigen::Vector2d &slip) const = 0;
   virtual Eigen::Matrix2d reduced_slip_derivative(const Eigen::Vector2d &slip) const = 0;
   /// The slip that has this g.
@@ -53,28 +53,41 @@ public:
   /// The two ellipses if the law consists of them, else nullptr: for formats and formulas of ellipses.
   const OrthotropicFriction *ellipse() const { return maps_ ? nullptr : &ellipse_; }
 
+  /// The same law with all friction forces multiplied by a factor > 0. Directions of slip stay what they are.
+  FrictionLaw scaled(double factor) const;
+
   /// Whether there is no friction. The maps do not exist then: reduced vectors are 0, and load() is infinite
   /// for every force but 0.
   bool is_frictionless() const { return !maps_ && ellipse_.mu_x == 0; }
+
+  /// Whether both are one law: ellipses with the same semi-axes, or one pair of maps.
+  bool is_same(const FrictionLaw &other) const
+  {
+    return maps_ == other.maps_ && factor_ == other.factor_ && ellipse_.mu() == other.ellipse_.mu() &&
+           ellipse_.p() == other.ellipse_.p();
+  }
 
   /// The maps: TangentMaps.
   Eigen::Vector2d reduced_force(const Eigen::Vector2d &force) const
   {
     if (maps_)
-      return maps_->reduced_force(force);
+      return maps_->reduced_force(force) / factor_;
     return is_frictionless() ? Eigen::Vector2d(0, 0) : Eigen::Vector2d(force.cwiseQuotient(mu_));
   }
   Eigen::Vector2d force(const Eigen::Vector2d &reduced) const
   {
-    return maps_ ? maps_->force(reduced) : Eigen::Vector2d(mu_.cwiseProduct(reduced));
+    return maps_ ? Eigen::Vector2d(factor_ * maps_->force(reduced))
+                 : Eigen::Vector2d(mu_.cwiseProduct(reduced));
   }
   Eigen::Vector2d reduced_slip(const Eigen::Vector2d &slip) const
   {
-    return maps_ ? maps_->reduced_slip(slip) : Eigen::Vector2d(slip_.cwiseProduct(slip));
+    return maps_ ? Eigen::Vector2d(maps_->reduced_slip(slip) / factor_)
+                 : Eigen::Vector2d(slip_.cwiseProduct(slip));
   }
   Eigen::Vector2d slip(const Eigen::Vector2d &reduced) const
   {
-    return maps_ ? maps_->slip(reduced) : Eigen::Vector2d(reduced.cwiseQuotient(slip_));
+    return maps_ ? Eigen::Vector2d(factor_ * maps_->slip(reduced))
+                 : Eigen::Vector2d(reduced.cwiseQuotient(slip_));
   }
 
   /// d r_t / d r' where the force is `force`, and d g / d d_t.
@@ -107,16 +120,9 @@ public:
 
 private:
   std::shared_ptr<const TangentMaps> maps_;
+  double factor_ = 1; ///< on the forces of the maps, and 1 / factor_ on their reduced slips
   OrthotropicFriction ellipse_{0, 0, 1, 1};
   Eigen::Vector2d mu_ = Eigen::Vector2d::Zero(), slip_ = Eigen::Vector2d::Zero(); ///< diagonals of the maps
   double mean_friction_ = 0, least_friction_ = 0, largest_friction_ = 0, slip_amplification_ = 1;
 };
-
-/// Whether the slip rule is known to be the associated one, up to rounding, or nothing is known of it because
-/// the law is no ellipse.
-bool is_associated(const FrictionLaw &law);
-
-/// A law between that of the same cone with associated slip (t = 0) and the given one (t = 1): the logarithms
-/// of the semi-axes of the slip ellipse are linear in t. A law that is no ellipse is returned as it is.
-FrictionLaw towards_associated(const FrictionLaw &law, double t);
 } // namespace orthocone

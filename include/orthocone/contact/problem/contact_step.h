@@ -40,6 +40,9 @@ public:
   /// The same step with other laws, one a node: friction may change from step to step, with wear or heat.
   ContactStep with_laws(FrictionLaws laws) const;
 
+  /// The same step with the law of each node scaled by its factor (> 0), or as it is without factors.
+  ContactStep with_factors(const Eigen::VectorXd &factors) const;
+
   const ContactSystem &system() const { return *system_; }
   Eigen::Index n_nodes() const { return system_->n_nodes(); }
   Eigen::Index n_unknowns() const { return 3 * n_nodes() + face_.n(); }

@@ -4,6 +4,8 @@
 
 #include "ladder.h"
 
+#include <orthocone/contact/law/law_path.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -13,20 +15,20 @@ using Eigen::VectorXd;
 
 namespace
 {
-/// The step with laws a share t of the path from the associated slip rule to the given one.
-ContactStep between_slip_rules(const ContactStep &step, const double t)
+/// The step with laws a share t of the path. Nodes that have one law follow one another as a rule.
+ContactStep between_laws(const ContactStep &step, const double t)
 {
   FrictionLaws laws;
-  for (const FrictionLaw &law : step.laws())
-    laws.push_back(towards_associated(law, t));
+  for (std::size_t i = 0; i < step.laws().size(); ++i)
+    laws.push_back(i > 0 && step.laws()[i].is_same(step.laws()[i - 1]) ? laws.back()
+                                                                       : law_on_path(step.laws()[i], t));
   return step.with_laws(std::move(laws));
 }
 } // namespace
 
-bool is_associated(const ContactStep &step)
+bool has_easier_laws(const ContactStep &step)
 {
-  return std::all_of(step.laws().begin(), step.laws().end(),
-                     [](const FrictionLaw &law) { return is_associated(law); });
+  return std::any_of(step.laws().begin(), step.laws().end(), has_easier_law);
 }
 
 SolverReport Continuation::solve_at(const ContactStep &step, const double t, Path &path) const
@@ -43,7 +45,7 @@ SolverReport Continuation::solve_at(const ContactStep &step, const double t, Pat
   if (t < 1)
     options.tolerance = accurate;
   SolverReport report = make_whole_body_newton(step.system(), options, allowances, Continue::never)
-                            ->solve(t < 1 ? between_slip_rules(step, t) : step, unknowns);
+                            ->solve(t < 1 ? between_laws(step, t) : step, unknowns);
   path.iterations += report.iterations;
   if (report.converged)
     path.unknowns = std::move(unknowns);

@@ -8,13 +8,13 @@
 
 namespace orthocone
 {
-/// Whether slip is associated at every node: then there is no slip rule to come from.
-bool is_associated(const ContactStep &step);
+/// Whether there is a node whose law has an easier one to come from.
+bool has_easier_laws(const ContactStep &step);
 
-/// Continuation in the slip rule, from the associated one (t = 0), whose natural map depends on the cone
-/// alone, to the given one (t = 1): each solution is the start of the next (natural parameter continuation:
-/// Allgower and Georg, Numerical Continuation Methods, 1990). It is for bodies without a dense W, where no
-/// sweeps can help.
+/// Continuation in the friction laws, from easier ones (t = 0; of ellipses the associated one, whose natural
+/// map depends on the cone alone) to the given ones (t = 1): each solution is the start of the next (natural
+/// parameter continuation: Allgower and Georg, Numerical Continuation Methods, 1990). It is for bodies
+/// without a dense W, where no sweeps can help.
 class Continuation
 {
 public:

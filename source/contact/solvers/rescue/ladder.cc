@@ -245,7 +245,7 @@ struct WholeBodyNewton : ContactSolver
         on_elliptic_cone(
             make_inexact_newton(system, options, without_groups(allowances), linearize_on_elliptic_cone))
   {
-    if (from == Continue::from_associated)
+    if (from == Continue::from_easier)
       continuation.emplace(options);
   }
 
@@ -282,11 +282,11 @@ public:
     return std::all_of(step_.laws().begin(), step_.laws().end(),
                        [](const FrictionLaw &law) { return law.ellipse() != nullptr; });
   }
-  bool slip_is_not_associated() const { return newton_.continuation && !is_associated(step_); }
+  bool laws_are_hard() const { return newton_.continuation && has_easier_laws(step_); }
 
   void natural_map() { solve_by(*newton_.on_natural_map); }
   void map_on_elliptic_cone() { solve_by(*newton_.on_elliptic_cone); }
-  void follow_from_associated_slip();
+  void follow_from_easier_law();
 
 private:
   void solve_by(const ContactSolver &solver)
@@ -312,8 +312,7 @@ using OnBody = WholeBodyAttempt;
 constexpr Rung<OnBody> whole_body_ladder[] = {
     {0, 0, "natural map, with exact nodes", &OnBody::always, &OnBody::natural_map},
     {0, 0, "map on the elliptic cone", &OnBody::laws_are_ellipses, &OnBody::map_on_elliptic_cone},
-    {0, 0, "continuation from associated slip", &OnBody::slip_is_not_associated,
-     &OnBody::follow_from_associated_slip},
+    {0, 0, "continuation from easier laws", &OnBody::laws_are_hard, &OnBody::follow_from_easier_law},
 };
 
 SolverReport WholeBodyAttempt::solve()
@@ -322,8 +321,8 @@ SolverReport WholeBodyAttempt::solve()
   return std::move(report_);
 }
 
-/// Where the continuation fails, the failure that is reported is that of the given slip rule.
-void WholeBodyAttempt::follow_from_associated_slip()
+/// Where the continuation fails, the failure that is reported is that of the given laws.
+void WholeBodyAttempt::follow_from_easier_law()
 {
   Continuation::Path path{start_};
   const unsigned int iterations = report_.iterations;

@@ -8,11 +8,10 @@
 
 namespace orthocone
 {
-/// Whether a step that Newton's method does not solve for the given slip rule is followed from the associated
-/// one.
+/// Whether a step that Newton's method does not solve is followed from easier friction laws (Continuation).
 enum class Continue
 {
-  from_associated,
+  from_easier,
   never
 };
 
@@ -20,5 +19,5 @@ enum class Continue
 std::unique_ptr<ContactSolver> make_whole_body_newton(const ContactSystem &system,
                                                       const ContactSolverOptions &options,
                                                       const Allowances &allowances = {},
-                                                      Continue from = Continue::from_associated);
+                                                      Continue from = Continue::from_easier);
 } // namespace orthocone

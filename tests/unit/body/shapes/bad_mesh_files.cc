@@ -130,7 +130,8 @@ TEST(BadMeshFile, AllFaultsAreToldAtOnce)
   geometry.contact_surfaces = {"bse"};
   const std::string message = sentence(geometry);
   for (const char *const fault :
-       {": has 1 elements of second order", "; has elements of type 92", "; is mixed, of 5 hexahedra and 1 ",
+       {": has 30 elements of first order beside 1 of second order", "; has elements of type 92",
+        "; is mixed, of 6 hexahedra and 1 ",
         "; section $Elements has elements with nodes 95, 96, 98 and 5 more, which are not in section $Nodes",
         "; Geometry/Contact surface = bse is no physical surface",
         "; Geometry/Symmetry surfaces = z0 is no physical surface",

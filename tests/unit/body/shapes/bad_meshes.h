@@ -187,8 +187,6 @@ inline std::vector<Row> wrong_numbers()
 /// Elements that the program does not take.
 inline std::vector<Row> broken_meshes()
 {
-  const std::string second =
-      "elements of second order: allowed are linear ones (gmsh: Mesh.ElementOrder = 1)";
   const auto no_cells = [](Msh &mesh)
   {
     auto &all = mesh.elements;
@@ -204,11 +202,13 @@ inline std::vector<Row> broken_meshes()
       {"a pyramid", with_type(7, 5, false), "is mixed, of 7 hexahedra and 1"},
       {"a triangle", with_type(2, 3, false), "is mixed, of 7 hexahedra and 1"},
       {"prisms", with_type(6, 6, true), "has no hexahedra: allowed is a mesh of the volume"},
-      {"27 nodes", with_type(12, 27, true), "has 8 " + second},
-      {"20 nodes", with_type(17, 20, true), "has 8 " + second},
-      {"tetrahedra of 10 nodes", with_type(11, 10, true), "has 8 " + second},
-      {"third order", with_type(92, 64, true), "has elements of type 92: allowed are linear hexahedra"},
-      {"type 0", with_type(0, 8, true), "has elements of type 0: allowed are linear hexahedra"},
+      {"27 nodes", with_type(12, 27, true),
+       "has 24 elements of first order beside 8 of second order: allowed is one order"},
+      {"20 nodes", with_type(17, 20, false), "has 31 elements of first order beside 1 of second order"},
+      {"tetrahedra of 10 nodes", with_type(11, 10, true), "has 8 tetrahedra: allowed are hexahedra, into"},
+      {"third order", with_type(92, 64, true),
+       "has elements of type 92: allowed are hexahedra of first or second order"},
+      {"type 0", with_type(0, 8, true), "has elements of type 0: allowed are hexahedra of first or second"},
       {"surface alone", with(no_cells), "has no hexahedra: allowed is a mesh of the volume"},
   };
 }

@@ -140,9 +140,9 @@ private:
   static constexpr double h = 1e-4, mean = 0.25;
 };
 
-const std::array<FrictionLaw, 3> open_laws{{FrictionLaw(std::make_shared<const Superellipse>()),
-                                            FrictionLaw(std::make_shared<const Measured>()),
-                                            FrictionLaw(case_c)}};
+const std::array<FrictionLaw, 4> open_laws{
+    {FrictionLaw(std::make_shared<const Superellipse>()), FrictionLaw(std::make_shared<const Measured>()),
+     FrictionLaw(case_c), FrictionLaw(std::make_shared<const Measured>()).scaled(1.7)}};
 
 /// The law in words: the gap and the normal force are not negative, and one of them vanishes. Friction is no
 /// more than the law lets it be, and where the node slips it is the force against this slip.
@@ -215,6 +215,29 @@ TEST(FrictionLaw, ForceAgainstSlipIsWhatWasMeasured)
     }
   }
   EXPECT_NEAR(open_laws[0].mean_friction(), 0.23, 0.02);
+}
+
+/// Friction forces are multiplied, slip goes where it went. For ellipses that is the law of the multiplied
+/// coefficients, to the last bit where nothing is rounded.
+TEST(FrictionLaw, IsScaled)
+{
+  for (const FrictionLaw &law : open_laws)
+  {
+    const FrictionLaw scaled = law.scaled(0.6);
+    EXPECT_NEAR(scaled.mean_friction(), 0.6 * law.mean_friction(), 1e-15);
+    EXPECT_NEAR(scaled.largest_friction(), 0.6 * law.largest_friction(), 1e-15);
+    EXPECT_NEAR(scaled.slip_amplification() / law.slip_amplification(), 1, 1e-15);
+    for (double angle = 0.02; angle < 6.28; angle += 0.1)
+    {
+      EXPECT_LE((scaled.force_against(at(angle)) - 0.6 * law.force_against(at(angle))).norm(), 1e-9);
+      const Vector2d slip = scaled.slip_under(at(angle)).normalized();
+      EXPECT_LE((slip - law.slip_under(at(angle)).normalized()).norm(), 1e-9);
+    }
+  }
+  const FrictionLaw doubled = FrictionLaw(case_c).scaled(2), given(OrthotropicFriction{0.6, 0.3, 0.05, 0.2});
+  EXPECT_EQ(doubled.ellipse()->mu(), given.ellipse()->mu());
+  EXPECT_EQ(doubled.reduced_slip({0.3, 0.7}), given.reduced_slip({0.3, 0.7}));
+  EXPECT_TRUE(FrictionLaw(OrthotropicFriction{0, 0, 1, 1}).scaled(2).is_frictionless());
 }
 
 /// kappa = mu_along + d mu_across / d a > 0: a push on a node that hangs on equal springs has one slip, from
