@@ -48,28 +48,29 @@ VOLUME_FIELDS = {"displacement": 3, "stress": 9, "von_mises_stress": 1, "princip
 
 
 @functools.lru_cache(maxsize=None)
-def run_folder(degree, model, legs="0 0 -0.1 : 2 ; 0 0 -0.05 : 2"):
+def run_folder(degree, model, *more, legs="0 0 -0.1 : 2 ; 0 0 -0.05 : 2"):
+    """`more` are further entries, ENTRY=VALUE."""
     folder = pathlib.Path(tempfile.mkdtemp(dir=SCRATCH.name))
     (folder / "case.prm").write_text(SCENE)
     kind = "auto" if model == "quarter" else model
-    settings = [f"--set=Mesh/Degree={degree}", f"--set=Mesh/Model={kind}", f"--set=Load program/Legs={legs}"]
+    settings = [f"--set={entry}" for entry in (f"Mesh/Degree={degree}", f"Mesh/Model={kind}", f"Load program/Legs={legs}", *more)]
     subprocess.run([*PROGRAM, "case.prm", "--quiet", "--output", "run", *settings], cwd=folder, check=True, timeout=300)
     return folder / "run"
 
 
 @functools.lru_cache(maxsize=None)
-def grid(degree, model, kind, step):
-    return Grid(run_folder(degree, model) / f"{kind}-{step:04d}.vtu")
+def grid(degree, model, kind, step, *more):
+    return Grid(run_folder(degree, model, *more) / f"{kind}-{step:04d}.vtu")
 
 
-def table(degree, model, name):
+def table(degree, model, name, *more):
     """Rows of a .csv file: column -> number, or text where it is none."""
     def value(text):
         try:
             return float(text)
         except ValueError:
             return text
-    with open(run_folder(degree, model) / name, encoding="ascii") as file:
+    with open(run_folder(degree, model, *more) / name, encoding="ascii") as file:
         return [{key: value(text) for key, text in row.items()} for row in csv.DictReader(file)]
 
 
