@@ -14,6 +14,7 @@
 #include <malloc.h>
 
 #include <algorithm>
+#include <cmath>
 #include <exception>
 #include <filesystem>
 
@@ -64,7 +65,7 @@ try
   const CommandLine line = command_line_of(words);
   std::error_code code;
   return !line.batch && !line.prints() && line.rig.empty() && !line.check && has_one_thread(line) &&
-         !has_bounded_address_space() && std::filesystem::is_regular_file(line.parameter_file, code);
+         !std::isfinite(free_address_space()) && std::filesystem::is_regular_file(line.parameter_file, code);
 }
 catch (const std::exception &)
 {

@@ -6,10 +6,23 @@
 
 #include <deal.II/base/multithread_info.h>
 
+#include <algorithm>
 #include <string>
 
 namespace orthocone
 {
+namespace
+{
+/// No more threads than have buffers of BLAS: each has its own of OpenBLAS, and calls BLAS itself.
+ThreadChoice with_buffers(ThreadChoice choice)
+{
+  const unsigned int n_mapped = map_blas_buffers(2 * choice.number);
+  if (n_mapped < 2 * choice.number && choice.number > 1)
+    choice = {std::max(1U, n_mapped / 2), choice.reason + ", but 'ulimit -v' has no room for more"};
+  return choice;
+}
+} // namespace
+
 ThreadChoice ThreadChooser::decide(const double unknowns) const
 {
   if (on_command_line_ > 0)
@@ -28,7 +41,7 @@ const ThreadChoice &ThreadChooser::choose(const double unknowns)
 {
   if (!chosen_)
   {
-    chosen_ = decide(unknowns);
+    chosen_ = with_buffers(decide(unknowns));
     set_blas_threads(chosen_->number);
     dealii::MultithreadInfo::set_thread_limit(chosen_->number);
   }

@@ -24,8 +24,8 @@ namespace
 {
 constexpr double bytes_of_gigabyte = 1e9;
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// Address space beyond the libraries' that every run needs: buffers of OpenBLAS and stacks of threads.
-constexpr double least_address_space = 0.4e9;
+/// Address space beyond the libraries' that every run needs: two buffers of OpenBLAS and stacks of threads.
+constexpr double least_address_space = 0.55e9;
 /// The part of an estimate that stands for the program itself, which is mapped already.
 constexpr double mapped_program = 0.15e9;
 
@@ -83,16 +83,6 @@ double cores_of_group(const std::string &folder, const bool is_unified)
     std::ifstream(folder + "/cpu.cfs_period_us") >> period;
   }
   return quota > 0 && period > 0 ? quota / period : infinity;
-}
-
-/// The rest of the address space, bytes.
-double free_address_space()
-{
-  rlimit limit{};
-  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
-    return infinity;
-  const double pages = number_in("/proc/self/statm");
-  return static_cast<double>(limit.rlim_cur) - (std::isfinite(pages) ? pages * page_size() : 0);
 }
 
 /// The cores of this process' affinity; none where the system does not tell.
@@ -199,10 +189,13 @@ double free_gigabytes()
          bytes_of_gigabyte;
 }
 
-bool has_bounded_address_space()
+double free_address_space()
 {
   rlimit limit{};
-  return getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur != RLIM_INFINITY;
+  if (getrlimit(RLIMIT_AS, &limit) != 0 || limit.rlim_cur == RLIM_INFINITY)
+    return infinity;
+  const double pages = number_in("/proc/self/statm");
+  return static_cast<double>(limit.rlim_cur) - (std::isfinite(pages) ? pages * page_size() : 0);
 }
 
 void require_address_space()

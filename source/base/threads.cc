@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <vector>
 
 namespace orthocone
 {
@@ -113,6 +114,23 @@ void use_kernels_of_this_processor()
   ::setenv(variable, kernels, 0);
   forget();
   choose();
+}
+
+// Buffers that are taken at once lie in different places, and stay mapped when they are given back.
+unsigned int map_blas_buffers(const unsigned int n_threads)
+{
+  // OpenBLAS exports both, but declares them in none of its headers.
+  const auto take = function_of_blas<void *(int)>("blas_memory_alloc");
+  const auto give_back = function_of_blas<void(void *)>("blas_memory_free");
+  if (take == nullptr || give_back == nullptr || !std::isfinite(free_address_space()))
+    return n_threads;
+  constexpr double most = 128 << 20; // bytes, of all processors
+  std::vector<void *> taken;
+  for (unsigned int n = 0; n < n_threads && (n == 0 || free_address_space() >= 2 * most); ++n)
+    taken.push_back(take(0));
+  for (void *const buffer : taken)
+    give_back(buffer);
+  return static_cast<unsigned int>(std::max<std::size_t>(1, taken.size()));
 }
 
 std::string running_blas()

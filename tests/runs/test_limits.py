@@ -38,7 +38,7 @@ class MemoryTest(RunTest):
     def test_address_space(self):
         """From where the libraries can be loaded on: never silent, never for ever (the timeout is the test)."""
         codes = set()
-        for kilobytes in (600000, 700000, 800000, 900000, 1000000, 1200000, 2000000):
+        for kilobytes in (600000, 800000, 950000, 1050000, 1100000, 1200000, 2000000):
             if not self.can_begin(kilobytes):
                 continue
             result = self.limited(kilobytes)
@@ -135,7 +135,7 @@ class ThreadTest(RunTest):
         script = f"ulimit -v 500000; exec '{ROOT}/run' nothing.prm"
         result = subprocess.run(["sh", "-c", script], cwd=self.folder, text=True, capture_output=True, timeout=60, check=False)
         self.assertEqual(result.returncode, WRONG_INPUT)
-        self.assertRegex(result.stderr, r"^run: 'ulimit -v' is 500000 kB: .*allowed is 900000 and more, or unlimited\n$")
+        self.assertRegex(result.stderr, r"^run: 'ulimit -v' is 500000 kB: .*allowed is 1100000 and more, or unlimited\n$")
 
 
 class SignalTest(RunTest):

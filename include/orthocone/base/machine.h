@@ -33,8 +33,8 @@ MemoryLimit memory_limit();
 /// machine and the control groups have left, GB. Infinite where nothing is known.
 double free_gigabytes();
 
-/// Whether there is a limit of the address space (RLIMIT_AS).
-bool has_bounded_address_space();
+/// What the limit of the address space (RLIMIT_AS) leaves, bytes; infinite where there is none.
+double free_address_space();
 
 /// Throws InputError if less of the address space is left than any run needs. OpenBLAS asks for memory in
 /// threads of its own, and would wait for it for ever.

@@ -64,6 +64,13 @@ private:
 /// OPENBLAS_CORETYPE is set, or with another BLAS. Must be called before any other thread uses BLAS.
 void use_kernels_of_this_processor();
 
+/// Maps the buffers with which so many threads of OpenBLAS compute at once, as far as the limit of the
+/// address space leaves room for them, and returns their number, at least 1. Without a limit, or with another
+/// BLAS, it maps nothing, and returns `n_threads`. OpenBLAS maps a buffer (128 MB on x86-64) when a thread
+/// first needs one, keeps it for all threads, and where there is no room tries again for ever
+/// (blas_memory_alloc).
+unsigned int map_blas_buffers(unsigned int n_threads);
+
 /// The description that the running BLAS gives of itself, or the file that it comes from.
 std::string running_blas();
 } // namespace orthocone

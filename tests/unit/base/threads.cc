@@ -5,19 +5,77 @@
 
 #include <gtest/gtest.h>
 
+#include <dlfcn.h>
 #include <sched.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
+#include <atomic>
 #include <chrono>
 #include <cmath>
 #include <limits>
 #include <set>
 #include <thread>
+#include <vector>
 
 namespace orthocone::test
 {
 namespace
 {
 constexpr double large = 1e5; // unknowns
+using Product = void(const char *, const char *, const int *, const int *, const int *, const double *,
+                     const double *, const int *, const double *, const int *, const double *, double *,
+                     const int *);
+
+/// Leaves `bytes` of the address space.
+void leave_address_space(const double bytes)
+{
+  rlimit limit{};
+  getrlimit(RLIMIT_AS, &limit);
+  limit.rlim_cur = limit.rlim_max = std::size_t{1} << 40;
+  setrlimit(RLIMIT_AS, &limit);
+  limit.rlim_cur = static_cast<rlim_t>(static_cast<double>(limit.rlim_cur) - free_address_space() + bytes);
+  setrlimit(RLIMIT_AS, &limit);
+}
+
+void multiply(Product &product)
+{
+  constexpr int n = 400; // large enough for OpenBLAS to want a buffer
+  const std::vector<double> matrix(n * n, 1.);
+  std::vector<double> result(n * n);
+  const double one = 1, zero = 0;
+  for (int i = 0; i < 20; ++i)
+    product("N", "N", &n, &n, &n, &one, matrix.data(), &n, matrix.data(), &n, &zero, result.data(), &n);
+}
+
+/// Two threads of BLAS at once where all of the address space is taken. Ends the process: 0 done, 1 no
+/// OpenBLAS.
+[[noreturn]] void multiply_without_address_space()
+{
+  void *const blas = dlopen("libopenblas.so.0", RTLD_NOW | RTLD_GLOBAL);
+  auto *const product = blas == nullptr ? nullptr : reinterpret_cast<Product *>(dlsym(blas, "dgemm_"));
+  if (product == nullptr)
+    ::_exit(1);
+  std::vector<std::thread> threads;
+  std::atomic<bool> may_begin{false};
+  for (int i = 0; i < 2; ++i)
+    threads.emplace_back(
+        [&]
+        {
+          while (!may_begin)
+            std::this_thread::yield();
+          multiply(*product);
+        });
+  leave_address_space(600e6);
+  if (map_blas_buffers(2) != 2)
+    ::_exit(2);
+  leave_address_space(20e6); // less than a buffer
+  may_begin = true;
+  ::alarm(60);
+  for (std::thread &thread : threads)
+    thread.join();
+  ::_exit(0);
+}
 } // namespace
 
 TEST(Threads, LeaveCoresToOthers)
@@ -63,6 +121,21 @@ TEST(Threads, AreNoMoreThanTheCoresOfTheProcess)
   EXPECT_EQ(usable_cores().allowed, 1u);
   EXPECT_EQ(usable_cores().granted, 1u);
   ASSERT_EQ(sched_setaffinity(0, sizeof before, &before), 0);
+}
+
+/// OpenBLAS looks for room for ever where there is none. SIGALRM ends what waits.
+TEST(ThreadsDeathTest, HaveTheBuffersOfBlasThatAreMapped)
+{
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "a sanitizer needs the whole of the address space";
+#endif
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_EXIT(multiply_without_address_space(), testing::ExitedWithCode(0), "");
+}
+
+TEST(Threads, HaveAllBuffersWithoutALimit)
+{
+  EXPECT_EQ(map_blas_buffers(5), 5U);
 }
 
 TEST(Threads, OfBlasAreWhatIsSet)
