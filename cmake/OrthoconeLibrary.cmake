@@ -36,12 +36,18 @@ function(orthocone_dealii target)
   endif()
 endfunction()
 
-function(orthocone_precompile_headers)
-  file(WRITE ${CMAKE_BINARY_DIR}/headers.cc "")
-  add_library(orthocone_headers OBJECT ${CMAKE_BINARY_DIR}/headers.cc)
-  deal_ii_setup_target(orthocone_headers)
-  orthocone_common(orthocone_headers)
-  target_precompile_headers(orthocone_headers PRIVATE ${ARGN})
+# orthocone_precompile_headers(NAME HEADER...)
+function(orthocone_precompile_headers name)
+  file(WRITE ${CMAKE_BINARY_DIR}/${name}.cc "")
+  add_library(${name} OBJECT ${CMAKE_BINARY_DIR}/${name}.cc)
+  deal_ii_setup_target(${name})
+  orthocone_common(${name})
+  target_precompile_headers(${name} PRIVATE ${ARGN})
+endfunction()
+
+# Tests spend their time in the libraries: little optimization of their own files saves a third of the time to compile them.
+function(orthocone_test_flags target)
+  target_compile_options(${target} PRIVATE $<$<NOT:$<CONFIG:Debug>>:-O1$<SEMICOLON>-fno-unroll-loops$<SEMICOLON>-fno-unroll-all-loops>)
 endfunction()
 
 # deal.II's macro uses the signature of target_link_libraries without keywords, and CMake wants one or the other.

@@ -3,6 +3,7 @@
 #include "body_preparation.h"
 
 #include "commands.h"
+#include "run_command.h"
 #include "thread_chooser.h"
 
 #include <orthocone/accuracy/cost_model.h>
@@ -36,11 +37,6 @@ bool has_one_thread(const CommandLine &line)
     return line.threads == 1;
   const auto given = threads_of_environment();
   return given && given->number == 1;
-}
-
-bool searches(const Parameters &given)
-{
-  return given.mesh.accuracy != 0 || given.mesh.adaptive != 0 || given.load.accuracy != 0;
 }
 
 /// What the bodies of a scene depend on, before its mesh is chosen.

@@ -128,12 +128,6 @@ void require_model_of(const Assignment &task)
   require_bodies_that_meet(task.line, parameters, symmetry);
 }
 
-/// Whether a search for the mesh or for parts of load steps comes before the run.
-bool searches(const Parameters &given)
-{
-  return given.mesh.accuracy != 0 || given.mesh.adaptive != 0 || given.load.accuracy != 0;
-}
-
 /// Unknowns of the finest mesh that a search usually reaches.
 double unknowns_of_search(const Assignment &task)
 {
@@ -234,6 +228,11 @@ int report_end(const Ending &outcome, const RunFolder &folder, const bool is_thr
                                     : "")});
 }
 } // namespace
+
+bool searches(const Parameters &given)
+{
+  return given.mesh.accuracy != 0 || given.mesh.adaptive != 0 || given.load.accuracy != 0;
+}
 
 int run(const CommandLine &line, const ParameterFile &file)
 {

@@ -8,6 +8,9 @@
 
 namespace orthocone
 {
+/// Whether a search for the mesh or for parts of load steps comes before the run.
+bool searches(const Parameters &given);
+
 /// Runs the program. Returns the exit code.
 int run(const CommandLine &line, const ParameterFile &file);
 } // namespace orthocone

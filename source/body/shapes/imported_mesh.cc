@@ -26,7 +26,7 @@ namespace
 {
 using dealii::Point;
 
-constexpr double rounding = 1e-9; // of the extent: the rounding of mesh programs
+constexpr double rounding_of_files = 1e-9; // of the extent: what mesh programs round
 } // namespace
 
 GmshFile read_mesh_file(const GeometryOptions &geometry)
@@ -145,7 +145,7 @@ void ImportedMesh::find_planes()
 void ImportedMesh::align()
 {
   const std::set<unsigned int> in_contact = vertices_of(contact_);
-  double of_symmetry = rounding * extent_;
+  double of_symmetry = rounding_of_files * extent_;
   for (const std::string &surface : geometry_.symmetry_surfaces)
     of_symmetry = std::max(of_symmetry, tolerance_of(surface));
   double of_contact = 0;
@@ -200,7 +200,7 @@ std::vector<ImportedMesh::Face> ImportedMesh::faces_of(const std::string &surfac
 /// its place are all that lie there.
 double ImportedMesh::tolerance_of(const std::string &surface) const
 {
-  return file_.find(2, surface) == nullptr ? box_.tolerance() : rounding * extent_;
+  return file_.find(2, surface) == nullptr ? box_.tolerance() : rounding_of_files * extent_;
 }
 
 dealii::types::boundary_id ImportedMesh::id_of(const Face &face) const
