@@ -4,6 +4,7 @@
 #include "solve_options.h"
 
 #include <orthocone/base/errors.h>
+#include <orthocone/base/machine.h>
 #include <orthocone/base/stopwatch.h>
 #include <orthocone/base/text.h>
 #include <orthocone/base/threads.h>
@@ -227,10 +228,14 @@ int solve_command(const std::vector<std::string> &arguments, std::ostream &out, 
   try
   {
     const SolveOptions options = read_solve_options(arguments);
-    if (!options.is_help)
-      return static_cast<int>(solve(options, out));
-    print_help(out);
-    return static_cast<int>(ExitCode::done);
+    if (options.is_help)
+    {
+      print_help(out);
+      return static_cast<int>(ExitCode::done);
+    }
+    require_address_space();
+    map_blas_buffers(2 * blas_threads());
+    return static_cast<int>(solve(options, out));
   }
   catch (const FileError &error)
   {

@@ -10,7 +10,7 @@ import sys
 import unittest
 
 import numpy as np
-from problem_program import DONE, FILE_ERROR, UNSOLVED, WRONG_INPUT, ProblemCase, fclib_files, rigid_block, row_of_nodes
+from problem_program import DONE, FILE_ERROR, SOLVE, UNSOLVED, WRONG_INPUT, ProblemCase, fclib_files, rigid_block, row_of_nodes
 
 
 class ProblemTest(ProblemCase):
@@ -272,6 +272,17 @@ class ProblemTest(ProblemCase):
                                     (["--write"], "wants a value")):
             with self.subTest(options):
                 self.assert_error(self.solve("none", *options), WRONG_INPUT, expression)
+
+    def test_address_space(self):
+        """Refused where BLAS would look for room for ever, and solved with more (the timeout is the test)."""
+        W, q = row_of_nodes(6)
+        fclib_files.write(self.folder / "problem", W, q, np.full(6, 0.3))
+        for kilobytes, code in ((400000, WRONG_INPUT), (1100000, DONE)):
+            command = f"ulimit -v {kilobytes}; exec '{SOLVE}' '{self.folder}/problem'"
+            result = subprocess.run(["sh", "-c", command], text=True, capture_output=True, timeout=120, check=False)
+            self.assertEqual(result.returncode, code, result.stderr)
+            if code == WRONG_INPUT:
+                self.assertRegex(result.stderr, r"\Aorthocone-solve: memory: 'ulimit -v' leaves \S+ GB .*allowed is .*\n\Z")
 
     def test_nowhere_to_write(self):
         W, q = row_of_nodes(2)
