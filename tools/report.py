@@ -129,8 +129,7 @@ def main():
     except KeyboardInterrupt:
         print(f"report: stopped; {report.output} shows the run as far as it was")
     except (OSError, report.run_folder.BadFile) as error:
-        words = f"{error.filename}: {error.strerror}" if getattr(error, "filename", None) else error
-        print(f"report: {report.run_folder.one_line(words)}", file=sys.stderr)
+        print(f"report: {report.run_folder.one_line(error)}", file=sys.stderr)
         sys.exit(4)
 
 

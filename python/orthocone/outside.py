@@ -21,7 +21,10 @@ _KINDS = ((stat.S_ISDIR, "a folder"), (stat.S_ISFIFO, "a pipe"), (stat.S_ISSOCK,
 
 
 def one_line(words, most=MOST_LETTERS):
-    """The words as a terminal may show them: no control characters, no bytes that are no text, not too many."""
+    """The words, or an error, as a terminal may show them: no control characters, no bytes that are no text, not too many. An
+    error of the system names its file and says what is wrong, without the number of the error."""
+    if isinstance(words, OSError) and words.filename:
+        words = f"{words.filename}: {words.strerror}"
     line = "".join(letter if letter.isprintable() else ascii(letter)[1:-1] for letter in " ".join(str(words).split()))
     return line if len(line) <= most else f"{line[:most // 2 - 2]} ... {line[3 - most // 2:]}"
 

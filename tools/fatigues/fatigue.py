@@ -278,8 +278,7 @@ def main():
         print(f"fatigue: {one_line(words)}", file=sys.stderr)
         sys.exit(WRONG_INPUT)
     except (OSError, BadFile) as problem:
-        words = f"{problem.filename}: {problem.strerror}" if getattr(problem, "filename", None) else problem
-        print(f"fatigue: {one_line(words)}", file=sys.stderr)
+        print(f"fatigue: {one_line(problem)}", file=sys.stderr)
         sys.exit(FILE_ERROR)
 
 

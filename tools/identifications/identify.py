@@ -134,7 +134,7 @@ def main():
         print("identify: interrupted", file=sys.stderr)
         sys.exit(INTERRUPTED)
     except OSError as problem:
-        print(f"identify: {one_line(f'{problem.filename}: {problem.strerror}' if problem.filename else problem)}", file=sys.stderr)
+        print(f"identify: {one_line(problem)}", file=sys.stderr)
         sys.exit(FILE_ERROR)
 
 

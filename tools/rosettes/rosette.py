@@ -165,8 +165,7 @@ def main():
         print(f"rosette: {one_line(f'{given.file}: {problem}')}", file=sys.stderr)
         sys.exit(UNSOLVED if isinstance(problem, nearest_table.NoTable) else WRONG_INPUT)
     except (OSError, BadFile) as problem:
-        words = f"{problem.filename}: {problem.strerror}" if getattr(problem, "filename", None) else problem
-        print(f"rosette: {one_line(words)}", file=sys.stderr)
+        print(f"rosette: {one_line(problem)}", file=sys.stderr)
         sys.exit(FILE_ERROR)
 
 

@@ -131,7 +131,7 @@ def main():
         print(f"fretting_map: {one_line(error)}", file=sys.stderr)
         return WRONG
     except OSError as error:
-        print(f"fretting_map: {one_line(f'{error.filename}: {error.strerror}' if error.filename else error)}", file=sys.stderr)
+        print(f"fretting_map: {one_line(error)}", file=sys.stderr)
         return FILE_ERROR
 
 

@@ -235,7 +235,7 @@ def main():
         print(f"sweep: {one_line(error)}", file=sys.stderr)
         return 2
     except OSError as error:
-        print(f"sweep: {one_line(f'{error.filename}: {error.strerror}' if error.filename else error)}", file=sys.stderr)
+        print(f"sweep: {one_line(error)}", file=sys.stderr)
         return 4
 
 
