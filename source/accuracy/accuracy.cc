@@ -42,7 +42,7 @@ double remaining_change(const std::vector<double> &values)
 bool AccuracyEstimate::is_reached() const
 {
   for (unsigned int i = 0; i < n_quantities; ++i)
-    if (!(errors[i] + steps_share[i] <= wanted))
+    if (counted[i] && !(errors[i] + steps_share[i] <= wanted))
       return false;
   return true;
 }
@@ -94,8 +94,9 @@ std::string describe(const AccuracyEstimate &accuracy)
 {
   const bool is_shared = std::any_of(accuracy.steps_share.begin(), accuracy.steps_share.end(),
                                      [](const double steps_share) { return steps_share > 0; });
-  return to_text(accuracy.wanted) +
-         (is_shared ? " % wanted, the error of the load steps included, " : " % wanted, ") +
+  return to_text(accuracy.wanted) + " % wanted" +
+         (accuracy.counted == all_quantities ? "" : " of " + counted_text(accuracy.counted)) +
+         (is_shared ? ", the error of the load steps included, " : ", ") +
          (accuracy.is_reached() ? "reached" : "NOT reached") +
          "; value (estimated error): " + describe_quantities(accuracy);
 }

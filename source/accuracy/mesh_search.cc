@@ -111,7 +111,7 @@ ChosenModel find_mesh(const Parameters &parameters, const ModelChoice &choice, c
   constexpr std::size_t least_levels = 3;
   const Stopwatch watch;
   ChosenModel found{parameters, parameters};
-  AccuracyEstimate accuracy{parameters.mesh.accuracy, {}, {}, steps_share};
+  AccuracyEstimate accuracy{parameters.mesh.accuracy, {}, {}, steps_share, parameters.mesh.accuracy_of};
   std::vector<Quantities> levels;
   std::vector<CellRange> to_halve;
   std::string reason;

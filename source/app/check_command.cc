@@ -45,7 +45,11 @@ void print_warnings(const Parameters &parameters, const ModelChoice &model, cons
 void print_unknown_mesh(const Parameters &parameters, const ModelChoice &model)
 {
   std::cout << describe_model(model) << "mesh           is chosen by the run, for errors of "
-            << to_text(parameters.mesh.accuracy) << " %\n"
+            << to_text(parameters.mesh.accuracy) << " %"
+            << (parameters.mesh.accuracy_of == all_quantities
+                    ? ""
+                    : " of " + counted_text(parameters.mesh.accuracy_of))
+            << "\n"
             << describe_materials(parameters) << describe_friction(parameters)
             << describe_obstacle(parameters) << describe_held(parameters) << describe_steps(parameters.load);
   print_warnings(parameters, model, "");

@@ -4,6 +4,7 @@
 #include <orthocone/body/shapes/shape_kind.h>
 #include <orthocone/body/shapes/supports.h>
 
+#include <algorithm>
 #include <sstream>
 
 namespace orthocone
@@ -21,6 +22,15 @@ std::optional<CellRange> parse_range(const std::string &text)
   if (!first || !last || *last < *first)
     return std::nullopt;
   return CellRange{*first, *last};
+}
+
+std::string words_of(const CountedQuantities &counted)
+{
+  std::string text;
+  for (std::size_t i = 0; i < counted.size(); ++i)
+    if (counted[i])
+      text += (text.empty() ? "" : ", ") + std::string(accuracy_words[i]);
+  return text;
 }
 
 std::optional<Round> parse_round(const std::string &text)
@@ -52,6 +62,30 @@ Codec<std::vector<Round>> refined_cells_codec()
   return list_codec<Round>("nothing, or rounds, separated by ';', of the numbers of the mesh's cells, such "
                            "as '0 4-7; 12'",
                            ';', "; ", parse_round, round_text);
+}
+
+std::optional<CountedQuantities> parse_counted(const std::string &text)
+{
+  if (trimmed(text) == "all")
+    return all_quantities;
+  CountedQuantities counted{};
+  for (const std::string &word : split(text, ','))
+  {
+    const auto *const found = std::find(accuracy_words.begin(), accuracy_words.end(), word);
+    if (found == accuracy_words.end())
+      return std::nullopt;
+    bool &counts = counted.at(static_cast<std::size_t>(found - accuracy_words.begin()));
+    if (counts)
+      return std::nullopt; // named twice
+    counts = true;
+  }
+  return counted;
+}
+
+Codec<CountedQuantities> counted_codec()
+{
+  return {"all, or some of " + words_of(all_quantities) + ", each once, separated by commas",
+          [](const std::string &text, std::string &) { return parse_counted(text); }, counted_text};
 }
 
 /// The first entry of Mesh that was set although a resolution or an accuracy chooses the mesh, or "".
@@ -108,6 +142,11 @@ void check_quadrature(const MeshOptions &mesh)
 }
 } // namespace
 
+std::string counted_text(const CountedQuantities &counted)
+{
+  return counted == all_quantities ? "all" : words_of(counted);
+}
+
 BodyOptions BodyOptions::lower()
 {
   BodyOptions body;
@@ -135,10 +174,18 @@ void declare_mesh_choice(MeshOptions &mesh, Section &section)
       .also_called({"refinement"});
   section
       .add("Accuracy", mesh.accuracy, percentage_codec(NumberRange{0.01, 50, true, true}),
-           "Error, in percent, that the largest slip, the total force, the dissipated energy and the stick "
-           "area may have: the program refines the mesh until its estimate of the error is below this bound. "
-           "Resolution and the entries below then stay at their defaults. 0 = these entries give the mesh.")
+           "Error, in percent, that the quantities of Accuracy of may have: the program refines the mesh "
+           "until "
+           "its estimate of the error is below this bound. Resolution and the entries of the mesh then stay "
+           "at "
+           "their defaults. 0 = these entries give the mesh.")
       .unit("%");
+  section
+      .add("Accuracy of", mesh.accuracy_of, counted_codec(),
+           "Quantities that Accuracy bounds: the largest slip, the force at the peak of the first cycle, the "
+           "energy dissipated up to its end, the stick area at the peak, and the area of its loop. The stick "
+           "area wants the finest mesh as a rule. The errors of all are estimated and reported.")
+      .only_if({[&mesh] { return mesh.accuracy != 0; }, [&mesh] { return mesh.section + "/Accuracy = 0"; }});
 }
 
 void declare_cells(MeshOptions &mesh, const GeometryOptions &geometry, Section &section)

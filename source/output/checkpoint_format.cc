@@ -149,7 +149,8 @@ CycleMemory cycles_from(const Json &json, const ContactState &state)
 
 Json accuracy_json(const std::optional<AccuracyEstimate> &accuracy)
 {
-  return accuracy ? Json{accuracy->wanted, accuracy->values, accuracy->errors, accuracy->steps_share}
+  return accuracy ? Json{accuracy->wanted, accuracy->values, accuracy->errors, accuracy->steps_share,
+                         accuracy->counted}
                   : Json();
 }
 
@@ -157,7 +158,7 @@ std::optional<AccuracyEstimate> accuracy_from(const Json &json)
 {
   if (json.is_null())
     return std::nullopt;
-  return AccuracyEstimate{json.at(0), json.at(1), json.at(2), json.at(3)};
+  return AccuracyEstimate{json.at(0), json.at(1), json.at(2), json.at(3), json.at(4)};
 }
 
 Json steps_json(const std::optional<StepAccuracy> &steps)

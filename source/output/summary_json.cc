@@ -63,7 +63,9 @@ OrderedJson cycles_summary(const CycleMemory &cycles)
 
 OrderedJson accuracy_json(const AccuracyEstimate &accuracy)
 {
-  OrderedJson json{{"wanted_percent", accuracy.wanted}, {"reached", accuracy.is_reached()}};
+  OrderedJson json{{"wanted_percent", accuracy.wanted},
+                   {"of", counted_text(accuracy.counted)},
+                   {"reached", accuracy.is_reached()}};
   for (unsigned int i = 0; i < n_quantities; ++i)
     json[quantity_names[i]] = {{"value", accuracy.values[i]},
                                {"estimated_error_percent", accuracy.errors[i]}};

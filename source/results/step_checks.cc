@@ -98,13 +98,13 @@ double work_into_wear(const ContactState &before, const ContactState &after)
 }
 
 /// Includes the lower body under the same forces, and the part of its displacements in the gap and slip.
-void include(BodyMismatch &mismatch, const LowerBody &lower, const NodeVector &force,
+void include(BodyMismatch &mismatch, const LowerBody &lower, MismatchMemory &memory, const NodeVector &force,
              const NodeVector &given_way, const double bound)
 {
   const NodeVector own_force = lower.own_force(force);
   NodeVector own;
   lower.body().compliance().vmult(own, own_force);
-  const BodyMismatch of_lower = lower.body().mismatch(own_force, own, bound);
+  const BodyMismatch of_lower = memory.of(own_force, own, bound);
   mismatch.unbalanced = std::max(mismatch.unbalanced, of_lower.unbalanced);
   mismatch.displacement = std::max({mismatch.displacement, of_lower.displacement,
                                     (lower.parted(own) - given_way).lpNorm<Eigen::Infinity>()});
@@ -122,20 +122,22 @@ StepChecker::StepChecker(const Scene &scene, const CheckOptions &options, const 
       gaps_(scene.gaps()),
       change_lengths_(scene.change_lengths()),
       opening_(node_compliance(scene.surface(), scene.symmetry(), scene.contact_material())),
-      body_(scene.body()),
-      scene_(scene)
+      scene_(scene),
+      body_(scene.body())
 {
+  if (const LowerBody *const lower = scene.lower())
+    lower_.emplace(lower->body());
 }
 
-void StepChecker::check_equilibrium(const ContactState &state, StepChecks &checks) const
+void StepChecker::check_equilibrium(const ContactState &state, StepChecks &checks)
 {
   const NodeVector given_way = scene_.given_way(state.force);
   const NodeVector driven = scene_.driven_displacement(state.motion, state.loads);
   const NodeVector elastic = unworn_displacement(state) - gaps_ - driven - given_way;
   checks.motion = motion_checks(scene_, state, elastic, given_way);
-  auto mismatch = body_.mismatch(state.force, elastic, options_.equilibrium);
-  if (const LowerBody *const lower = scene_.lower())
-    include(mismatch, *lower, state.force, given_way, options_.equilibrium);
+  auto mismatch = body_.of(state.force, elastic, options_.equilibrium);
+  if (lower_)
+    include(mismatch, *scene_.lower(), *lower_, state.force, given_way, options_.equilibrium);
   checks.equilibrium =
       std::max(mismatch.unbalanced,
                relative(mismatch.displacement,
@@ -155,7 +157,7 @@ double StepChecker::identity_error(const Situation &before, const Situation &aft
 }
 
 StepChecks StepChecker::check(const Situation &before, const Situation &after, const SolverReport &report,
-                              const double largest_energy) const
+                              const double largest_energy)
 {
   StepChecks checks;
   checks.is_finite = is_finite(after.state, after.totals);

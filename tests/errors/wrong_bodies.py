@@ -6,6 +6,9 @@ NAME = "a name without '#', '\\', ',', ';' and ':', a number, or nothing"
 SUPPORTS = "nothing, or surfaces with their directions, such as 'x+: x ; side: x y z'"
 CURVED = ("nothing, or surfaces, each once, that are cylinders, spheres or planes, such as 'bore: cylinder through 0 0 5 along "
           "0 1 0 ; ball: sphere about 0 0 8 ; end: plane'")
+FATIGUE = ("nothing, or constants \"name: number\" separated by ';', each name once, with the names bending limit, torsion limit, yield "
+           "stress, fatemi socie k, findley k, crossland alpha, dang van a; a limit or a yield stress > 0 in MPa, the others >= 0")
+ACCURACY_OF = "all, or some of largest slip, peak force, dissipation, stick area, loop area, each once, separated by commas"
 REGIONS = ('nothing, or regions "name: E, nu" (E > 0 in MPa, nu > -1 and < 0.5; each volume once), separated by \';\'')
 
 
@@ -26,12 +29,18 @@ ROWS = [
       for name, value in (("cone", "bore: cone"), ("zero_axis", "bore: cylinder through 0 0 0 along 0 0 0"),
                           ("two_numbers", "bore: sphere about 0 0"), ("without_axis", "bore: cylinder through 0 0 0"),
                           ("twice", "end: plane ; end: plane"))),
+    *(row(f"accuracy_of_{name}", "Mesh", "Accuracy of", value, ACCURACY_OF)
+      for name, value in (("another_quantity", "pressure"), ("one_twice", "stick area, stick area"), ("all_and_one", "all, loop area"))),
     row("law_plastic", "Material", "Law", "plastic", "isotropic | orthotropic"),
     row("young_moduli_two", "Material", "Young moduli", "14000, 900", "three numbers > 0 separated by commas"),
     row("poisson_ratios_four", "Material", "Poisson ratios", "0.3, 0.3, 0.3, 0.3", "three numbers separated by commas"),
     row("shear_moduli_zero", "Material", "Shear moduli", "800, 700, 0", "three numbers > 0 separated by commas"),
     row("thermal_expansion_with_unit", "Material", "Thermal expansion", "1.2e-5 K", "a number > -0.01 and < 0.01; K is a unit of temperature, "
         "and this entry has 1/K, /K, ppm/K, um/(m K)"),
+    *(row(f"fatigue_{name}", "Material", "Fatigue", value, FATIGUE)
+      for name, value in (("of_no_name", "300"), ("with_another_name", "endurance limit: 300"), ("zero", "yield stress: 0"),
+                          ("negative", "findley k: -0.1"), ("twice", "yield stress: 300 ; yield stress: 400"),
+                          ("with_unit", "yield stress: 300 MPa"))),
     row("regions_without_poisson_ratio", "Material", "Regions", "core: 70000", REGIONS),
     row("regions_incompressible", "Material", "Regions", "core: 70000, 0.5", REGIONS),
     row("regions_twice", "Material", "Regions", "core: 70000, 0.3 ; core: 1000, 0.3", REGIONS),

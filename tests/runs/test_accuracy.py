@@ -44,6 +44,24 @@ class AccuracyTest(RunTest):
             self.assertIn(name, log)
         self.assertIn("10 % wanted, reached", log)
 
+    def test_only_named_quantities_count(self):
+        """Without the stick area the search ends on an earlier level, whose own estimate of the stick area is too large: only
+        then has the entry saved anything."""
+        wanted = [*ACCURACY, "Mesh/Accuracy=1 %"]
+        self.assert_done("all", settings=wanted)
+        self.assert_done("named", settings=[*wanted, "Mesh/Accuracy of=dissipation, peak force"])
+        of_all, named = (self.summary(run)["accuracy"] for run in ("all", "named"))
+        self.assertEqual((of_all["of"], named["of"]), ("all", "peak force, dissipation"))
+        self.assertTrue(of_all["reached"] and named["reached"])
+        nodes = [self.summary(run)["model"]["contact_nodes"] for run in ("all", "named")]
+        self.assertGreater(nodes[0], nodes[1])
+        for name in ("peak_force_N", "dissipation_Nmm"):
+            self.assertLessEqual(named[name]["estimated_error_percent"], 1)
+        others = [named[name]["estimated_error_percent"] for name in ("largest_slip_mm", "stick_area_mm2", "loop_area_Nmm")]
+        self.assertGreater(max(others), 1)
+        self.assertIn("1 % wanted of peak force, dissipation, reached", (self.folder / "named/log.txt").read_text())
+        self.assertRegex((self.folder / "named/parameters.prm").read_text(), r"(?m)set Accuracy of += all$")
+
     def test_parameters_of_the_run_are_those_of_the_chosen_mesh(self):
         self.assert_done("run", settings=ACCURACY)
         complete = self.folder / "run/parameters.prm"

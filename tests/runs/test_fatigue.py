@@ -153,7 +153,7 @@ class BarTest(unittest.TestCase):
         bending, torsion = (history(**{pair: np.array([-size, size])}) for pair, size in
                             (("xx", hard.bending_limit), ("xy", hard.torsion_limit)))
         for name in ("findley", "crossland", "dang_van"):
-            one, other = (fields.fields_of([name], hard, {}, stress)[name] for stress in (bending, torsion))
+            one, other = (fields.fields_of([name], hard, stress)[name] for stress in (bending, torsion))
             self.assertAlmostEqual(one.values[0] / other.values[0], 1, delta=1e-5)
             self.assertAlmostEqual(one.values[0] / one.reference, 1, delta=1e-9)
 

@@ -5,6 +5,7 @@ line.
 
 Usage: test_fatigue_tool.py PROGRAM [unittest options]"""
 import json
+import math
 import os
 import re
 import subprocess
@@ -146,6 +147,27 @@ class RigTest(FatigueTest):
         self.assertEqual((self.folder / "own.png").read_bytes()[:4], b"\x89PNG")
         row = np.argmax(file.fields["swt"])
         self.assertAlmostEqual(worst(text)["Smith-Watson-Topper"][0] / file.fields["swt"][row], 1, delta=1e-3)
+
+    def test_each_body_has_its_own_constants(self):
+        """The table's share of the limit is the value over that of a bar at the limit of the body where the place lies: the
+        specimen, and with a weak pad the pad."""
+        strong, weak = ({"bending limit": 2 * size, "torsion limit": 1.2 * size, "yield stress": 400} for size in (200, 20))
+
+        def entry(section, constants):
+            return f"{section}/Fatigue=" + " ; ".join(f"{name}: {value}" for name, value in constants.items())
+        for run, pad, specimen in (("specimen", strong, strong), ("pad", weak, strong)):
+            self.run_done(run, RIG, *COARSE, legs(155, 100), entry("Material", pad), entry("Lower material", specimen))
+        tables = {run: self.tables(run, "--parameters", "crossland") for run in ("specimen", "pad")}
+        self.assertIn("material: constants of Material/Fatigue", tables["pad"].replace(" of the body", ""))
+        self.assertIn("material of the lower body: constants of Lower material/Fatigue", tables["pad"])
+        self.assertEqual(worst(tables["specimen"])["Crossland"][1], "lower body")
+        self.assertEqual(worst(tables["pad"])["Crossland"][1], "body")
+        shares = {run: float(next(row for row in text.splitlines() if row.startswith("Crossland")).split()[3])
+                  for run, text in tables.items()}
+        ratio = 1.2 / 2  # of the limits: torsion over bending
+        for run, limit in (("specimen", 400), ("pad", 40)):
+            at_limit = limit / math.sqrt(3) + (3 * ratio - math.sqrt(3)) * limit / 3
+            self.assertAlmostEqual(shares[run] * at_limit / worst(tables[run])["Crossland"][0], 1, delta=2e-3)
 
     def test_what_is_not_settled_and_lines(self):
         """One cycle from rest: a warning. Lines have the stress of the bodies."""

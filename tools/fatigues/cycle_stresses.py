@@ -45,6 +45,10 @@ def check_steps(run, kind, steps):
                        f"Output/{entry} = 1 and run again, or name steps that have files with --steps")
 
 
+def section_of(inward):
+    return "Material" if inward > 0 else "Lower material"
+
+
 @dataclasses.dataclass
 class Body:
     """points: (n, 3), mm. stress: (n, steps, 6), MPa. cells: [(VTK's number, (m, points of a cell))]. inward: +1 above the
@@ -55,6 +59,11 @@ class Body:
     points: np.ndarray
     stress: np.ndarray
     cells: list
+
+    @property
+    def section(self):
+        """The name of the section of its material."""
+        return section_of(self.inward)
 
     @property
     def is_section(self):
@@ -123,9 +132,9 @@ def body_of(run, kind, steps, near):
         raise NotInRun(f"has no cell of the {'body' if kind == 'volume' else 'lower body'} within the distance --within")
     new = np.full(len(points), -1)
     new[used] = np.arange(len(used))
-    section = run.parameters.get("Material" if kind == "volume" else "Lower material", {})
+    inward = 1 if kind == "volume" else -1
     history = np.stack(stress, axis=1)[np.searchsorted(np.flatnonzero(kept), used)]
-    return Body("body" if kind == "volume" else "lower body", 1 if kind == "volume" else -1, section, points[used], history,
+    return Body("body" if inward > 0 else "lower body", inward, run.parameters.get(section_of(inward), {}), points[used], history,
                 [(kind_, new[cells]) for kind_, cells in inner if len(cells)])
 
 

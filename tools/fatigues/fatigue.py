@@ -16,7 +16,7 @@ import material as materials  # noqa: E402
 import numpy as np  # noqa: E402
 import places  # noqa: E402
 from critical_distance import METHODS, along_line, below_surface  # noqa: E402
-from cycle_stresses import NotInRun, Surface, body_of  # noqa: E402
+from cycle_stresses import NotInRun, Surface, body_of, section_of  # noqa: E402
 from fatigue_vtu import text_of_vtu  # noqa: E402
 from planes import STEP  # noqa: E402
 from run_folder import BadFile, RunFolder, one_line, write_whole  # noqa: E402
@@ -74,7 +74,8 @@ def arguments():
                "or written.")
     parser.add_argument("run", metavar="RUN", type=pathlib.Path, help="run folder with volume files of every step of a cycle")
     parser.add_argument("--material", metavar="FILE.json", type=pathlib.Path,
-                        help=f"constants of fatigue, an object with any of {materials.ALLOWED} (a hard steel)")
+                        help=f"constants of fatigue of both bodies, an object with any of {materials.ALLOWED} (those of "
+                             "Material/Fatigue and Lower material/Fatigue, or a hard steel)")
     parser.add_argument("--parameters", metavar="NAMES", type=names_of, default=list(NAMES), help=f"any of {', '.join(NAMES)} (all)")
     parser.add_argument("--critical-distance", metavar="L", type=positive, default=None,
                         help="mm: also the parameters of the mean stress over 2 L below the surface of sections and along lines")
@@ -113,17 +114,22 @@ def bodies_of(run, given, steps, surface):
     return [body_of(run, kind, steps, near) for kind in kinds]
 
 
-def all_fields(bodies, given, material, surface):
+def constants_of(run, path):
+    """{section of a body: its Material}."""
+    return {section: materials.material_of(path, run.parameters, section) for section in map(section_of, (1, -1))}
+
+
+def all_fields(bodies, given, constants, surface):
     """{body: {name: Field}}."""
     found = {}
     for body in bodies:
-        found[body.name] = parameters.fields_of(given.parameters, material, body.material, body.stress, given.plane_step)
+        found[body.name] = parameters.fields_of(given.parameters, constants[body.section], body.stress, given.plane_step)
         if surface.is_plane:
             found[body.name].update({name: field for name, field in surface.ruiz(body).items() if name in given.parameters})
     return found
 
 
-def averaged_fields(bodies, given, material, surface):
+def averaged_fields(bodies, given, constants, surface):
     """{body: {name: Field}} of the mean histories below the surface of sections, nan at other points."""
     found = {}
     for body in bodies if given.critical_distance and surface.is_plane else ():
@@ -134,7 +140,7 @@ def averaged_fields(bodies, given, material, surface):
             raise NotInRun(f"has no {2 * given.critical_distance:g} mm of the {body.name} below the contact: allowed is a larger "
                            "--within or a smaller --critical-distance")
         found[body.name] = {}
-        for name, field in parameters.fields_of(given.parameters, material, body.material, stress, given.plane_step).items():
+        for name, field in parameters.fields_of(given.parameters, constants[body.section], stress, given.plane_step).items():
             whole = parameters.Field(np.full(len(body.points), np.nan), None, field.reference)
             whole.values[at] = field.values
             if field.normals is not None:
@@ -167,7 +173,7 @@ def write_vtu(path, bodies, arrays):
     write_whole(path, text_of_vtu(np.concatenate([body.points for body in bodies]), cells, arrays))
 
 
-def line_places(run, given, material, steps, surface):
+def line_places(run, given, constants, steps, surface):
     """{name of a parameter: [Place]}, the worst one of each line; of the mean history with --critical-distance."""
     found = {name: [] for name in given.parameters if name not in parameters.SURFACE}
     for line in run.line_names():
@@ -177,18 +183,18 @@ def line_places(run, given, material, steps, surface):
             if stress is None:
                 continue
         inward = 1 if points[:, 2].sum() >= 0 and not np.signbit(points[:, 2]).all() else -1
-        section = run.parameters.get("Material" if inward > 0 else "Lower material", {})
-        for name, field in parameters.fields_of(found, material, section, stress, given.plane_step).items():
+        for name, field in parameters.fields_of(found, constants[section_of(inward)], stress, given.plane_step).items():
             found[name] += places.worst_places(name, [(line, surface.below(points, inward), field)], math.inf)
     return found
 
 
-def edge_places(bodies, given, material, surface):
+def edge_places(bodies, given, constants, surface):
     """{name of a parameter: [Place]}, the worst edges of the contact, whose stress goes on from the zone that slips."""
     parts = {name: [] for name in given.parameters if name not in parameters.SURFACE}
     for body in bodies:
         points, stress = surface.edges(body)
-        for name, field in parameters.fields_of(parts, material, body.material, stress, given.plane_step).items() if len(points) else ():
+        fields = parameters.fields_of(parts, constants[body.section], stress, given.plane_step) if len(points) else {}
+        for name, field in fields.items():
             parts[name].append((body.name, surface.below(points, body.inward), field))
     return {name: places.worst_places(name, of_name, APART * surface.radius) for name, of_name in parts.items() if of_name}
 
@@ -244,24 +250,32 @@ def check_possible(given, bodies, surface, averaged, along_lines):
                        "needs Output/Lines from the surface into the body")
 
 
+def names_of_materials(bodies, constants):
+    names = [one_line(constants[body.section].name) for body in bodies]
+    if len(set(names)) == 1:
+        return f"material: {names[0]}"
+    return "\n".join(f"material of the {body.name}: {name}" for body, name in zip(bodies, names))
+
+
 def look(given):
-    run, material = RunFolder(given.run), materials.material_of(given.material)
+    run = RunFolder(given.run)
+    constants = constants_of(run, given.material)
     steps, sentence, warning = chosen_steps(run, given)
     cycle_stresses.check_steps(run, "volume", steps)
     surface = Surface(run, steps)
     bodies = bodies_of(run, given, steps, surface)
-    averaged = averaged_fields(bodies, given, material, surface)
-    along_lines = line_places(run, given, material, steps, surface)
+    averaged = averaged_fields(bodies, given, constants, surface)
+    along_lines = line_places(run, given, constants, steps, surface)
     check_possible(given, bodies, surface, averaged, along_lines)
-    fields = all_fields(bodies, given, material, surface)
+    fields = all_fields(bodies, given, constants, surface)
     below = {body.name: surface.below(body.points, body.inward) for body in bodies}
     worst, worst_means = (worst_of(of_bodies, below, surface.radius) for of_bodies in (fields, averaged))
     write_vtu(given.output, bodies, vtu_fields(bodies, below, fields, averaged))
     if given.picture:
         save_picture(given.picture, f"{given.run.name}: {sentence}", bodies, fields, averaged, worst, surface)
     print(f"{one_line(given.run)}: {sentence}, up to {given.within * surface.radius:.3g} mm from the contact, whose half-width is "
-          f"{surface.radius:.3g} mm\nmaterial: {one_line(material.name)}")
-    at_edges = edge_places(bodies, given, material, surface)
+          f"{surface.radius:.3g} mm\n{names_of_materials(bodies, constants)}")
+    at_edges = edge_places(bodies, given, constants, surface)
     print(*tables(given, worst, at_edges, worst_means, along_lines), *notes(run, given, surface, bodies, at_edges), sep="\n")
     print(f"{one_line(given.output)}: the fields" + (f"\n{one_line(given.picture)}: the picture" if given.picture else ""))
     if warning:

@@ -27,28 +27,27 @@ class Field:
     reference: float = None
 
 
-def value_of(name, material, section, stress, step):
+def value_of(name, material, stress, step):
     """A Field without reference."""
     if name in PLANES:
-        return Field(*on_critical_planes(criterion_of(name, material, section), stress, step))
+        return Field(*on_critical_planes(criterion_of(name, material), stress, step))
     if name == "crossland":
         return Field(crossland(stress, material.crossland_alpha))
     return Field(dang_van(stress, material.dang_van_a))
 
 
 @functools.lru_cache(maxsize=None)
-def reference(name, material, elastic):
+def reference(name, material):
     bar = np.zeros((1, 2, 6))
     bar[0, :, 0] = material.bending_limit, -material.bending_limit
-    return float(value_of(name, material, dict(elastic), bar, STEP).values[0])
+    return float(value_of(name, material, bar, STEP).values[0])
 
 
-def fields_of(names, material, section, stress, step=STEP):
+def fields_of(names, material, stress, step=STEP):
     """{name: Field} of the parameters of stress histories, (points, steps, 6), MPa."""
-    elastic = tuple((key, section[key]) for key in ("Law", "Regions", "Young modulus", "Poisson ratio") if key in section)
     found = {}
     for name in names:
         if name in PLANES + INVARIANTS:
-            found[name] = value_of(name, material, section, stress, step)
-            found[name].reference = reference(name, material, elastic)
+            found[name] = value_of(name, material, stress, step)
+            found[name].reference = reference(name, material)
     return found

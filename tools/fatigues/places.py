@@ -34,12 +34,14 @@ class Place:
 
 def worst_places(name, parts, apart, most=MOST):
     """The worst places of a parameter, the first one first, that lie `apart` (mm) from each other and have at least the SHARE
-    of the largest value. parts: [(where, Below, Field)]."""
+    of the largest value, where bodies with different limits are compared by what they have of them. parts: [(where, Below,
+    Field)]."""
     values = np.concatenate([field.values for _, _, field in parts])
     points = np.concatenate([below.points for _, below, _ in parts])
     part = np.repeat(np.arange(len(parts)), [len(field.values) for _, _, field in parts])
     first = np.concatenate([[0], np.cumsum([len(field.values) for _, _, field in parts])])
-    left, found = np.where(np.isfinite(values), values, -np.inf), []
+    of_limit = values / np.repeat([field.reference or 1 for _, _, field in parts], [len(field.values) for _, _, field in parts])
+    left, found = np.where(np.isfinite(of_limit), of_limit, -np.inf), []
     largest = left.max(initial=-np.inf)
     while len(found) < most and left.max(initial=-np.inf) > 0 and left.max() >= SHARE * largest:
         row = int(np.argmax(left))

@@ -59,6 +59,10 @@ def parse(arguments):
         raise WrongInput(f"--picture {given.picture}: allowed are names that end with .png or .svg")
     if not 0 < given.stick_share <= 1:
         raise WrongInput(f"--stick-share = {given.stick_share:g}: allowed is a number > 0 and <= 1")
+    if given.material and not given.fatigue:
+        raise WrongInput(f"--material {given.material} does nothing without --fatigue: allowed is one of {', '.join(FATIGUE)}")
+    if given.material:
+        map_points.check_constants(given.material)
     return given
 
 
@@ -124,10 +128,7 @@ def main():
     sys.stdout.reconfigure(errors="backslashreplace")  # a terminal need not have all letters of a name
     try:
         return make_map(parse(sys.argv[1:]))
-    except WrongInput as error:
-        print(f"fretting_map: {one_line(error)}", file=sys.stderr)
-        return WRONG
-    except BadFile as error:
+    except (WrongInput, BadFile) as error:
         print(f"fretting_map: {one_line(error)}", file=sys.stderr)
         return WRONG
     except OSError as error:

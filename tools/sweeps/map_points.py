@@ -7,6 +7,7 @@ import sys
 
 import numpy as np
 from sweep_runs import Run, RunFolder
+from run_folder import BadFile  # isort: skip (sweep_runs makes its folder known)
 
 STICK, PARTIAL, GROSS = REGIMES = ("stick", "partial slip", "gross slip")
 COLUMNS = {"regime": "", "stick_share": "", "dissipation": "N mm", "slip_ratio": "", "max_slip": "mm", "worn_volume": "mm^3"}
@@ -72,12 +73,28 @@ def values_of(folder, least_share):
             "worn_volume": float(steps["worn_volume"][-1])}
 
 
+def _with_fatigue():
+    """The modules of tools/fatigue can be imported."""
+    folder = str(pathlib.Path(__file__).resolve().parent.parent / "fatigues")
+    if folder not in sys.path:
+        sys.path.append(folder)
+
+
+def check_constants(path):
+    """Before anything runs: raises BadFile for constants that are not allowed, and OSError for a file that cannot be read."""
+    _with_fatigue()
+    import material
+    try:
+        material.material_of(path)
+    except material.WrongMaterial as error:
+        raise BadFile(str(error)) from error
+
+
 def worst_fatigue(folder, name, material):
     """The largest value of a parameter of tools/fatigue in both bodies around the contact; nan where it has none."""
-    sys.path.append(str(pathlib.Path(__file__).resolve().parent.parent / "fatigues"))
+    _with_fatigue()
     import cycle_stresses
     import fatigue
-    from material import material_of
     run = RunFolder(folder)
     given = argparse.Namespace(parameters=[name], within=fatigue.WITHIN, plane_step=fatigue.STEP, steps=None)
     try:
@@ -85,7 +102,7 @@ def worst_fatigue(folder, name, material):
         cycle_stresses.check_steps(run, "volume", steps)
         surface = fatigue.Surface(run, steps)
         bodies = fatigue.bodies_of(run, given, steps, surface)
-        fields = fatigue.all_fields(bodies, given, material_of(material), surface)
+        fields = fatigue.all_fields(bodies, given, fatigue.constants_of(run, material), surface)
     except fatigue.NotInRun:
         return np.nan
     values = [field.values for of_body in fields.values() for field in of_body.values()]

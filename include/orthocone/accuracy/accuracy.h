@@ -2,6 +2,8 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
+#include <orthocone/body/options.h>
+
 #include <array>
 #include <string>
 #include <vector>
@@ -9,7 +11,7 @@
 namespace orthocone
 {
 /// The quantities of the preload and the first cycle for which an accuracy is asked.
-constexpr unsigned int n_quantities = 5;
+constexpr unsigned int n_quantities = accuracy_words.size();
 using Quantities = std::array<double, n_quantities>;
 
 /// They are: the largest slip (mm) of all steps; force (N) and stick area (mm^2) at the peak, which is the
@@ -28,8 +30,9 @@ struct AccuracyEstimate
   Quantities values{};
   Quantities errors{};      ///< estimated, percent
   Quantities steps_share{}; ///< the part of `wanted` that errors of load steps take, percent
+  CountedQuantities counted = all_quantities; ///< for which `wanted` was asked
 
-  bool is_reached() const; ///< whether all errors, with those of the steps, are within `wanted`
+  bool is_reached() const; ///< whether the counted errors, with those of the steps, are within `wanted`
 };
 
 /// Absolute errors relative to the values, percent. Errors of the stick area are relative to a tenth of the

@@ -240,6 +240,15 @@ struct CellRange
   unsigned int first, last;
 };
 
+/// The words of Mesh/Accuracy of, in the order of Quantities (accuracy/accuracy.h).
+constexpr std::array<const char *, 5> accuracy_words{
+    {"largest slip", "peak force", "dissipation", "stick area", "loop area"}};
+using CountedQuantities = std::array<bool, accuracy_words.size()>;
+constexpr CountedQuantities all_quantities{{true, true, true, true, true}};
+
+/// The words of these quantities, "largest slip, dissipation", or "all".
+std::string counted_text(const CountedQuantities &counted);
+
 /// The entries of section Mesh: an o-grid disc extruded into layers, or the rows of cells of a box.
 struct MeshOptions
 {
@@ -254,7 +263,8 @@ struct MeshOptions
   double rim_grading = 1;   ///< thickness of a ring / thickness of the next inner ring
   double layer_grading = 1; ///< thickness of a layer / thickness of its neighbour towards mid-height
   MeshResolution resolution = MeshResolution::custom;
-  double accuracy = 0;                          ///< wanted of `quantity_names`, percent; 0: the mesh is given
+  double accuracy = 0; ///< wanted of the counted quantities, percent; 0: the mesh is given
+  CountedQuantities accuracy_of = all_quantities;
   std::array<unsigned int, 3> cells{{8, 8, 4}}; ///< of a box, along x, y, z
   double edge_grading = 1; ///< of a box: thickness of a cell / thickness of its neighbour towards the middle
   unsigned int refinements = 0; ///< how often every cell is divided into eight, a section's into four
@@ -283,7 +293,15 @@ struct MaterialRegion
   double poisson_ratio;
 };
 
-/// The entries of section Material: linear elasticity.
+/// A constant of fatigue, for programs that judge the stresses of a run (docs/fatigue.md).
+struct FatigueConstant
+{
+  std::string name;
+  double value; ///< MPa, or without a unit
+};
+
+/// The entries of section Material: linear elasticity, and what the run keeps for those who judge its
+/// stresses.
 struct MaterialOptions
 {
   double young_modulus = 210000; ///< MPa
@@ -291,6 +309,7 @@ struct MaterialOptions
   Choice<MaterialLaw> law{};
   std::vector<MaterialRegion> regions{};
   double thermal_expansion = 0; ///< strain in all directions per kelvin, 1/K
+  std::vector<FatigueConstant> fatigue{};
   SectionName section = "Material";
 
   bool is_isotropic() const { return !law.chosen().tangent(); }

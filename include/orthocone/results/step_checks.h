@@ -4,6 +4,7 @@
 
 #include <orthocone/contact/solvers/contact_solver.h>
 #include <orthocone/march/contact_state.h>
+#include <orthocone/results/mismatch_memory.h>
 #include <orthocone/results/motion_checks.h>
 #include <orthocone/results/totals.h>
 #include <orthocone/scene/scene.h>
@@ -44,8 +45,8 @@ struct Situation
   const Totals &totals;
 };
 
-/// Checks steps by the states at their ends, with code that no solver uses. It has no memory of earlier
-/// steps.
+/// Checks steps by the states at their ends, with code that no solver uses. Of earlier steps it knows only
+/// how the bodies have answered the same forces, so that its verdicts do not depend on them.
 class StepChecker
 {
 public:
@@ -55,7 +56,7 @@ public:
   /// Checks the step between two situations. `largest_energy` is StepChecks::energy of the steps before (N
   /// mm). Throws SolveError where the body cannot be solved.
   StepChecks check(const Situation &before, const Situation &after, const SolverReport &report,
-                   double largest_energy) const;
+                   double largest_energy);
 
   /// The sentence on the first check that exceeds its bound, which names its entry, or nothing.
   std::optional<std::string> violation(const StepChecks &checks) const;
@@ -63,7 +64,7 @@ public:
 private:
   double law_bound(double multiple) const;
   double slip_rule_bound() const;
-  void check_equilibrium(const ContactState &state, StepChecks &checks) const;
+  void check_equilibrium(const ContactState &state, StepChecks &checks);
   double identity_error(const Situation &before, const Situation &after, double work) const;
 
   CheckOptions options_;
@@ -76,7 +77,8 @@ private:
   const NodeVector &gaps_;
   const Eigen::VectorXd &change_lengths_;
   const Eigen::VectorXd opening_; ///< node_compliance()
-  const ElasticBody &body_;
   const Scene &scene_;
+  MismatchMemory body_;
+  std::optional<MismatchMemory> lower_{};
 };
 } // namespace orthocone

@@ -5,6 +5,7 @@
 #include <orthocone/body/shapes/imported_mesh.h>
 
 #include "../names_of_groups.h"
+#include "fatigue_constants.h"
 
 #include <cmath>
 #include <set>
@@ -113,12 +114,14 @@ void declare_material(MaterialOptions &material, Section &section)
            "volumes, for loads of the kind temperature; 1.2e-5 for steel.")
       .unit("1/K")
       .also_called({"alpha", "expansion", "cte"});
+  declare_fatigue(material, section);
 }
 
 void check_material(const BodyOptions &body)
 {
   body.material.law.chosen().check(body.material);
   check_regions(body);
+  check_fatigue(body.material);
 }
 
 void warn_of_locking(const BodyOptions &body, std::vector<std::string> &warnings)

@@ -109,6 +109,7 @@ MeshOptions ladder_mesh(const GeometryOptions &geometry, const MeshOptions &give
   MeshOptions mesh = given;
   mesh.resolution = MeshResolution::custom;
   mesh.accuracy = 0;
+  mesh.accuracy_of = all_quantities;
   const Level &disc = levels(is_axisymmetric).at(level);
   mesh.degree = is_axisymmetric ? 4 : 3;
   if (reach > 0)

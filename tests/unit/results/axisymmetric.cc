@@ -117,7 +117,7 @@ TEST(Axisymmetric, PassesAllChecksOverTheCycle)
     parameters.load.legs = {move_to(0, 0, -0.1, 5), move_to(0, 0, 0, 10)};
     parameters.mesh.rim_grading = 0.6;
     TestScene scene(parameters);
-    const StepChecker checker(scene.scene, parameters.checks, parameters.contact_solver.tolerance);
+    StepChecker checker(scene.scene, parameters.checks, parameters.contact_solver.tolerance);
     scene.march(
         [&](const ContactState &before, const ContactState &after, const LoadStep &step)
         {

@@ -28,7 +28,7 @@ constexpr bool motion = false, force = true;
 ContactState checked_march(const Parameters &parameters)
 {
   TestScene scene(parameters);
-  const StepChecker checker(scene.scene, parameters.checks, parameters.contact_solver.tolerance);
+  StepChecker checker(scene.scene, parameters.checks, parameters.contact_solver.tolerance);
   double energy = 0;
   scene.march(
       [&](const ContactState &before, const ContactState &after, const LoadStep &step)

@@ -125,7 +125,7 @@ TEST(FrictionWithMemory, OfPartsOfTheBodyIsThatOfAllOfIt)
 TEST(FrictionWithMemory, IsThatOfChecksAndFields)
 {
   TestScene scene(with_factor(turned_shaft(6), "1/(1 + w/100)"));
-  const StepChecker checker(scene.scene, scene.parameters.checks, 1e-10);
+  StepChecker checker(scene.scene, scene.parameters.checks, 1e-10);
   scene.march(
       [&](const ContactState &before, const ContactState &after, const LoadStep &)
       {

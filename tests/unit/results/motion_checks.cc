@@ -12,7 +12,7 @@ namespace
 StepChecks checks_of(const Parameters &parameters)
 {
   TestScene scene(parameters);
-  const StepChecker checker(scene.scene, parameters.checks, 1e-10);
+  StepChecker checker(scene.scene, parameters.checks, 1e-10);
   StepChecks checks;
   scene.march(
       [&](const ContactState &before, const ContactState &after, const LoadStep &)

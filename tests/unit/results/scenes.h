@@ -121,7 +121,7 @@ public:
 /// Marches a scene whose bodies must be in equilibrium after each step, and keep their energy in it.
 inline void expect_checked_steps(TestScene &scene)
 {
-  const StepChecker checker(scene.scene, scene.parameters.checks, 1e-10);
+  StepChecker checker(scene.scene, scene.parameters.checks, 1e-10);
   scene.march(
       [&](const ContactState &before, const ContactState &after, const LoadStep &)
       {

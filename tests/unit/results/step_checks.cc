@@ -19,14 +19,14 @@ struct CheckedScene : TestScene
   {
   }
 
-  StepChecks check(const ContactState &before, const ContactState &after) const
+  StepChecks check(const ContactState &before, const ContactState &after)
   {
     const Totals totals_before = compute_totals(evaluator, before);
     const Totals totals_after = compute_totals(evaluator, after);
     return checker.check({before, totals_before}, {after, totals_after}, {}, totals_before.elastic_energy);
   }
 
-  const StepChecker checker;
+  StepChecker checker;
 };
 
 /// What the checker says of a step of the paper's cycle that `spoil` has changed.
@@ -103,7 +103,7 @@ TEST(StepChecks, RotationsDoWorkOnMoments)
   Parameters parameters = small_scene();
   parameters.mesh.model = ModelKind::full;
   parameters.friction.angle = 30;
-  const CheckedScene scene(parameters);
+  CheckedScene scene(parameters);
   const Eigen::Matrix3d turn = scene.scene.axes().global_in_local(0);
   const auto state_of = [&](const RigidMotion &motion, const double phase)
   {
@@ -175,7 +175,7 @@ TEST(StepChecks, TakeTheWorkOfAllParts)
 
 TEST(StepChecks, NameTheEntryOfTheBound)
 {
-  const CheckedScene scene(small_scene());
+  CheckedScene scene(small_scene());
   const auto named = [&](const LawErrors &law, const std::string &entry)
   {
     StepChecks checks;

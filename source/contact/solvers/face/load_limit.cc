@@ -12,6 +12,8 @@ using Eigen::VectorXd;
 
 namespace
 {
+constexpr double rounding = 1e-9;
+
 /// How far a motion of the face (size m, mm) lifts every node less what friction may do against it: where
 /// this is not negative for any node, no admissible force resists the motion. Size n.
 VectorXd clearances(const ContactStep &step, const VectorXd &increment)
@@ -28,7 +30,6 @@ VectorXd clearances(const ContactStep &step, const VectorXd &increment)
 bool is_proof(const ContactStep &step, const VectorXd &increment, const VectorXd &lift,
               const VectorXd &lifted)
 {
-  constexpr double rounding = 1e-9;
   const double needed = std::max(0., (-clearances(step, increment).array() / lifted.array()).maxCoeff());
   const VectorXd safe = increment + needed * lift;
   const VectorXd &load = step.face().balance();
@@ -69,8 +70,13 @@ bool is_beyond_every_force(const ContactStep &step)
     ahead = next + (momentum - 1) / later * (next - forces);
     forces = std::move(next);
     momentum = later;
-    if (i % interval == 0 && is_proof(step, columns.transpose() * forces - load, lift, lifted))
+    if (i % interval != 0)
+      continue;
+    const VectorXd rest = columns.transpose() * forces - load;
+    if (is_proof(step, rest, lift, lifted))
       return true;
+    if (rest.norm() <= rounding * load.norm())
+      return false; // these forces balance the load
   }
   return false;
 }

@@ -4,6 +4,7 @@
 // The method `newton`: what it tries, in which order, and when. docs/theory.md, section 3, "The ladder".
 #include "ladder.h"
 
+#include "../face/load_limit.h"
 #include "../face/unheld_face.h"
 #include "../newton/inexact_newton.h"
 #include "../newton/newton_phases.h"
@@ -154,7 +155,9 @@ SolverReport DenseAttempt::solve()
   for (; is_open() && may_iterate() && balance != Balance::lost; ++round_)
   {
     climb(dense_ladder, *this, round_);
-    if (is_open() && watch.runs_away(step_, progress_.unknowns))
+    // The proof costs less than the sweeps of the next round, which would run in vain.
+    if (is_open() &&
+        (watch.runs_away(step_, progress_.unknowns) || (round_ == 0 && is_beyond_every_force(step_))))
       balance = Balance::lost;
   }
   return make_report(step_, progress_.unknowns, progress_.iterations, newton_.options.tolerance,

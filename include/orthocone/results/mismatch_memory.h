@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/body/elastic_body.h>
+
+#include <cstddef>
+#include <list>
+
+namespace orthocone
+{
+/// The mismatches of a body in the states that were asked for last. A settled cycle repeats its states to the
+/// last bit, and a solve of the whole body has the same answer for the same forces, so that only what is new
+/// has to be solved. Least recently used states go first where there is no room.
+class MismatchMemory
+{
+public:
+  static constexpr std::size_t usual_bytes = std::size_t{64} << 20U;
+
+  /// Keeps states of up to `most_bytes` in all. `body` must outlive the memory.
+  explicit MismatchMemory(const ElasticBody &body, std::size_t most_bytes = usual_bytes);
+
+  /// ElasticBody::mismatch(), from memory where all ranks have this state there. `bound` is the same in all
+  /// calls. Throws SolveError where the body cannot be solved.
+  BodyMismatch of(const NodeVector &force, const NodeVector &elastic, double bound);
+
+  std::size_t n_solved() const { return n_solved_; } ///< mismatches that were not in memory
+  std::size_t n_states() const { return states_.size(); }
+
+private:
+  struct State
+  {
+    NodeVector force, elastic;
+    BodyMismatch mismatch;
+  };
+
+  static std::size_t bytes_of(const State &state);
+  void forget_oldest();
+
+  const ElasticBody &body_;
+  std::size_t most_bytes_;
+  std::size_t bytes_ = 0, n_solved_ = 0;
+  std::list<State> states_{}; ///< the last one first
+};
+} // namespace orthocone
