@@ -7,6 +7,7 @@
 #include "dof_places.h"
 #include "face_nodes.h"
 #include "local_dofs.h"
+#include "stress_patches.h"
 
 #include <orthocone/base/ranks.h>
 #include <orthocone/body/shapes/curved_cells.h>
@@ -15,6 +16,7 @@
 #include <deal.II/base/quadrature_lib.h>
 #include <deal.II/fe/fe_tools.h>
 #include <deal.II/fe/fe_values.h>
+#include <deal.II/fe/mapping_q_cache.h>
 
 #include <cmath>
 #include <map>
@@ -39,6 +41,22 @@ std::vector<double> gauss_lobatto_jacobi_points(const unsigned int degree)
   points.push_back(1);
   return points;
 }
+
+/// A mapping of this degree. Manifolds are asked once for the places of a cell's points, which takes most of
+/// the time of fields in curved cells, unless these places would fill the memory.
+template<int dim>
+std::shared_ptr<const dealii::MappingQ<dim>> make_mapping(const dealii::Triangulation<dim> &triangulation,
+                                                          const unsigned int degree)
+{
+  constexpr double most_bytes = 64e6;
+  const double bytes =
+      std::pow(degree + 1, dim) * sizeof(dealii::Point<dim>) * static_cast<double>(triangulation.n_cells());
+  if (degree == 1 || bytes > most_bytes)
+    return std::make_shared<const dealii::MappingQ<dim>>(degree);
+  const auto mapping = std::make_shared<dealii::MappingQCache<dim>>(degree);
+  mapping->initialize(dealii::MappingQ<dim>(degree), triangulation);
+  return mapping;
+}
 } // namespace
 
 template<int dim>
@@ -50,7 +68,8 @@ DisplacementSpace<dim>::DisplacementSpace(const dealii::Triangulation<dim> &tria
       scalar_fe_(options.degree),
       fe_(scalar_fe_, n_components()),
       // The cells of sections have straight edges but for those of a file of second order.
-      mapping_(dim == 2 && !has_curved_cells(triangulation) ? 1 : options.degree),
+      mapping_(
+          make_mapping(triangulation, dim == 2 && !has_curved_cells(triangulation) ? 1 : options.degree)),
       dof_handler_(triangulation),
       n_quadrature_points_(options.n_quadrature_points()),
       volumetric_quadrature_(options.resolved_volumetric_quadrature()),
@@ -73,11 +92,11 @@ DisplacementSpace<dim>::DisplacementSpace(const dealii::Triangulation<dim> &tria
   for (const auto dof : held_.supported)
     if (partitioner_->in_local_range(dof) || partitioner_->is_ghost_entry(dof))
       supported_.push_back(local_dof(dof));
-  DofPlaces places = places_of<dim>(mapping_, dof_handler_, *partitioner_,
+  DofPlaces places = places_of<dim>(*mapping_, dof_handler_, *partitioner_,
                                     [this](const unsigned int component) { return direction_of(component); });
   directions_ = std::move(places.directions);
   positions_ = std::move(places.positions);
-  held_centre_ = held_centre_of(mapping_, triangulation);
+  held_centre_ = held_centre_of(*mapping_, triangulation);
   if (dim == 2)
     make_axis_face_basis();
   find_contact_surface(hanging);
@@ -138,7 +157,7 @@ dealii::IndexSet DisplacementSpace<dim>::dofs_along_contact_normals() const
   constexpr double least = 0.5; // cosine
   dealii::IndexSet all(dof_handler_.n_dofs());
   const dealii::Quadrature<dim - 1> nodes(scalar_fe_.get_unit_face_support_points());
-  dealii::FEFaceValues<dim> values(mapping_, scalar_fe_, nodes, dealii::update_normal_vectors);
+  dealii::FEFaceValues<dim> values(*mapping_, scalar_fe_, nodes, dealii::update_normal_vectors);
   std::vector<dealii::types::global_dof_index> dofs(fe_.n_dofs_per_face());
   for (const auto &cell : dof_handler_.active_cell_iterators())
     for (const unsigned int face : cell->face_indices())
@@ -220,7 +239,7 @@ void DisplacementSpace<dim>::make_axis_face_basis()
 template<int dim>
 void DisplacementSpace<dim>::find_contact_surface(const dealii::AffineConstraints<double> &hanging)
 {
-  dealii::FEFaceValues<dim> values(mapping_, scalar_fe_, dealii::QGauss<dim - 1>(scalar_fe_.degree + 1),
+  dealii::FEFaceValues<dim> values(*mapping_, scalar_fe_, dealii::QGauss<dim - 1>(scalar_fe_.degree + 1),
                                    dealii::update_values | dealii::update_quadrature_points |
                                        dealii::update_normal_vectors | dealii::update_JxW_values);
   std::vector<ContactFace> faces;
@@ -278,7 +297,7 @@ FaceNode DisplacementSpace<dim>::face_node(const Cell &cell, const unsigned int 
   dealii::Point<dim> unit_point = scalar_fe_.unit_support_point(hierarchic_[point]);
   if (has_axis_face(cell))
     unit_point[0] = axis_face_points_[point];
-  const Eigen::Vector3d place = in_space(mapping_.transform_unit_to_real_cell(cell, unit_point));
+  const Eigen::Vector3d place = in_space(mapping_->transform_unit_to_real_cell(cell, unit_point));
   FaceNode node{};
   node.place = {{place[0], place[1], place[2]}};
   // A section of two components has no degree of freedom out of its plane, because nothing moves there.
@@ -314,6 +333,14 @@ Eigen::MatrixX4d DisplacementSpace<dim>::face_weights(const dealii::FEFaceValues
     }
   }
   return weights;
+}
+
+template<int dim>
+const StressPatches<dim> &DisplacementSpace<dim>::stress_patches() const
+{
+  std::call_once(has_stress_patches_,
+                 [this] { stress_patches_ = std::make_shared<StressPatches<dim>>(*this); });
+  return *stress_patches_;
 }
 
 template class DisplacementSpace<2>;

@@ -36,13 +36,9 @@ Strain strain_across(const Vector3d &a, const Vector3d &normal)
 
 /// Outward and of length 1, at a point in a face of the unit cell.
 template<int dim>
-Vector3d normal_at(const DisplacementSpace<dim> &space, const typename DisplacementSpace<dim>::Cell &cell,
-                   const unsigned int face, const dealii::Point<dim> &unit)
+Vector3d normal_at(const dealii::FEValues<dim> &values, const unsigned int q, const unsigned int face)
 {
-  dealii::FEValues<dim> values(space.mapping(), space.scalar_fe(), dealii::Quadrature<dim>(unit),
-                               dealii::update_inverse_jacobians);
-  values.reinit(typename dealii::Triangulation<dim>::active_cell_iterator(cell));
-  const auto &to_unit = values.inverse_jacobian(0);
+  const auto &to_unit = values.inverse_jacobian(q);
   Vector3d normal = Vector3d::Zero();
   for (unsigned int d = 0; d < dim; ++d)
     normal[dim == 2 && d == 1 ? 2 : d] = (face % 2 == 1 ? 1 : -1) * to_unit[face / 2][d];
@@ -100,12 +96,11 @@ Vector3d KnownTractions<dim>::of_contact(const Cell &cell, const unsigned int fa
 }
 
 template<int dim>
-std::optional<SurfaceTraction> KnownTractions<dim>::at(const Cell &cell, const dealii::Point<dim> &unit) const
+std::optional<typename KnownTractions<dim>::KnownFace>
+KnownTractions<dim>::face_at(const Cell &cell, const dealii::Point<dim> &unit) const
 {
-  if (of_nodes_.empty())
-    return std::nullopt;
   constexpr double rounding = 1e-7; // in sizes of the cell
-  std::optional<SurfaceTraction> free;
+  std::optional<KnownFace> free;
   std::size_t k = 0;
   for (const unsigned int face : cell->face_indices())
   {
@@ -117,15 +112,46 @@ std::optional<SurfaceTraction> KnownTractions<dim>::at(const Cell &cell, const d
     {
       const unsigned int number = contact_faces_.at(cell->active_cell_index()).at(k++);
       if (is_there)
-        return SurfaceTraction{normal_at(space_, cell, face, unit), of_contact(cell, face, number, unit)};
+        return KnownFace{face, number};
     }
     else if (is_there && id == Boundary::lateral_surface)
-      free = SurfaceTraction{normal_at(space_, cell, face, unit), Vector3d::Zero()};
+      free = KnownFace{face, std::nullopt};
     else if (is_there && id != Boundary::plane_normal_to_x && id != Boundary::plane_normal_to_y &&
              id != Boundary::axis)
       return std::nullopt; // an edge of what is held or loaded
   }
   return free;
+}
+
+template<int dim>
+const dealii::FEValues<dim> &KnownTractions<dim>::jacobians(const Cell &cell,
+                                                            const std::vector<dealii::Point<dim>> &units)
+{
+  if (!jacobians_ || jacobians_->get_quadrature().get_points() != units)
+    jacobians_ = std::make_unique<dealii::FEValues<dim>>(space_.mapping(), space_.scalar_fe(),
+                                                         dealii::Quadrature<dim>(units),
+                                                         dealii::update_inverse_jacobians);
+  jacobians_->reinit(typename dealii::Triangulation<dim>::active_cell_iterator(cell));
+  return *jacobians_;
+}
+
+template<int dim>
+std::vector<std::optional<SurfaceTraction>>
+KnownTractions<dim>::at(const Cell &cell, const std::vector<dealii::Point<dim>> &units)
+{
+  std::vector<std::optional<SurfaceTraction>> known(units.size());
+  if (of_nodes_.empty() || !cell->at_boundary())
+    return known;
+  const dealii::FEValues<dim> *values = nullptr;
+  for (unsigned int i = 0; i < units.size(); ++i)
+    if (const auto found = face_at(cell, units[i]))
+    {
+      values = values != nullptr ? values : &jacobians(cell, units);
+      known[i] = SurfaceTraction{normal_at(*values, i, found->face),
+                                 found->number ? of_contact(cell, found->face, *found->number, units[i])
+                                               : Vector3d(Vector3d::Zero())};
+    }
+  return known;
 }
 
 // The strain in the surface is known better than that across it, because it follows from the displacement of

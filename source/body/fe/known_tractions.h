@@ -6,6 +6,7 @@
 #include <orthocone/body/materials/material.h>
 
 #include <map>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -29,10 +30,20 @@ public:
   /// must outlive this object.
   KnownTractions(const DisplacementSpace<dim> &space, const std::vector<Eigen::Vector3d> &of_nodes);
 
-  /// At a point of a cell, given in the unit cell; nothing inside the body, and where nothing is known.
-  std::optional<SurfaceTraction> at(const Cell &cell, const dealii::Point<dim> &unit) const;
+  /// At points of a cell, given in the unit cell; nothing inside the body, and where nothing is known. Calls
+  /// with the same points as the one before take less time.
+  std::vector<std::optional<SurfaceTraction>> at(const Cell &cell,
+                                                 const std::vector<dealii::Point<dim>> &units);
 
 private:
+  /// A face with known tractions, and its number in the contact surface if it belongs there.
+  struct KnownFace
+  {
+    unsigned int face;
+    std::optional<unsigned int> number;
+  };
+  std::optional<KnownFace> face_at(const Cell &cell, const dealii::Point<dim> &unit) const;
+  const dealii::FEValues<dim> &jacobians(const Cell &cell, const std::vector<dealii::Point<dim>> &units);
   Eigen::Vector3d of_contact(const Cell &cell, unsigned int face, unsigned int number,
                              const dealii::Point<dim> &unit) const;
   Eigen::Vector3d of_place(unsigned int place) const;
@@ -41,6 +52,7 @@ private:
   const std::vector<Eigen::Vector3d> &of_nodes_;
   std::map<unsigned int, std::vector<unsigned int>>
       contact_faces_; ///< numbers, by cells, in the order of faces
+  std::unique_ptr<dealii::FEValues<dim>> jacobians_{};
 };
 
 /// The stress with the strain in a surface that `stress` has, and this traction on it.

@@ -18,6 +18,7 @@
 #include <Eigen/Dense>
 
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace orthocone
@@ -25,6 +26,8 @@ namespace orthocone
 struct ContactFace;
 struct Datum;
 struct FaceNode;
+template<int dim>
+class StressPatches;
 
 /// Displacement space FE_Q on a mesh (mm): isoparametric for a solid (components u_x, u_y, u_z), or of a
 /// section: u_r, u_z and perhaps the twist u_theta, whose forces and areas are those of whole rings, or u_x,
@@ -60,7 +63,7 @@ public:
   const dealii::DoFHandler<dim> &dof_handler() const { return dof_handler_; }
   const dealii::FESystem<dim> &fe() const { return fe_; }
   const dealii::FE_Q<dim> &scalar_fe() const { return scalar_fe_; }
-  const dealii::MappingQ<dim> &mapping() const { return mapping_; }
+  const dealii::MappingQ<dim> &mapping() const { return *mapping_; }
   unsigned int n_quadrature_points() const { return n_quadrature_points_; }
   VolumetricQuadrature volumetric_quadrature() const { return volumetric_quadrature_; }
 
@@ -100,6 +103,9 @@ public:
   /// n_components a + c by scalar node a and component c.
   const Eigen::MatrixXd &axis_face_basis() const { return axis_face_basis_; }
 
+  /// What RecoveredStress needs of the mesh, which has to belong to one process.
+  const StressPatches<dim> &stress_patches() const;
+
 private:
   struct HeldDofs
   {
@@ -121,7 +127,7 @@ private:
   bool contact_faces_down_;
   dealii::FE_Q<dim> scalar_fe_;
   dealii::FESystem<dim> fe_;
-  dealii::MappingQ<dim> mapping_;
+  std::shared_ptr<const dealii::MappingQ<dim>> mapping_;
   dealii::DoFHandler<dim> dof_handler_;
   HeldDofs held_; ///< of all cells that this process knows
   std::vector<unsigned int> supported_;
@@ -134,6 +140,8 @@ private:
   std::vector<double> axis_face_points_; ///< 0 to 1
   Eigen::MatrixXd axis_face_values_;     ///< of the basis for these points, at the face's nodes of FE_Q
   Eigen::MatrixXd axis_face_basis_;
+  mutable std::once_flag has_stress_patches_{};
+  mutable std::shared_ptr<const StressPatches<dim>> stress_patches_{};
 };
 
 using Discretization = DisplacementSpace<3>;
