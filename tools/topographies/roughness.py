@@ -83,6 +83,6 @@ def numbers(surface):
     slope, area = slopes(surface)
     lengths = np.full(1, np.inf) if is_flat else decay_lengths(filled(surface))
     shortest, longest = lengths.min(), lengths.max()
-    values = (np.mean(np.abs(z)), np.sqrt(square), z.max(), -z.min(), np.ptp(z), skewness, kurtosis, slope, area,
+    values = (np.mean(np.abs(z)), np.sqrt(square), z.max(), 0 - z.min(), np.ptp(z), skewness, kurtosis, slope, area,
               shortest if np.isfinite(shortest) else np.nan, shortest / longest if np.isfinite(longest) else np.nan)
     return {name: float(value) for name, value in zip(NUMBERS, values)}

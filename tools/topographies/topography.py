@@ -190,7 +190,7 @@ def facts(surface, name, values):
 def tilt_words(surface, values):
     rest = shaping.levelled(surface, 1).heights
     if np.sqrt(np.nanmean(rest**2)) < TILTED * values["Sq"]:
-        yield "most of Sq is a tilt of the whole surface: --level plane takes it off"
+        yield "most of Sq is a tilt of the whole surface: --level plane takes it off\n"
 
 
 def save_picture(path, *drawn):
@@ -210,7 +210,7 @@ def look(given):
     values = roughness.numbers(surface)
     print(*facts(surface, name, values), sep="\n")
     if not given.make and not given.level:
-        print(*tilt_words(surface, values), sep="")
+        print(*tilt_words(surface, values), sep="\n", end="")
     rings = spectrum.radial_spectrum(shaping.filled(surface)) if given.spectrum or given.picture else None
     if given.gap:
         write_whole(given.gap, gaps)

@@ -10,6 +10,7 @@ matplotlib.rcParams.update({"font.size": 9, "axes.grid": True, "grid.color": "0.
                             "svg.hashsalt": "topography"})
 
 import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.ticker import LogLocator, MaxNLocator, NullFormatter  # noqa: E402
 
 BLUE, RED = "#0072b2", "#d55e00"
 MOST_DRAWN = 1000  # points along an axis; more would only make an .svg large
@@ -25,7 +26,7 @@ def height_map(figure, ax, surface):
     colours = matplotlib.colormaps["viridis"].with_extremes(bad="0.8")
     shown = ax.imshow(UM * (surface.heights[::step, ::step] - middle), origin="lower", cmap=colours, interpolation="nearest",
                       extent=(x[0] - half[0], x[-1] + half[0], y[0] - half[1], y[-1] + half[1]))
-    figure.colorbar(shown, ax=ax, shrink=0.8, label="height above the mean (µm)")
+    figure.colorbar(shown, cax=ax.inset_axes([1.03, 0, 0.04, 1]), label="height above the mean (µm)")
     ax.set(xlabel="x (mm)", ylabel="y (mm)")
     ax.grid(False)
 
@@ -38,8 +39,11 @@ def spectrum_chart(ax, rings):
         ax.text(0.5, 0.5, "flat", transform=ax.transAxes, ha="center")
         return
     ax.loglog(rings.q[shown], rings.density[shown], color=BLUE, marker=".", markersize=3, linewidth=1)
-    top = ax.secondary_xaxis("top", functions=(lambda q: 2 * np.pi / np.maximum(q, 1e-9), lambda length: 2 * np.pi / np.maximum(length, 1e-9)))
+    top = ax.secondary_xaxis("top", functions=2 * (lambda number: 2 * np.pi / np.maximum(number, 1e-9),))
     top.set_xlabel("wavelength (mm)")
+    top.xaxis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    top.xaxis.set_major_formatter("{x:g}")
+    top.xaxis.set_minor_formatter(NullFormatter())
 
 
 def distribution(ax, surface, values):
@@ -53,6 +57,7 @@ def distribution(ax, surface, values):
     at, deviation = np.linspace(heights.min(), heights.max(), 201), UM * values["Sq"]
     ax.plot(at, np.exp(-(at / deviation)**2 / 2) / (deviation * np.sqrt(2 * np.pi)), color=RED, linewidth=1, label="normal heights of the same Sq")
     ax.legend(loc="lower right", bbox_to_anchor=(1, 0.98))
+    ax.xaxis.set_major_locator(MaxNLocator(5))
 
 
 def draw(name, surface, rings, values):
@@ -62,6 +67,6 @@ def draw(name, surface, rings, values):
     height_map(figure, figure.add_subplot(grid[:, 0]), surface)
     spectrum_chart(figure.add_subplot(grid[0, 1]), rings)
     distribution(figure.add_subplot(grid[1, 1]), surface, values)
-    title = f"{name}: Sa {UM * values['Sa']:.3g} µm, Sq {UM * values['Sq']:.3g} µm, Sz {UM * values['Sz']:.3g} µm, Sdq {values['Sdq']:.3g}"
+    title = f"{name}: " + ", ".join(f"{key} {UM * values[key]:.3g} µm" for key in ("Sa", "Sq", "Sz")) + f", Sdq {values['Sdq']:.3g}"
     figure.suptitle(title, x=0.01, ha="left", fontweight="bold", fontsize=10, parse_math=False)
     return figure
