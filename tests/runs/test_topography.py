@@ -6,6 +6,7 @@ are, roughness, spectra and made surfaces beside closed forms. test_topography_t
 Usage: test_topography.py PROGRAM [unittest options]"""
 import sys
 import unittest
+import warnings
 
 import numpy as np
 
@@ -129,7 +130,9 @@ class FormatTest(program.RunTest):
             extra = {"heights": (0, 1)} if name == "a.png" else {}
             for content in [whole[:n] for n in chance.integers(len(whole), size=30)] + changed:
                 try:
-                    self.read(name, bytes(content), **(told if name in ("a.png", "b.txt") else {}), **extra)
+                    with warnings.catch_warnings():
+                        warnings.simplefilter("error")
+                        self.read(name, bytes(content), **(told if name in ("a.png", "b.txt") else {}), **extra)
                 except WrongSurface as problem:
                     refused += 1
                     self.assertEqual(len(str(problem).splitlines()), 1)

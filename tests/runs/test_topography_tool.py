@@ -142,7 +142,7 @@ class ToolTest(program.RunTest):
                 ("--fill is for a surface that is measured", (*made, "--fill")),
                 ("--size: '-1': allowed are 1 or 2 lengths, separated by commas, > 0", ("--make", "--size", "-1", "--rms-height", "1")),
                 ("allowed with --size", ("--make", "--rms-height", "1")), ("one of --rms-height SQ and --rms-slope SDQ", (*made, "--rms-slope", "1")),
-                ("--rms-height: '0': allowed is one length, > 0", ("--make", "--size", "1", "--rms-height", "0")),
+                ("--rms-height: '0': allowed is one length, > 1e-12", ("--make", "--size", "1", "--rms-height", "0")),
                 ("--rms-slope: '-1': allowed is a number from", ("--make", "--size", "1", "--rms-slope", "-1")),
                 ("--hurst: '1.5': allowed is a number from 0 to 1", (*made, "--hurst", "1.5")),
                 ("--seed: '1.5': allowed is a whole number", (*made, "--seed", "1.5")),
@@ -161,15 +161,17 @@ class ToolTest(program.RunTest):
                 ("a.txt", "1 2\n3 4\n", "has rows of numbers and no spacing; allowed with --pixel D"), ("a.txt", "", "has no line but comments", "--pixel", "1"),
                 ("a.txt", "1 2 3\n", "has 3 x 1 points; allowed are at least 2 along x and y", "--pixel", "1"),
                 ("a.txt", "1 2\n3 x\n", "line 2: '3 x': allowed are numbers", "--pixel", "1"), ("a.txt", "1 2\n3\n", "line 2: has 1 numbers", "--pixel", "1"),
-                ("a.txt", "nan nan\nnan nan\n", "has no measured point", "--pixel", "1"), ("a.txt", "1 2\n3 inf\n", "has heights that are infinite", "--pixel", "1"),
-                ("a.txt", holes, "has missing points (1); allowed are none in a gap file: --fill fills them", "--pixel", "1", "--gap", "g.txt"),
+                ("a.txt", "nan nan\nnan nan\n", "has no measured point", "--pixel", "1"), ("a.txt", "1 2\n3 inf\n", "has heights of up to inf mm", "--pixel", "1"),
+                ("a.txt", "1 2 3\n4 nan nan\n5 nan nan\n", "--crop: has no measured point there", "--pixel", "1", "--crop", "0,1,0,1"),
+                ("a.txt", "1 2\n3 1e300\n", "has heights of up to 1e+300 mm", "--pixel", "1"),
+                ("a.txt", holes, "a.txt: has missing points (1); allowed are none in a gap file: --fill fills them", "--pixel", "1", "--gap", "g.txt"),
                 ("a.txt", holes, "--points: has missing points (1); allowed are none: --fill", "--pixel", "1", "--points", "3"),
                 ("a.txt", "0 1 2 0 1 2\n1 2\n3 4\n", "is a gap file, which says by itself what --pixel would", "--pixel", "1"),
                 ("a.xyz", "1 2\n", "ends with '.xyz'; allowed are .sur (Digital Surf)"), ("a.sur", "no", "begins with b'no'; allowed is a file of Digital Surf"),
                 ("a.sur", sur(LEVELS, 1, (1, 1), "um", 0), "--pixel is not for this format (Digital Surf); allowed: none of that", "--pixel", "1"),
                 ("a.sur", sur(LEVELS, 1, (1, 1), "um", 0)[:-3], "has 21 bytes of heights; 4 x 3 points of 2 bytes are declared"),
                 ("a.sur", sur(LEVELS, 1, (1, 1), "ells", 0), "'ells': allowed is a unit"),
-                ("a.sur", sur(LEVELS, 1, (0, 1), "um", 0), "has points every 0 and 0.001 mm; allowed are spacings > 0"),
+                ("a.sur", sur(LEVELS, 1, (0, 1), "um", 0), "has points every 0 and 0.001 mm; allowed are spacings from 1e-09 to"),
                 ("a.sur", sur(LEVELS, 1, (1, 1), "um", 0, kind=4), "has an object of kind 4"),
                 ("a.sur", sur(LEVELS, 1, (1, 1), "um", 0, size=(2**30, 2**30)), "has 1073741824 x 1073741824 points; allowed are 20000000"),
                 ("a.x3p", b"PK\3\4", "is no zip archive"), ("a.x3p", x3p(b"", (1, 5), "D", 1, 0, (1, 1)), "has 5 x 1 points"),
@@ -197,6 +199,12 @@ class ToolTest(program.RunTest):
             result = self.tool(*made, option, name)
             self.assertEqual(result.returncode, FILE_ERROR)
             self.assertRegex(result.stderr, rf"\Atopography: {name}: [^\n]*\n\Z")
+
+    def test_the_page_shows_what_its_first_command_prints(self):
+        page = (ROOT / "docs/topography.md").read_text(encoding="utf-8").split("```\n")
+        words = page[1].replace("\\\n", "").split()
+        self.assertEqual((words[0], words[-2]), ("tools/topography", "--picture"))
+        self.assertEqual(self.tool(*words[1:-2]).stdout, page[3] + "rough.txt: the gap file\n")
 
     def test_the_page_has_every_option_and_number(self):
         page = (ROOT / "docs/topography.md").read_text(encoding="utf-8")

@@ -4,6 +4,7 @@
 import alicona
 import digital_surf
 import grey_image
+import numpy as np
 import text_grid
 import x3p
 from run_folder import content_of
@@ -25,6 +26,7 @@ def read(path, told):
         if unused:
             allowed = ", ".join(f"--{name}" for name in found.options) or "none of that, because the file says it"
             raise WrongSurface(f"--{unused} is not for this format ({found.name}); allowed: {allowed}")
-        return found.read(content, told)
+        with np.errstate(all="ignore"):  # what becomes no number is refused by Surface
+            return found.read(content, told)
     except WrongSurface as problem:
         raise WrongSurface(f"{path}: {problem}") from problem

@@ -23,6 +23,8 @@ def cropped(surface, x_from, x_to, y_from, y_to):
                                f"{places[0]:g} and {places[-1]:g} mm")
         parts.append(slice(inside[0], inside[-1] + 1))
     columns, rows = parts
+    if np.isnan(surface.heights[rows, columns]).all():
+        raise WrongSurface("--crop: has no measured point there; allowed is a part with some")
     x, y = surface.places
     return Surface(surface.heights[rows, columns], surface.dx, surface.dy, x[columns.start], y[rows.start])
 
@@ -90,14 +92,15 @@ def filled(surface, tolerance=1e-10):
     numbers, weights = neighbours(surface, missing)
     diagonal = weights.sum(axis=0)
     level = np.nanmean(surface.heights)
-    heights = np.where(missing, 0, surface.heights - level).ravel()
+    right = (weights * np.where(missing, 0, surface.heights - level).ravel()[numbers]).sum(axis=0)
+    order = np.full(missing.size, len(diagonal))  # the place of a missing point among them; of another one that behind the last
+    order[missing.ravel()] = np.arange(len(diagonal))
+    order = order[numbers]
 
     def product(values):
         """Of the matrix: the diagonal, less the neighbours that are missing themselves."""
-        whole = np.zeros(heights.size)
-        whole[missing.ravel()] = values
-        return diagonal * values - (weights * whole[numbers]).sum(axis=0)
-    found, rest = np.zeros(len(diagonal)), (weights * heights[numbers]).sum(axis=0)
+        return diagonal * values - (weights * np.append(values, 0)[order]).sum(axis=0)
+    found, rest = np.zeros(len(diagonal)), right
     way = scaled = rest / diagonal
     size = first = rest @ scaled
     for _ in range(10 * sum(missing.shape)):

@@ -8,6 +8,7 @@ import numpy as np
 from run_folder import one_line
 
 MOST_POINTS = 20_000_000  # a spectrum of so many takes two gigabytes
+LEAST_SPACING, MOST_LENGTH = 1e-9, 1e6  # mm: squares and slopes of what lies between are numbers
 MILLIMETRES = {"mm": 1., "um": 1e-3, "µm": 1e-3, "μm": 1e-3, "nm": 1e-6, "cm": 10., "m": 1e3}
 
 
@@ -35,10 +36,11 @@ class Surface:
         that make no surface."""
         heights = np.asarray(heights, dtype=float)
         check_size(*heights.shape[::-1])
-        if not (0 < dx < math.inf and 0 < dy < math.inf):
-            raise WrongSurface(f"has points every {dx:g} and {dy:g} mm; allowed are spacings > 0")
-        if np.isinf(heights).any():
-            raise WrongSurface("has heights that are infinite; allowed are finite numbers, and nan for missing points")
+        if not all(LEAST_SPACING <= spacing <= MOST_LENGTH for spacing in (dx, dy)):
+            raise WrongSurface(f"has points every {dx:g} and {dy:g} mm; allowed are spacings from {LEAST_SPACING:g} to {MOST_LENGTH:g} mm")
+        largest = np.max(np.abs(heights), where=~np.isnan(heights), initial=0)
+        if largest > MOST_LENGTH:
+            raise WrongSurface(f"has heights of up to {largest:g} mm; allowed are numbers up to {MOST_LENGTH:g} mm, and nan for missing points")
         if np.isnan(heights).all():
             raise WrongSurface("has no measured point; allowed are heights of which some are no nan")
         ends = (heights.shape[1] - (not periodic), heights.shape[0] - (not periodic))
@@ -87,6 +89,7 @@ def length_of(text):
         value = float(number) * unit_of(unit or "mm")
     except ValueError:
         value = math.nan
-    if not math.isfinite(value):
-        raise WrongSurface(f"'{text}': allowed is a length in mm or with a unit ({', '.join(MILLIMETRES)}), such as 0.5um")
+    if not abs(value) <= MOST_LENGTH:
+        raise WrongSurface(f"'{text}': allowed is a length in mm or with a unit ({', '.join(MILLIMETRES)}), such as 0.5um, up to "
+                           f"{MOST_LENGTH:g} mm")
     return value

@@ -77,22 +77,22 @@ def read(content, told):
 def gaps_of(surface, datum):
     """(ny, nx), mm: how far the heights lie below the datum, which is 'highest' (the highest point has the gap 0), 'mean', or
     'zero', from which heights are counted. A periodic surface gets its first row and column again at its ends, so that the
-    grid has its whole size. Raises WrongSurface for missing points, because a gap file has no holes."""
-    if surface.n_missing:
-        raise WrongSurface(f"has missing points ({surface.n_missing}); allowed are none in a gap file: --fill fills them")
+    grid has its whole size."""
     level = {"highest": surface.heights.max(), "mean": surface.heights.mean(), "zero": 0.}[datum]
     return level - (np.pad(surface.heights, (0, 1), mode="wrap") if surface.periodic else surface.heights)
 
 
 def gap_text(surface, datum, name):
-    """The text of a gap file, which the program reads. Raises WrongSurface."""
+    """The text of a gap file, which the program reads. Raises WrongSurface for missing points and for more than it reads."""
+    if surface.n_missing:
+        raise WrongSurface(f"{name}: has missing points ({surface.n_missing}); allowed are none in a gap file: --fill fills them")
     gaps = gaps_of(surface, datum)
     head = f"# gaps of {one_line(name)}, mm, below its level '{datum}'\n"
     head += f"{surface.x0:.12g} {surface.dx:.12g} {gaps.shape[1]} {surface.y0:.12g} {surface.dy:.12g} {gaps.shape[0]}\n"
     row = " ".join(["%.9g"] * gaps.shape[1]) + "\n"
     text = head + "".join(row % tuple(numbers) for numbers in gaps.tolist())
     if len(text) > MOST_BYTES:
-        raise WrongSurface(f"has {gaps.size} points, a gap file of {len(text)} bytes; allowed are {MOST_BYTES}: --points N thins it out")
+        raise WrongSurface(f"{name}: has {gaps.size} points, a gap file of {len(text)} bytes; allowed are {MOST_BYTES}: --points N thins it out")
     return text
 
 

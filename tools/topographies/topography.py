@@ -44,7 +44,7 @@ def worded(function):
 
 
 def lengths(*counts, least=-np.inf):
-    """Of a text with commas: as many lengths (mm) as one of the counts, above `least`; one stands for two."""
+    """Of a text with commas: as many lengths (mm) as one of the counts, above `least`; of (1, 2), one stands for two."""
     def of_text(text):
         found = tuple(length_of(part) for part in text.split(","))
         if len(found) not in counts or not all(value > least for value in found):
@@ -71,8 +71,8 @@ def number(least, most, kind=float):
 def counts(text):
     """(nx, ny) of 'N' or 'NX,NY'."""
     found = text.split(",")
-    if not all(part.strip().isdecimal() and 2 <= int(part[:9]) <= 100000 for part in found) or len(found) > 2:
-        raise WrongSurface(f"'{text}': allowed are one or two whole numbers from 2 to 100000, separated by a comma")
+    if not all(part.strip().isdecimal() and 2 <= int(part[:9]) <= 20000 for part in found) or len(found) > 2:
+        raise WrongSurface(f"'{text}': allowed are one or two whole numbers from 2 to 20000, separated by a comma")
     return (int(found[0]), int(found[-1]))
 
 
@@ -106,7 +106,7 @@ def new_parser():
     add("--hurst", type=number(0, 1), metavar="H", help="Hurst exponent: the spectrum falls with q^(-2(1+H)) (0.8)")
     add("--roll-off", type=lengths(1, least=0), metavar="L", help="wavelength from which on the spectrum is constant (the size)")
     add("--cut-off", type=lengths(1, least=0), metavar="L", help="shortest wavelength (four spacings)")
-    add("--rms-height", type=lengths(1, least=0), metavar="SQ", help="root mean square height, or else")
+    add("--rms-height", type=lengths(1, least=1e-12), metavar="SQ", help="root mean square height, or else")
     add("--rms-slope", type=number(1e-12, 1e3), metavar="SDQ", help="root mean square slope")
     add("--seed", type=number(0, 2**63, int), metavar="N", help="another one makes another surface (1)")
     add("--datum", choices=("highest", "mean", "zero"), help="height whose gap is 0 (highest)")
