@@ -183,6 +183,7 @@ class ToolTest(program.RunTest):
                 ("a.al3d", al3d(LEVELS, (1e-6, 1e-6), "1e10")[:-60], "bytes of heights; 4 x 3 points of 4 bytes are declared"),
                 ("a.png", png(LEVELS % 256, 8), "is an image, which has no lengths; allowed with --pixel"),
                 ("a.png", png(LEVELS % 256, 8), "allowed with --heights, such as --heights 0,12um", "--pixel", "1"),
+                ("a.pgm", b"P6\n2 2\n255\nredgreenblue", "is an image of the kind RGB; allowed are grey levels", "--pixel", "1", "--heights", "0,1"),
                 ("a.png", "no image", "is no image that can be read", "--pixel", "1", "--heights", "0,1")):
             with self.subTest(words):
                 (self.folder / name).write_bytes(content if isinstance(content, bytes) else content.encode())

@@ -28,7 +28,7 @@ def grey_levels(content):
     if kind in ("RGB", "RGBA") and np.all(levels[..., :3] == levels[..., :1]):
         levels, kind = levels[..., 0], "L"
     if kind != "L" and not (kind.startswith("I") and levels.min() >= 0 and levels.max() <= 65535):
-        raise WrongSurface(f"is an image of the kind {kind}; allowed are grey levels of 8 or 16 bits")
+        raise WrongSurface(f"is an image of the kind {kind}; allowed are grey levels of 8 or 16 bits: save it as such")
     return levels, 255 if kind == "L" else 65535
 
 
