@@ -8,7 +8,7 @@ install(DIRECTORY prm DESTINATION ${share} COMPONENT program)
 install(DIRECTORY tools/report tools/scene tools/paraview DESTINATION ${share}/tools COMPONENT program
   PATTERN "__pycache__" EXCLUDE)
 install(PROGRAMS tools/report.py tools/python DESTINATION ${share}/tools COMPONENT program)
-install(DIRECTORY tools/sweeps tools/meshes tools/runs tools/rosettes tools/fatigues tools/identifications DESTINATION ${share}/tools COMPONENT program
+install(DIRECTORY tools/sweeps tools/meshes tools/runs tools/rosettes tools/fatigues tools/identifications tools/topographies DESTINATION ${share}/tools COMPONENT program
   PATTERN "__pycache__" EXCLUDE)
 install(DIRECTORY python/orthocone DESTINATION ${share}/python COMPONENT program FILES_MATCHING PATTERN "*.py"
   PATTERN "__pycache__" EXCLUDE)
@@ -31,6 +31,7 @@ orthocone_tool(orthocone-report numpy,meshio report.py)
 orthocone_tool(orthocone-sweep numpy,matplotlib sweeps/sweep.py "--program \"$bin/orthocone\"")
 orthocone_tool(orthocone-fretting-map numpy,matplotlib sweeps/fretting_map.py "--program \"$bin/orthocone\"")
 orthocone_tool(orthocone-wear-profile numpy,matplotlib,meshio runs/wear_profile.py)
+orthocone_tool(orthocone-topography numpy,matplotlib topographies/topography.py)
 orthocone_tool(orthocone-import numpy,meshio meshes/import_mesh.py)
 orthocone_tool(orthocone-rosette numpy,matplotlib rosettes/rosette.py)
 orthocone_tool(orthocone-fatigue numpy,matplotlib fatigues/fatigue.py)
@@ -48,7 +49,7 @@ foreach(page orthocone.1 orthocone-solve.1 orthocone-report.1)
   configure_file(cmake/package/${page}.in ${CMAKE_BINARY_DIR}/package/${page} @ONLY)
   orthocone_compressed(${page} ${CMAKE_INSTALL_MANDIR}/man1)
 endforeach()
-foreach(tool sweep fretting-map wear-profile import rosette fatigue identify) # orthocone-report.1 describes them, too
+foreach(tool sweep fretting-map wear-profile topography import rosette fatigue identify) # orthocone-report.1 describes them, too
   file(CREATE_LINK orthocone-report.1.gz ${CMAKE_BINARY_DIR}/package/orthocone-${tool}.1.gz SYMBOLIC)
   install(FILES ${CMAKE_BINARY_DIR}/package/orthocone-${tool}.1.gz DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT program)
 endforeach()

@@ -24,7 +24,7 @@ COMMANDS = (
     (r"\./run (?=\S)", "orthocone "),
     (r"\bbuild/orthocone", "orthocone"),
     (r"\btools/report\.py", "orthocone-report"),
-    (r"\btools/(sweep|import|rosette|fatigue|identify)\b(?![/.])", r"orthocone-\1"),
+    (r"\btools/(sweep|import|rosette|fatigue|identify|topography)\b(?![/.])", r"orthocone-\1"),
     (r"\btools/wear_profile\b(?!\.)", "orthocone-wear-profile"),
     (r"\btools/fretting_map\b(?!\.)", "orthocone-fretting-map"),
     (r"\btools/paraview/", "@FOLDER@/share/orthocone/tools/paraview/"),
