@@ -56,11 +56,12 @@ std::size_t bytes_of(const typename StressPatches<dim>::Patch &patch)
 } // namespace
 
 template<int dim>
-StressPatches<dim>::StressPatches(const DisplacementSpace<dim> &space)
+StressPatches<dim>::StressPatches(const DisplacementSpace<dim> &space, const std::size_t most_bytes)
     : space_(space),
       cells_(space),
       samples_(space.scalar_fe().degree),
-      n_polynomials_(polynomials_at<dim>(space.scalar_fe().degree, {}).size())
+      n_polynomials_(polynomials_at<dim>(space.scalar_fe().degree, {}).size()),
+      most_bytes_(most_bytes)
 {
 }
 
@@ -147,7 +148,6 @@ template<int dim>
 std::shared_ptr<const typename StressPatches<dim>::Patch>
 StressPatches<dim>::patch(const unsigned int vertex, const dealii::types::material_id material) const
 {
-  constexpr std::size_t most_bytes = 128e6;
   const std::pair key(vertex, material);
   {
     const std::lock_guard lock(mutex_);
@@ -156,7 +156,7 @@ StressPatches<dim>::patch(const unsigned int vertex, const dealii::types::materi
   }
   auto patch = std::make_shared<const Patch>(made(cells_.around(vertex, material)));
   const std::lock_guard lock(mutex_);
-  if (const std::size_t bytes = bytes_of<dim>(*patch); bytes_ + bytes <= most_bytes)
+  if (const std::size_t bytes = bytes_of<dim>(*patch); bytes_ + bytes <= most_bytes_)
     if (kept_.emplace(key, patch).second)
       bytes_ += bytes;
   return patch;

@@ -45,8 +45,10 @@ public:
     Eigen::MatrixXd inverse, inverse_of_projected;
   };
 
-  /// `space` must outlive this object, and belong to one process.
-  explicit StressPatches(const DisplacementSpace<dim> &space);
+  static constexpr std::size_t usual_bytes = std::size_t{128} << 20U;
+
+  /// Keeps patches of up to `most_bytes` in all. `space` must outlive this object, and belong to one process.
+  explicit StressPatches(const DisplacementSpace<dim> &space, std::size_t most_bytes = usual_bytes);
 
   const CellPatches<dim> &cells() const { return cells_; }
   const dealii::QGauss<dim> &samples() const { return samples_; } ///< in the unit cell
@@ -78,6 +80,7 @@ private:
   const CellPatches<dim> cells_;
   const dealii::QGauss<dim> samples_;
   const Eigen::Index n_polynomials_;
+  const std::size_t most_bytes_;
   mutable std::mutex mutex_{};
   mutable std::map<std::pair<unsigned int, dealii::types::material_id>, std::shared_ptr<const Patch>> kept_{};
   mutable std::size_t bytes_ = 0;
