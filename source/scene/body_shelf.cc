@@ -80,6 +80,7 @@ BodyShelf &BodyShelf::of_process()
 void BodyShelf::drop(const std::string &name)
 {
   kept_.remove_if([&](const Kept &kept) { return kept.name == name; });
+  compliances_.remove_if([&](const KeptCompliance &kept) { return kept.name == name; });
 }
 
 BodyShelf::Shared BodyShelf::find(const std::string &key) const
@@ -110,5 +111,21 @@ BodyShelf::Shared BodyShelf::body(const BodyOptions &options, const ModelSymmetr
   if (body_key(options, symmetry) == key)
     kept_.push_back({name_, key, made});
   return with_axes(made, axes_of(made->surface()), seconds);
+}
+
+Eigen::MatrixXd BodyShelf::compliance(const std::function<std::string()> &key,
+                                      const std::function<Eigen::MatrixXd()> &make)
+{
+  if (compliances_.empty() && name_.empty())
+    return make();
+  const std::string wanted = key();
+  const auto found = std::find_if(compliances_.begin(), compliances_.end(),
+                                  [&](const KeptCompliance &kept) { return kept.key == wanted; });
+  if (found != compliances_.end())
+    return found->matrix;
+  Eigen::MatrixXd made = make();
+  if (!name_.empty())
+    compliances_.push_back({name_, wanted, made});
+  return made;
 }
 } // namespace orthocone

@@ -4,6 +4,7 @@
 
 #include <orthocone/base/errors.h>
 #include <orthocone/base/stopwatch.h>
+#include <orthocone/base/text.h>
 #include <orthocone/multigrid/multigrid_body.h>
 #include <orthocone/scene/body_overlap.h>
 #include <orthocone/scene/body_shelf.h>
@@ -100,6 +101,32 @@ std::unique_ptr<const Compliance> sum_of(const ElasticBody &body, Eigen::MatrixX
   return std::make_unique<DenseCompliance>(std::move(of_obstacle));
 }
 
+std::string text_of(const LocalAxes &axes, const std::size_t n_nodes)
+{
+  std::string text;
+  for (std::size_t node = 0; node < n_nodes; ++node)
+    for (const double number : axes.global_in_local(node).reshaped())
+      text += " " + to_text(number);
+  return text;
+}
+
+Eigen::MatrixXd compliance_of(const Obstacle &obstacle, const Parameters &parameters,
+                              const ModelSymmetry &symmetry, const ContactSurface &surface,
+                              const LocalAxes &axes)
+{
+  const auto make = [&] { return obstacle.compliance(surface, symmetry, axes); };
+  const auto material = obstacle.material();
+  if (!material)
+    return make();
+  return BodyShelf::of_process().compliance(
+      [&]
+      {
+        return body_key(parameters, symmetry) + "on " + to_text(material->young_modulus) + ", " +
+               to_text(material->poisson_ratio) + text_of(axes, surface.nodes.size());
+      },
+      make);
+}
+
 /// The motion of the components that motions drive, without the others.
 RigidMotion driven_motion(const FaceTarget &target)
 {
@@ -142,7 +169,8 @@ Scene::Scene(const Parameters &parameters, const ModelChoice &choice, const Obst
                  [&]
                  {
                    return sum_of(*body_, lower_ ? lower_->compliance()
-                                                : obstacle.compliance(surface(), choice.symmetry, axes_));
+                                                : compliance_of(obstacle, parameters, choice.symmetry,
+                                                                surface(), axes_));
                  })),
       system_(compliance(), friction_.laws(surface(), obstacle, choice.symmetry))
 {

@@ -42,6 +42,11 @@ public:
                                              const std::function<void(const Body &)> &on_meshed,
                                              PhaseSeconds &seconds);
 
+  /// The compliance of what a body of the shelf is pressed on, or a new one by `make`. `key` has all that it
+  /// depends on.
+  Eigen::MatrixXd compliance(const std::function<std::string()> &key,
+                             const std::function<Eigen::MatrixXd()> &make);
+
 private:
   using Shared = std::shared_ptr<const FactorizedBody>;
   struct Kept
@@ -49,9 +54,15 @@ private:
     std::string name, key;
     Shared body;
   };
+  struct KeptCompliance
+  {
+    std::string name, key;
+    Eigen::MatrixXd matrix;
+  };
   Shared find(const std::string &key) const;
 
   std::list<Kept> kept_{};
+  std::list<KeptCompliance> compliances_{};
   std::string name_{};
 };
 } // namespace orthocone

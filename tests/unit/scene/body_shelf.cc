@@ -6,6 +6,7 @@
 
 #include <orthocone/scene/body_shelf.h>
 #include <orthocone/scene/parameters.h>
+#include <orthocone/scene/scene.h>
 
 #include <gtest/gtest.h>
 
@@ -62,6 +63,50 @@ TEST(BodyShelf, HasTheBitsOfNewBodies)
   EXPECT_EQ(&body_of(shelf, kept_box(), 10, n_meshed)->mesh(),
             &body_of(shelf, kept_box(), 20, n_meshed)->mesh());
   shelf.drop("box");
+  EXPECT_TRUE(shelf.is_empty());
+}
+
+// It depends on the half-space and on the axes of friction, and on nothing else that a scene has beside its
+// body.
+TEST(BodyShelf, HasTheComplianceOfTheGround)
+{
+  const auto sum_of = [](const std::string &modulus, const double angle, const double mu)
+  {
+    Parameters parameters = with_section(
+        Parameters(), "Obstacle", {{"Obstacle/Kind", "half-space"}, {"Obstacle/Young modulus", modulus}});
+    static_cast<BodyOptions &>(parameters) = kept_box();
+    parameters.geometry.supports.clear();
+    parameters.mesh.model = ModelKind::full;
+    parameters.friction.angle = angle;
+    parameters.friction.mu = {{mu, mu / 2}};
+    return Eigen::MatrixXd(*Scene(parameters, choose_model(parameters)).compliance().dense());
+  };
+  const Eigen::MatrixXd first = sum_of("1000", 0, 0.3), softer = sum_of("500", 0, 0.3),
+                        turned = sum_of("1000", 20, 0.3);
+  BodyShelf &shelf = BodyShelf::of_process();
+  shelf.collect("scene");
+  sum_of("1000", 0, 0.3);
+  shelf.collect("");
+  EXPECT_EQ(sum_of("1000", 0, 0.1), first);
+  EXPECT_EQ(sum_of("500", 0, 0.1), softer);
+  EXPECT_EQ(sum_of("1000", 20, 0.1), turned);
+  EXPECT_NE(softer, first);
+  EXPECT_NE(turned, first);
+  unsigned int n_made = 0;
+  const auto make = [&]
+  {
+    ++n_made;
+    return Eigen::MatrixXd(Eigen::MatrixXd::Identity(3, 3));
+  };
+  shelf.collect("other");
+  for (const char *const key : {"a", "b", "a", "b"})
+    shelf.compliance([key] { return std::string(key); }, make);
+  shelf.collect("");
+  EXPECT_EQ(n_made, 2U);
+  shelf.drop("other");
+  shelf.compliance([] { return std::string("a"); }, make);
+  EXPECT_EQ(n_made, 3U);
+  shelf.drop("scene");
   EXPECT_TRUE(shelf.is_empty());
 }
 
