@@ -4,6 +4,7 @@
 
 #include <orthocone/base/ranks.h>
 
+#include <cmath>
 #include <limits>
 
 namespace orthocone
@@ -28,6 +29,19 @@ VectorXd unknowns_of(const NodeVector &all, const ContactStep &problem,
   unknowns << all.head(n), problem.face().unknowns(motions);
   return unknowns;
 }
+
+/// Whether a change of the unknowns of n nodes is rounding, of the normal and of the tangential force of each
+/// node by itself, because a tiny friction has its own last digits.
+bool is_rounding(const VectorXd &change, const VectorXd &unknowns, const Eigen::Index n)
+{
+  constexpr double last_digits = 8 * std::numeric_limits<double>::epsilon();
+  for (Eigen::Index node = 0; node < n; ++node)
+    if (std::abs(change[3 * node]) > last_digits * std::abs(unknowns[3 * node]) ||
+        change.segment<2>(3 * node + 1).norm() > last_digits * unknowns.segment<2>(3 * node + 1).norm())
+      return false;
+  return true;
+}
+
 /// The most likely candidate comes first.
 std::vector<StartForces::Candidate> StartForces::candidates_for(const ContactState &state,
                                                                 const LoadStep &step) const
@@ -70,8 +84,11 @@ VectorXd StartForces::best(const ContactStep &problem, const std::vector<unsigne
   if (least > tolerance)
     return best;
   // This is the solution then. Rounding moves a sum of forces out of the cone, which the residual does not
-  // notice where friction is tiny.
+  // notice where friction is tiny. Forces that are inside but for their own last digits stay as they are, so
+  // that a cycle that repeats itself has the same bits.
   VectorXd inside = problem.admissible(best);
+  if (is_rounding(inside - best, best, problem.n_nodes()))
+    return best;
   return problem.residual(inside) <= tolerance ? inside : best;
 }
 

@@ -15,38 +15,38 @@ MismatchMemory::MismatchMemory(const ElasticBody &body, const std::size_t most_b
 {
 }
 
-std::size_t MismatchMemory::bytes_of(const State &state)
+std::size_t MismatchMemory::bytes_of(const Answer &answer)
 {
-  return sizeof(double) *
-         static_cast<std::size_t>(state.force.size() + state.elastic.size() + state.mismatch.volume.size());
+  return sizeof(double) * static_cast<std::size_t>(answer.force.size() + answer.mismatch.volume.size());
 }
 
 void MismatchMemory::forget_oldest()
 {
   while (bytes_ > most_bytes_)
   {
-    bytes_ -= bytes_of(states_.back());
-    states_.pop_back();
+    bytes_ -= bytes_of(kept_.back());
+    kept_.pop_back();
   }
 }
 
 BodyMismatch MismatchMemory::of(const NodeVector &force, const NodeVector &elastic, const double bound)
 {
   const auto known =
-      std::find_if(states_.begin(), states_.end(),
-                   [&](const State &state) { return state.force == force && state.elastic == elastic; });
+      std::find_if(kept_.begin(), kept_.end(), [&](const Answer &answer) { return answer.force == force; });
   // The body is solved by all ranks or by none.
-  if (!any_rank(known == states_.end()))
+  if (!any_rank(known == kept_.end()))
   {
-    states_.splice(states_.begin(), states_, known);
-    return states_.front().mismatch;
+    kept_.splice(kept_.begin(), kept_, known);
+    BodyMismatch mismatch = kept_.front().mismatch;
+    mismatch.displacement = body_.frame().difference(elastic, mismatch.volume);
+    return mismatch;
   }
   ++n_solved_;
   BodyMismatch mismatch = body_.mismatch(force, elastic, bound);
-  if (known == states_.end())
+  if (known == kept_.end())
   {
-    states_.push_front({force, elastic, mismatch});
-    bytes_ += bytes_of(states_.front());
+    kept_.push_front({force, mismatch});
+    bytes_ += bytes_of(kept_.front());
     forget_oldest();
   }
   return mismatch;
