@@ -2,8 +2,6 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/results/mismatch_memory.h>
 
-#include <orthocone/base/ranks.h>
-
 #include <algorithm>
 #include <utility>
 
@@ -11,7 +9,7 @@ namespace orthocone
 {
 MismatchMemory::MismatchMemory(const ElasticBody &body, const std::size_t most_bytes)
     : body_(body),
-      most_bytes_(most_bytes)
+      most_bytes_(body.compliance().dense() != nullptr ? most_bytes : 0)
 {
 }
 
@@ -33,8 +31,7 @@ BodyMismatch MismatchMemory::of(const NodeVector &force, const NodeVector &elast
 {
   const auto known =
       std::find_if(kept_.begin(), kept_.end(), [&](const Answer &answer) { return answer.force == force; });
-  // The body is solved by all ranks or by none.
-  if (!any_rank(known == kept_.end()))
+  if (known != kept_.end())
   {
     kept_.splice(kept_.begin(), kept_, known);
     BodyMismatch mismatch = kept_.front().mismatch;
@@ -43,12 +40,9 @@ BodyMismatch MismatchMemory::of(const NodeVector &force, const NodeVector &elast
   }
   ++n_solved_;
   BodyMismatch mismatch = body_.mismatch(force, elastic, bound);
-  if (known == kept_.end())
-  {
-    kept_.push_front({force, mismatch});
-    bytes_ += bytes_of(kept_.front());
-    forget_oldest();
-  }
+  kept_.push_front({force, mismatch});
+  bytes_ += bytes_of(kept_.front());
+  forget_oldest();
   return mismatch;
 }
 } // namespace orthocone

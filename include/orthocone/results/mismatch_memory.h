@@ -12,7 +12,8 @@ namespace orthocone
 /// The mismatches of a body under the forces that were asked for last. A settled cycle repeats its forces to
 /// the last bit, and a solve of the whole body has the same answer for the same forces, so that only new ones
 /// have to be solved. Displacements are compared with this answer each time. Forces that were not asked for
-/// longest go first where there is no room.
+/// longest go first where there is no room. Of a body that is solved iteratively nothing is kept, because its
+/// answer depends on where the iteration begins, and a resumed run would have other last digits.
 class MismatchMemory
 {
 public:
@@ -21,8 +22,8 @@ public:
   /// Keeps answers of up to `most_bytes` in all. `body` must outlive the memory.
   explicit MismatchMemory(const ElasticBody &body, std::size_t most_bytes = usual_bytes);
 
-  /// ElasticBody::mismatch(), whose solve is from memory where all ranks have these forces there. `bound` is
-  /// the same in all calls. Throws SolveError where the body cannot be solved.
+  /// ElasticBody::mismatch(), whose solve is from memory where these forces are there. `bound` is the same in
+  /// all calls. Throws SolveError where the body cannot be solved.
   BodyMismatch of(const NodeVector &force, const NodeVector &elastic, double bound);
 
   std::size_t n_solved() const { return n_solved_; } ///< forces that were not in memory
