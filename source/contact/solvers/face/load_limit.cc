@@ -12,7 +12,7 @@ using Eigen::VectorXd;
 
 namespace
 {
-constexpr double rounding = 1e-9;
+constexpr double negligible_share = 1e-9; // of a load, because of rounding
 
 /// How far a motion of the face (size m, mm) lifts every node less what friction may do against it: where
 /// this is not negative for any node, no admissible force resists the motion. Size n.
@@ -33,7 +33,7 @@ bool is_proof(const ContactStep &step, const VectorXd &increment, const VectorXd
   const double needed = std::max(0., (-clearances(step, increment).array() / lifted.array()).maxCoeff());
   const VectorXd safe = increment + needed * lift;
   const VectorXd &load = step.face().balance();
-  return load.dot(safe) < -rounding * load.norm() * safe.norm();
+  return load.dot(safe) < -negligible_share * load.norm() * safe.norm();
 }
 
 void project_on_cones(const ContactStep &step, VectorXd &forces)
@@ -75,7 +75,7 @@ bool is_beyond_every_force(const ContactStep &step)
     const VectorXd rest = columns.transpose() * forces - load;
     if (is_proof(step, rest, lift, lifted))
       return true;
-    if (rest.norm() <= rounding * load.norm())
+    if (rest.norm() <= negligible_share * load.norm())
       return false; // these forces balance the load
   }
   return false;

@@ -54,7 +54,9 @@ TEST(StressPatches, ProjectPolynomialsOfOneDegreeLessToThemselves)
       // The first polynomial is 1, and of degree 2 on the second one is linear.
       EXPECT_NEAR(projected[0], 1, 1e-12);
       if (degree >= 2)
+      {
         EXPECT_NEAR(projected[1], patches.values(*patch, StressPatches<3>::image_of(place, of))[1], 1e-12);
+      }
     }
   }
 }
