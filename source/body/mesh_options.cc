@@ -79,7 +79,7 @@ std::optional<CountedQuantities> parse_counted(const std::string &text)
       return std::nullopt; // named twice
     counts = true;
   }
-  return counted;
+  return counted == CountedQuantities{} ? std::nullopt : std::optional(counted);
 }
 
 Codec<CountedQuantities> counted_codec()
