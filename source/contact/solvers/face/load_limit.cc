@@ -26,14 +26,15 @@ VectorXd clearances(const ContactStep &step, const VectorXd &increment)
   return clearances;
 }
 
-/// Whether the load does work on a motion of the face, once this has been lifted until no force resists.
+/// Whether the load does work on a motion of the face, once this has been lifted until no force resists. What
+/// the lift leaves of a motion may be rounding of the motion itself.
 bool is_proof(const ContactStep &step, const VectorXd &increment, const VectorXd &lift,
               const VectorXd &lifted)
 {
   const double needed = std::max(0., (-clearances(step, increment).array() / lifted.array()).maxCoeff());
   const VectorXd safe = increment + needed * lift;
   const VectorXd &load = step.face().balance();
-  return load.dot(safe) < -negligible_share * load.norm() * safe.norm();
+  return load.dot(safe) < -negligible_share * load.norm() * std::max(safe.norm(), increment.norm());
 }
 
 void project_on_cones(const ContactStep &step, VectorXd &forces)
@@ -73,10 +74,10 @@ bool is_beyond_every_force(const ContactStep &step)
     if (i % interval != 0)
       continue;
     const VectorXd rest = columns.transpose() * forces - load;
-    if (is_proof(step, rest, lift, lifted))
-      return true;
     if (rest.norm() <= negligible_share * load.norm())
       return false; // these forces balance the load
+    if (is_proof(step, rest, lift, lifted))
+      return true;
   }
   return false;
 }
