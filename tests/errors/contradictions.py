@@ -69,8 +69,8 @@ ROWS = [
      "{file}: Material/Fatigue has one of bending limit and torsion limit: allowed are both or neither, because other "
      "constants follow from their ratio, or all of findley k, crossland alpha and dang van a"),
     ("fatigue_limits_of_no_material",
-     "subsection Lower material\n  set Fatigue = bending limit: 300 ; torsion limit: 100\nend\n" + ON_BODY,
-     "{file}: Lower material/Fatigue has a torsion limit that is 0.333333 of the bending limit: allowed are 0.5 up to 1, "
+     "subsection Lower material\n  set Fatigue = bending limit: 400 ; torsion limit: 100\nend\n" + ON_BODY,
+     "{file}: Lower material/Fatigue has a torsion limit that is 0.25 of the bending limit: allowed are 0.5 up to 1, "
      "or all of findley k, crossland alpha and dang van a"),
     ("body_regions", "subsection Lower material\n  set Regions = core: 70000, 0.3\nend\n" + ON_BODY,
      "{file}: Lower material/Regions is set without a mesh file: allowed is nothing, or Lower geometry/Shape = file, "

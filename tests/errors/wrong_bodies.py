@@ -8,7 +8,6 @@ CURVED = ("nothing, or surfaces, each once, that are cylinders, spheres or plane
           "0 1 0 ; ball: sphere about 0 0 8 ; end: plane'")
 FATIGUE = ("nothing, or constants \"name: number\" separated by ';', each name once, with the names bending limit, torsion limit, yield "
            "stress, fatemi socie k, findley k, crossland alpha, dang van a; a limit or a yield stress > 0 in MPa, the others >= 0")
-ACCURACY_OF = "all, or some of largest slip, peak force, dissipation, stick area, loop area, each once, separated by commas"
 REGIONS = ('nothing, or regions "name: E, nu" (E > 0 in MPa, nu > -1 and < 0.5; each volume once), separated by \';\'')
 
 
@@ -29,8 +28,6 @@ ROWS = [
       for name, value in (("cone", "bore: cone"), ("zero_axis", "bore: cylinder through 0 0 0 along 0 0 0"),
                           ("two_numbers", "bore: sphere about 0 0"), ("without_axis", "bore: cylinder through 0 0 0"),
                           ("twice", "end: plane ; end: plane"))),
-    *(row(f"accuracy_of_{name}", "Mesh", "Accuracy of", value, ACCURACY_OF)
-      for name, value in (("another_quantity", "pressure"), ("one_twice", "stick area, stick area"), ("all_and_one", "all, loop area"))),
     row("law_plastic", "Material", "Law", "plastic", "isotropic | orthotropic"),
     row("young_moduli_two", "Material", "Young moduli", "14000, 900", "three numbers > 0 separated by commas"),
     row("poisson_ratios_four", "Material", "Poisson ratios", "0.3, 0.3, 0.3, 0.3", "three numbers separated by commas"),

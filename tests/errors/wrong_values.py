@@ -2,7 +2,11 @@
 # Copyright (C) 2026 the orthocone authors
 """Values of geometry, mesh, material, solver and checks that are not allowed: name of the file, its text without the message, the message."""
 FOLDER = "values"
+QUANTITIES = "all, or some of largest slip, peak force, dissipation, stick area, loop area, each once, separated by commas"
 ROWS = [
+    *((f"accuracy_of_{name}", f"subsection Mesh\n  set Accuracy of = {value}\nend\n",
+       f"{{file}}:3: Mesh/Accuracy of = {value}: allowed is {QUANTITIES}")
+      for name, value in (("another_quantity", "pressure"), ("one_twice", "stick area, stick area"), ("all_and_one", "all, loop area"))),
     ("accuracy_fraction", "subsection Mesh\n  set Accuracy = 0.01\nend\n",
      "{file}:3: Mesh/Accuracy = 0.01: allowed is 0, or a percentage >= 0.01 and <= 50 such as 1 %"),
     ("accuracy_negative", "subsection Mesh\n  set Accuracy = -1 %\nend\n",

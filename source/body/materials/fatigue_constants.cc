@@ -71,9 +71,9 @@ void declare_fatigue(MaterialOptions &material, Section &section)
 {
   section.add(
       "Fatigue", material.fatigue, fatigue_codec(),
-      "Constants of fatigue of the material, which tools/fatigue takes from the run folder: limits of "
-      "reversed stress and yield stress in MPa, as in 'bending limit: 420 ; torsion limit: 250 ; yield "
-      "stress: 550'. The run itself does not depend on them.");
+      "Constants of fatigue of the material, which tools/fatigue takes from the run folder: the limits of "
+      "reversed bending and torsion, the yield stress and others, as in 'bending limit: 420 ; torsion limit: "
+      "250 ; yield stress: 550'. The run itself does not depend on them.");
 }
 
 /// The last three constants follow from the ratio of both limits (docs/fatigue.md, "Constants").
