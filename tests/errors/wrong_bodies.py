@@ -7,7 +7,7 @@ SUPPORTS = "nothing, or surfaces with their directions, such as 'x+: x ; side: x
 CURVED = ("nothing, or surfaces, each once, that are cylinders, spheres or planes, such as 'bore: cylinder through 0 0 5 along "
           "0 1 0 ; ball: sphere about 0 0 8 ; end: plane'")
 FATIGUE = ("nothing, or constants \"name: number\" separated by ';', each name once, with the names bending limit, torsion limit, yield "
-           "stress, fatemi socie k, findley k, crossland alpha, dang van a; a limit or a yield stress > 0 in MPa, the others >= 0")
+           "stress, fatemi socie k, findley k, crossland alpha, dang van a; a limit or a yield stress > 0 (MPa), the others >= 0")
 REGIONS = ('nothing, or regions "name: E, nu" (E > 0 in MPa, nu > -1 and < 0.5; each volume once), separated by \';\'')
 
 

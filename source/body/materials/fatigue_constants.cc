@@ -54,7 +54,7 @@ Codec<std::vector<FatigueConstant>> fatigue_codec()
   return list_codec<FatigueConstant>(
       "nothing, or constants \"name: number\" separated by ';', each name once, with "
       "the names " +
-          names + "; a limit or a yield stress > 0 in MPa, the others >= 0",
+          names + "; a limit or a yield stress > 0 (MPa), the others >= 0",
       ';', " ; ", parse_constant, print, is_new);
 }
 
