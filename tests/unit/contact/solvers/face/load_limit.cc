@@ -28,8 +28,8 @@ bool is_beyond(const OrthotropicFriction &law, const double pressing, const unsi
 }
 } // namespace
 
-// Friction carries mu P, also where it is tiny in the other direction. What is carried may be so with forces
-// that are found exactly: then a motion that is rounding proves nothing.
+// Friction carries mu P, also where it is tiny in the other direction. That rounding proves nothing is shown
+// by the rows `across` of run_book, whose balance is found but for its last digits.
 TEST(LoadLimit, IsThatOfAllNodesTogether)
 {
   for (const OrthotropicFriction &law : {OrthotropicFriction{1e-6, 0.3, 1e-6, 0.3}, case_b, case_c})
