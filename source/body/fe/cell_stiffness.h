@@ -47,9 +47,10 @@ private:
   /// nodes contribute to their entry (c, d).
   std::array<Eigen::Matrix3d, static_cast<std::size_t>(most_components *most_components)> factors_;
   std::array<Eigen::Vector3d, most_components> divergence_factors_; ///< of the terms, by components
-  Eigen::VectorXd terms_;                                           ///< at a quadrature point, n_terms a node
-  Eigen::VectorXd divergences_;
-  Eigen::MatrixXd products_; ///< integrals of the products of terms
+  Eigen::MatrixXd terms_;       ///< n_terms a node, a column for each quadrature point
+  Eigen::VectorXd volumes_;     ///< of the quadrature points
+  Eigen::VectorXd divergences_; ///< at a quadrature point
+  Eigen::MatrixXd products_;    ///< integrals of the products of terms
   Eigen::MatrixXd matrix_;
 };
 } // namespace orthocone

@@ -13,6 +13,8 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <numeric>
+#include <vector>
 
 namespace orthocone
 {
@@ -24,6 +26,28 @@ struct CellMatrix
   Eigen::MatrixXd matrix; ///< numbered as `dofs`
   std::vector<dealii::types::global_dof_index> dofs;
 };
+
+/// Adds a cell's matrix (N/mm) to the entries of `matrix` on and below the diagonal, in rows of free degrees
+/// of freedom. In order, the columns of a row are found on one way through it, without a search for each.
+void add_cell_matrix(const Eigen::MatrixXd &cell_matrix,
+                     const std::vector<dealii::types::global_dof_index> &dofs,
+                     dealii::SparseMatrix<double> &matrix)
+{
+  std::vector<unsigned int> order(dofs.size());
+  std::iota(order.begin(), order.end(), 0U);
+  std::sort(order.begin(), order.end(), [&](const auto i, const auto j) { return dofs[i] < dofs[j]; });
+  std::vector<dealii::types::global_dof_index> columns;
+  std::vector<double> values(dofs.size());
+  for (const unsigned int i : order)
+  {
+    if (dofs[i] >= matrix.m())
+      break;
+    columns.push_back(dofs[i]);
+    for (std::size_t k = 0; k < columns.size(); ++k)
+      values[k] = cell_matrix(i, order[k]);
+    matrix.add(dofs[i], columns.size(), columns.data(), values.data(), false, true);
+  }
+}
 
 template<int dim>
 void assemble(const DisplacementSpace<dim> &space, const Materials &materials,

@@ -5,9 +5,6 @@
 #include <orthocone/body/fe/displacement_space.h>
 
 #include <deal.II/dofs/dof_handler.h>
-#include <deal.II/lac/sparse_matrix.h>
-
-#include <Eigen/Dense>
 
 #include <vector>
 
@@ -29,17 +26,5 @@ std::vector<dealii::types::global_dof_index> dofs_by_node(const DisplacementSpac
     sorted[space.n_components() * node + component] = space.local_dof(dofs[i]);
   }
   return sorted;
-}
-
-/// Adds a cell's matrix (N/mm) to the entries of `matrix` on and below the diagonal, in rows of free degrees
-/// of freedom.
-inline void add_cell_matrix(const Eigen::MatrixXd &cell_matrix,
-                            const std::vector<dealii::types::global_dof_index> &dofs,
-                            dealii::SparseMatrix<double> &matrix)
-{
-  for (unsigned int i = 0; i < dofs.size(); ++i)
-    for (unsigned int j = 0; j < dofs.size(); ++j)
-      if (dofs[i] < matrix.m() && dofs[j] <= dofs[i])
-        matrix.add(dofs[i], dofs[j], cell_matrix(i, j));
 }
 } // namespace orthocone
