@@ -290,6 +290,7 @@ void QuasiStaticProblem::failed(const LoadStep &step, const SolverReport &report
 {
   record_.seconds.contact += seconds;
   record_.verdict = report.verdict;
+  record_.folds = report.folds;
   outcome_ = {ExitCode::unsolved_step, failure_text(step, report)};
   write_unsolved(step);
 }

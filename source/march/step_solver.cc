@@ -142,9 +142,18 @@ SolverReport StepSolver::solve_in_one(ContactState &state, const LoadStep &step)
 SolverReport StepSolver::solve_from_no_force(ContactState &state, const Attempt &attempt,
                                              const SolverReport &failure) const
 {
-  SolverReport report = solve_to(state, attempt, VectorXd::Zero(attempt.problem.n_unknowns()), 0);
+  VectorXd unknowns = VectorXd::Zero(attempt.problem.n_unknowns());
+  SolverReport report = solve_to(state, attempt, unknowns, 0);
   report.iterations += failure.iterations;
-  return report.converged ? report : failure;
+  if (report.converged)
+    return report;
+  auto rescued = solver_->rescue(attempt.problem, unknowns);
+  if (!rescued)
+    return failure;
+  rescued->iterations += report.iterations;
+  if (!rescued->converged)
+    return *std::move(rescued);
+  return accepted(state, attempt, unknowns, *std::move(rescued));
 }
 
 /// The best start from the past, or the change of the step on a coarser mesh where that start is far off.
@@ -227,17 +236,22 @@ SolverReport StepSolver::solve_to(ContactState &state, const Attempt &attempt, V
 {
   SolverReport report = solver_->solve(attempt.problem, unknowns);
   if (report.converged)
-  {
-    const ContactState before = state;
-    accept_unknowns(state, attempt, unknowns);
-    report.last_part = solved(attempt.problem, unknowns);
-    if (implicit_wear_.is_for(before, state))
-      wear_implicitly(before, state, attempt, unknowns, report);
-    return report;
-  }
+    return accepted(state, attempt, unknowns, std::move(report));
   const bool has_equilibrium = report.verdict != Verdict::unbalanced;
   return n_halvings > 0 && has_equilibrium ? solve_halves(state, attempt.target, report, n_halvings - 1)
                                            : report;
+}
+
+/// Takes the solution of an attempt, which its report belongs to, as the state.
+SolverReport StepSolver::accepted(ContactState &state, const Attempt &attempt, const VectorXd &unknowns,
+                                  SolverReport report) const
+{
+  const ContactState before = state;
+  accept_unknowns(state, attempt, unknowns);
+  report.last_part = solved(attempt.problem, unknowns);
+  if (implicit_wear_.is_for(before, state))
+    wear_implicitly(before, state, attempt, unknowns, report);
+  return report;
 }
 
 /// Solves a step again that has worn deeper than pressure flattens, with the depth as an unknown. How far

@@ -223,6 +223,8 @@ std::string summary_json(const Summary &summary)
                             {"iterations", summary.record.n_iterations},
                             {"largest_residual", summary.record.largest_residual},
                             {"verdict", to_word(summary.record.verdict)}};
+  if (summary.record.folds.n > 0)
+    json["contact_solver"]["first_fold_of_friction"] = summary.record.folds.first_share;
   if (summary.record.n_v_cycles > 0)
     json["contact_solver"]["v_cycles"] = summary.record.n_v_cycles;
   json["answers"] = answers_json(summary);

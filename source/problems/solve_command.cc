@@ -176,8 +176,9 @@ Answer answer(const SolveOptions &options, const ContactProblem &problem, const 
   Answer found;
   Eigen::VectorXd unknowns =
       options.is_stored ? stored_unknowns(options.file, step) : Eigen::VectorXd::Zero(step.n_unknowns());
-  found.report = options.is_stored ? make_report(step, unknowns, 0, options.solver.tolerance)
-                                   : make_contact_solver(system, options.solver)->solve(step, unknowns);
+  found.report = options.is_stored
+                     ? make_report(step, unknowns, 0, options.solver.tolerance)
+                     : solve_or_rescue(*make_contact_solver(system, options.solver), step, unknowns);
   found.seconds = watch.seconds();
   found.solution = {unknowns.head(problem.q.size()), step.displacement(unknowns),
                     step.face().motions(unknowns.tail(step.face().n())), found.report.residual};

@@ -150,7 +150,7 @@ py::tuple solve(const py::array_t<double> &w, const Array &q, const Array &laws,
     const Laws ellipses = to_laws(laws);
     const ContactSystem system(*given.compliance, {ellipses.begin(), ellipses.end()});
     const ContactStep step(system, vector_view(q));
-    report = make_contact_solver(system, options)->solve(step, force);
+    report = solve_or_rescue(*make_contact_solver(system, options), step, force);
     displacement = step.displacement(force);
     const auto statuses = step.statuses(force, displacement);
     for (Index node = 0; node < step.n_nodes(); ++node)

@@ -84,6 +84,8 @@ private:
   NodeVector free_displacement_with_wear(const ContactState &state, const FaceTarget &target) const;
   SolverReport solve_to(ContactState &state, const Attempt &attempt, Eigen::VectorXd unknowns,
                         unsigned int n_halvings) const;
+  SolverReport accepted(ContactState &state, const Attempt &attempt, const Eigen::VectorXd &unknowns,
+                        SolverReport report) const;
   void wear_implicitly(const ContactState &before, ContactState &state, const Attempt &attempt,
                        Eigen::VectorXd unknowns, SolverReport &report) const;
   SolverReport solve_from_no_force(ContactState &state, const Attempt &attempt,

@@ -45,6 +45,7 @@ struct RunRecord
   unsigned long n_v_cycles = 0; ///< ElasticBody::n_v_cycles() of this run and of those before the checkpoint
   double largest_residual = 0;
   Verdict verdict = Verdict::converged; ///< of the last step that was tried
+  Folds folds{};                        ///< of the same step; not kept in checkpoints
   double largest_energy = 0;            ///< StepChecks::energy, N mm
   Peaks peaks{};
   std::pair<double, unsigned int> energy_defect{0, 0};       ///< the largest, and its step

@@ -69,6 +69,8 @@ const char *to_word(const Verdict verdict)
     return "diverged";
   case Verdict::unbalanced:
     return "unbalanced";
+  case Verdict::several:
+    return "several";
   }
   return "";
 }

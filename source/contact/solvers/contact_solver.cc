@@ -68,6 +68,18 @@ SolverReport make_report(const ContactStep &step, const Eigen::VectorXd &unknown
   return report;
 }
 
+SolverReport solve_or_rescue(const ContactSolver &solver, const ContactStep &step, Eigen::VectorXd &unknowns)
+{
+  SolverReport report = solver.solve(step, unknowns);
+  if (report.converged || report.verdict == Verdict::unbalanced)
+    return report;
+  auto rescued = solver.rescue(step, unknowns);
+  if (!rescued)
+    return report;
+  rescued->iterations += report.iterations;
+  return *std::move(rescued);
+}
+
 const DenseView &dense_compliance(const ContactSystem &system, const char *const method)
 {
   const DenseView *const matrix = system.compliance().dense();

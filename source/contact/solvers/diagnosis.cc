@@ -62,6 +62,11 @@ std::string why(const ContactSolverOptions &options, const SolverReport &report)
   case Verdict::unbalanced:
     text << "No equilibrium: the load on the held face is more than contact and friction can carry";
     break;
+  case Verdict::several:
+    text << "Several solutions near here: with friction growing from none, the solution turns back first at "
+         << report.folds.first_share << " of the friction of this step, and " << report.folds.n
+         << (report.folds.n == 1 ? " time" : " times") << " in all before the search ended";
+    break;
   case Verdict::converged:
     break;
   }
@@ -91,6 +96,15 @@ std::string tolerance_above(const double residual)
   return text.str();
 }
 
+std::string less_friction(const SolverReport &report)
+{
+  std::ostringstream text;
+  text << std::setprecision(2) << "Friction coefficients below " << report.folds.first_share
+       << " of these have one solution on this way; or take a slip rule nearer to the associated one, or "
+          "smaller load steps.";
+  return text.str();
+}
+
 std::string remedy(const ContactSolverOptions &options, const SolverReport &report, const bool is_dense)
 {
   const bool is_default = options.method == best_method() && options.rho_factor == 1;
@@ -101,6 +115,8 @@ std::string remedy(const ContactSolverOptions &options, const SolverReport &repo
     return "Take smaller forces in this leg, or a motion.";
   if (report.verdict == Verdict::rounding)
     return "Take a larger Contact solver/Tolerance.";
+  if (report.verdict == Verdict::several)
+    return less_friction(report);
   if (!is_default)
     return "Try Contact solver/Method = " + best_method() + " with Rho factor = 1.";
   if (!std::isfinite(report.residual))

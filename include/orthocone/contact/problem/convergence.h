@@ -39,6 +39,7 @@ enum class Verdict
   cycling,    ///< the residual no longer fell, and the forces stayed in bounds
   diverged,   ///< the forces grew without bound, or are no longer numbers
   unbalanced, ///< the held face runs away: no contact forces balance what drives it
+  several,    ///< there are several solutions near here, and the way to the wanted one turns back too often
 };
 
 /// The word of a verdict.

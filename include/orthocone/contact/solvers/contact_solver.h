@@ -7,6 +7,7 @@
 #include <orthocone/contact/solvers/contact_solver_options.h>
 
 #include <memory>
+#include <optional>
 
 namespace orthocone
 {
@@ -15,6 +16,14 @@ struct SolvedProblem
 {
   ContactStep problem;
   Eigen::VectorXd unknowns; ///< size ContactStep::n_unknowns(), N and mm
+};
+
+/// Where the path of a step's solutions over a growing share of its friction turns back. Behind a fold there
+/// are several solutions for the shares that the path passes again.
+struct Folds
+{
+  unsigned int n = 0;
+  double first_share = 0; ///< of the friction, at the first fold
 };
 
 /// A solver's report on one load step. All numbers are recomputed from the final forces by make_report(), so
@@ -31,6 +40,7 @@ struct SolverReport
   LawErrors law;            ///< errors of the same solution in the contact law's own terms
   Trace trace{};            ///< of the step, or of its part that failed
   Verdict verdict = Verdict::slow;
+  Folds folds{}; ///< where the step was followed from no friction: ContactSolver::rescue()
   std::shared_ptr<const SolvedProblem> last_part{}; ///< in a march: the part of the step that was solved last
 };
 
@@ -48,7 +58,19 @@ public:
   /// Improves `unknowns` (ContactStep; on entry the start) until the residual of the step is within the
   /// tolerance. Throws SolveError where the body itself cannot be solved (multigrid).
   virtual SolverReport solve(const ContactStep &step, Eigen::VectorXd &unknowns) const = 0;
+
+  /// What is left for a step that solve() fails on, whatever it starts from and in parts, too. It costs as
+  /// much as many failures. Returns nothing where the method has no such thing, or it does not tell anything
+  /// new; `unknowns` are changed only where they are a solution.
+  virtual std::optional<SolverReport> rescue(const ContactStep & /*step*/,
+                                             Eigen::VectorXd & /*unknowns*/) const
+  {
+    return std::nullopt;
+  }
 };
+
+/// ContactSolver::solve(), and rescue() where that fails. The iterations are those of both.
+SolverReport solve_or_rescue(const ContactSolver &solver, const ContactStep &step, Eigen::VectorXd &unknowns);
 
 /// The solver that the options name, for all steps of `system`, which must outlive it. Construction prepares
 /// what stays the same from step to step. Throws std::invalid_argument if there is no such method, or if it

@@ -10,6 +10,7 @@
 #include "../newton/newton_phases.h"
 #include "../sweeps/gauss_seidel.h"
 #include "continuation.h"
+#include "friction_path.h"
 #include "proximal_steps.h"
 
 #include <algorithm>
@@ -62,6 +63,7 @@ struct DenseNewton : ContactSolver
   }
 
   SolverReport solve(const ContactStep &step, VectorXd &unknowns) const override;
+  std::optional<SolverReport> rescue(const ContactStep &step, VectorXd &unknowns) const override;
 
   ContactSolverOptions options;
   GaussSeidel sweeps;
@@ -237,6 +239,31 @@ void DenseAttempt::sweep()
 SolverReport DenseNewton::solve(const ContactStep &step, VectorXd &unknowns) const
 {
   return DenseAttempt(*this, step, unknowns).solve();
+}
+
+/// From the solution with hardly any friction, which always exists where the face is held and is found
+/// easily.
+std::optional<SolverReport> DenseNewton::rescue(const ContactStep &step, VectorXd &unknowns) const
+{
+  constexpr double first_share = 0.01, most_operations = 3e11; // of factorizations: docs/stability.md
+  VectorXd start = VectorXd::Zero(step.n_unknowns());
+  if (!solve(step.with_factors(FrictionPieces(step).factors(first_share)), start).converged)
+    return std::nullopt;
+  FrictionPath path(step, start, first_share);
+  const bool is_at_end = path.follow(options.maximum_iterations, most_operations);
+  if (!is_at_end && path.folds().n == 0)
+    return std::nullopt;
+  VectorXd found = step.admissible(path.unknowns());
+  NewtonProgress progress{step, found, step.residual(found), path.n_factorizations()};
+  if (is_at_end)
+    phases.while_steps_pay(progress);
+  SolverReport report = make_report(step, found, progress.iterations, options.tolerance, progress.trace);
+  report.folds = path.folds();
+  if (report.converged)
+    unknowns = std::move(found);
+  else
+    report.verdict = Verdict::several;
+  return report;
 }
 
 /// Newton's method on a body without a dense W.

@@ -44,6 +44,15 @@ TEST(Diagnosis, SaysHowTheIterationFailedAndWhatToTry)
   expect_words(lost, newton, {"no longer numbers", "lengths in mm"});
 }
 
+TEST(Diagnosis, NamesTheFrictionOfTheFirstFold)
+{
+  SolverReport folded = report(Verdict::several);
+  folded.folds = {74, 0.1949};
+  expect_words(
+      folded, {},
+      {"Several solutions near here", "first at 0.19 of the friction", "74 times", "below 0.19 of these"});
+}
+
 TEST(Diagnosis, NamesOnlyWhatABodyWithoutADenseComplianceHas)
 {
   for (const Verdict verdict : {Verdict::cycling, Verdict::slow, Verdict::diverged})
