@@ -27,9 +27,9 @@ constexpr double numbers_per_entry = 1.5;  // of the stiffness: the value, and h
 constexpr double dense_matrices = 1.5;     // n_c^2 numbers: W, and what inner iterations use of it
 constexpr double of_counterbody = 1;       // n_c^2 numbers more: its compliance, then the sum
 constexpr double of_deep_wear = 1.5;       // n_c^2 numbers more: W with the depth, and in single precision
-constexpr double start_up = 0.2;           // s
+constexpr double start_up = 0.5;           // s
 constexpr double assembly = 4;             // operations of the table of products, in large ones
-constexpr double factorization = 3;        // the same: half the speed of large products, and METIS
+constexpr double factorization = 3.6;      // the same: half the speed of large products, and METIS
 constexpr double condensation = 2;         // n_c^3 operations: dpotri, and the turns into local axes
 constexpr double products_per_step = 20;   // with W: a hundred where the start is far off, two in most steps
 constexpr double bytes_per_entry_of_w = 2; // half of it in single precision
@@ -48,12 +48,12 @@ constexpr double bytes_per_unknown = 1200;
 /// it, and the transfer to it, which has numbers of cells; these are many with degree 1.
 constexpr double bytes_per_round = 480, bytes_per_round_of_degree_1 = 3000;
 constexpr double copies_of_bodies = 7;       // in the text of a checkpoint, which is copied, too
-constexpr double multigrid_start_up = 0.3;   // s
+constexpr double multigrid_start_up = 0.5;   // s
 constexpr double multigrid_set_up = 1.5e-5;  // s an unknown
-constexpr double v_cycle = 4.5e-7;           // s an unknown
+constexpr double v_cycle = 4.2e-7;           // s an unknown
 constexpr double of_projection = 1.3;        // V-cycles whose products average the divergence over cells
-constexpr double cycles_of_first_steps = 20; // V-cycles of a step in the first cycle
-constexpr double cycles_of_later_steps = 6;  // in the others
+constexpr double cycles_of_first_steps = 11; // V-cycles of a step in the first cycle
+constexpr double cycles_of_later_steps = 8;  // in the others
 constexpr double cycles_per_iteration = 3;   // V-cycles of an iteration of Newton's method
 constexpr double even_stretch = 2.5;         // of cells, which does not slow multigrid down
 /// V-cycles grow with the logarithm of lambda / mu = 2 nu / (1 - 2 nu), from `of_steel` = 1 - 2 nu at nu =

@@ -198,7 +198,7 @@ TEST(MeshLadder, ResolutionsAreLevelsOfItAndPaperIsTheDefault)
 TEST(MeshSearch, StopsWhereTheEstimatesAreAsWantedAndItsModelRemembersTheCycle)
 {
   Parameters parameters;
-  parameters.load.legs = {move_to(0, 0, -0.1, 1), move_to(0, 0, -0.05, 1)};
+  parameters.load.legs = {move_to(0, 0, -0.1, 3), move_to(0, 0, -0.05, 3)};
   parameters.mesh.accuracy = 10;
   std::vector<std::string> lines;
   const ChosenModel chosen = choose_mesh_and_steps(parameters, choose_model(parameters),
