@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <string>
 #include <vector>
 
 namespace orthocone
@@ -32,6 +33,42 @@ const char *kernels_of_this_processor()
     return "Haswell";
 #endif
   return nullptr;
+}
+
+/// Whether OpenBLAS has taken kernels of an older kind than the processor has: of SSE3 on Intel's that it
+/// does not know, and of AVX2 on AMD's with AVX-512.
+bool are_slower(const std::string &running, const std::string &best)
+{
+  return running == "Prescott" || (best == "SkylakeX" && (running == "Haswell" || running == "Zen"));
+}
+
+/// Whether the running kernels multiply two matrices as plain loops do.
+bool multiplies()
+{
+  constexpr int n = 67; // no multiple of the kernels' widths
+  const auto dgemm = function_of_blas<void(const char *, const char *, const int *, const int *, const int *,
+                                           const double *, const double *, const int *, const double *,
+                                           const int *, const double *, double *, const int *)>("dgemm_");
+  if (dgemm == nullptr)
+    return false;
+  std::vector<double> a(n * n), b(n * n), product(n * n);
+  for (int i = 0; i < n * n; ++i)
+  {
+    a[i] = i % 7 - 3;
+    b[i] = i % 11 - 5;
+  }
+  const double one = 1, zero = 0;
+  dgemm("N", "N", &n, &n, &n, &one, a.data(), &n, b.data(), &n, &zero, product.data(), &n);
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i)
+    {
+      double sum = 0; // of whole numbers: exact
+      for (int k = 0; k < n; ++k)
+        sum += a[i + k * n] * b[k + j * n];
+      if (product[i + j * n] != sum)
+        return false;
+    }
+  return true;
 }
 
 /// CHOLMOD's loops ask OpenMP for four threads, whatever OMP_NUM_THREADS says. With no active level they get
@@ -109,11 +146,18 @@ void use_kernels_of_this_processor()
   const auto choose = function_of_blas<void()>("gotoblas_dynamic_init");
   const char *const kernels = kernels_of_this_processor();
   if (std::getenv(variable) != nullptr || name == nullptr || forget == nullptr || choose == nullptr ||
-      std::string(name()) != "Prescott" || kernels == nullptr)
+      kernels == nullptr || !are_slower(name(), kernels))
     return;
-  ::setenv(variable, kernels, 0);
-  forget();
-  choose();
+  const auto take = [&](const char *const which)
+  {
+    ::setenv(variable, which, 1);
+    forget();
+    choose();
+  };
+  const std::string before = name();
+  take(kernels);
+  if (!multiplies())
+    take(before.c_str());
 }
 
 // Buffers that are taken at once lie in different places, and stay mapped when they are given back.

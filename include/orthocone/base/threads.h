@@ -59,9 +59,10 @@ private:
 };
 
 /// OpenBLAS before 0.3.25 computes with the SSE3 kernels of `Prescott` on Intel processors that are newer
-/// than itself (its issue 4267). They are replaced by those of `SkylakeX` (AVX-512) or `Haswell` (AVX2): a
-/// factorization takes half of the time (docs/performance.md, "Threads"). Does nothing where
-/// OPENBLAS_CORETYPE is set, or with another BLAS. Must be called before any other thread uses BLAS.
+/// than itself (its issue 4267), and with those of AVX2 on AMD's with AVX-512. They are replaced by those of
+/// `SkylakeX` (AVX-512) or `Haswell` (AVX2) if these multiply two matrices exactly: a factorization takes
+/// half of the time (docs/performance.md, "Threads"). Does nothing where OPENBLAS_CORETYPE is set, or with
+/// another BLAS. Must be called before any other thread uses BLAS.
 void use_kernels_of_this_processor();
 
 /// Maps the buffers with which so many threads of OpenBLAS compute at once, as far as the limit of the

@@ -13,8 +13,10 @@
 #include <atomic>
 #include <chrono>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
 #include <set>
+#include <string>
 #include <thread>
 #include <vector>
 
@@ -36,6 +38,20 @@ void leave_address_space(const double bytes)
   setrlimit(RLIMIT_AS, &limit);
   limit.rlim_cur = static_cast<rlim_t>(static_cast<double>(limit.rlim_cur) - free_address_space() + bytes);
   setrlimit(RLIMIT_AS, &limit);
+}
+
+/// A function of OpenBLAS, or null with another BLAS.
+template<typename Function>
+Function *of_openblas(const char *const name)
+{
+  return reinterpret_cast<Function *>(dlsym(RTLD_DEFAULT, name));
+}
+
+/// Makes OpenBLAS choose its kernels again.
+void choose_kernels_again()
+{
+  of_openblas<void()>("gotoblas_dynamic_quit")();
+  of_openblas<void()>("gotoblas_dynamic_init")();
 }
 
 void multiply(Product &product)
@@ -77,6 +93,36 @@ void multiply(Product &product)
   ::_exit(0);
 }
 } // namespace
+
+// As on AMD's processors with AVX-512, where OpenBLAS takes the kernels of AVX2.
+TEST(Kernels, AreThoseOfTheProcessorWhereOpenBlasTakesOlderOnes)
+{
+#if defined(__x86_64__)
+  constexpr const char *variable = "OPENBLAS_CORETYPE";
+  dlopen("libopenblas.so.0", RTLD_NOW | RTLD_GLOBAL); // this binary needs no BLAS otherwise
+  const auto name = of_openblas<char *()>("openblas_get_corename");
+  if (name == nullptr || of_openblas<void()>("gotoblas_dynamic_init") == nullptr ||
+      !__builtin_cpu_supports("avx2"))
+    GTEST_SKIP() << "no OpenBLAS that chooses, or no AVX2";
+  const char *const given = std::getenv(variable);
+  const std::string wanted = given == nullptr ? "" : given;
+  for (const std::string older : {"Prescott", "Haswell"})
+  {
+    ::setenv(variable, older.c_str(), 1);
+    choose_kernels_again();
+    ASSERT_EQ(name(), older);
+    use_kernels_of_this_processor();
+    EXPECT_EQ(name(), older) << "what the environment asks for, it gets";
+    ::unsetenv(variable);
+    use_kernels_of_this_processor();
+    EXPECT_STREQ(name(), __builtin_cpu_supports("avx512vl") ? "SkylakeX" : "Haswell");
+  }
+  wanted.empty() ? ::unsetenv(variable) : ::setenv(variable, wanted.c_str(), 1);
+  choose_kernels_again();
+#else
+  GTEST_SKIP() << "kernels are chosen for x86-64 alone";
+#endif
+}
 
 TEST(Threads, LeaveCoresToOthers)
 {
