@@ -103,6 +103,8 @@ Values values_of(const SolveOptions &options, const ContactProblem &problem, con
                 {"friction_cone", short_text(report.law.friction_cone)},
                 {"slip_rule", short_text(report.law.slip_rule)},
                 {"w_asymmetry", short_text(problem.mirrored.largest)}};
+  if (report.folds.n > 0)
+    values.emplace_back("first_fold_of_friction", short_text(report.folds.first_share));
   if (answer.stored)
   {
     values.emplace_back("stored_u_error", short_text(answer.stored->displacement));
