@@ -26,7 +26,8 @@ double rounding_of_eigenvalues(const DenseView &compliance)
 } // namespace
 
 InnerCompliance::InnerCompliance(const DenseView &compliance, const double scale)
-    : scale_(scale),
+    : compliance_(compliance),
+      scale_(scale),
       held_(n_held, compliance.rows() / 3),
       holding_forces_(3 * n_held, compliance.rows())
 {

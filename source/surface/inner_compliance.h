@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #pragma once
 
+#include "condition_system.h"
 #include "rounded_matrix.h"
 
 #include <orthocone/surface/compliance.h>
@@ -10,37 +11,40 @@
 
 namespace orthocone
 {
-/// The compliance as inner iterations use it, which want two digits of a product. Single precision halves the
-/// memory to read, and rounded entries halve it again, where they leave W positive definite: a body that is
-/// thousands of times stiffer in one direction has modes so stiff that rounding hides them. It is relative to
-/// its largest eigenvalue, so that no unit of force or length comes near the ends of the number range.
-class InnerCompliance
+/// A dense compliance for inner iterations. Single precision halves the memory to read, and rounded entries
+/// halve it again, where they leave W positive definite: a body that is thousands of times stiffer in one
+/// direction has modes so stiff that rounding hides them.
+class InnerCompliance : public InnerOperator
 {
 public:
-  /// `compliance`: W, 3 n x 3 n; `scale` > 0.
+  /// `compliance`: W, 3 n x 3 n, which must outlive this object; `scale` > 0.
   InnerCompliance(const DenseView &compliance, double scale);
 
-  double scale() const { return scale_; }
+  double scale() const override { return scale_; }
+
+  Eigen::Matrix3d own(const Eigen::Index node) const override
+  {
+    return compliance_.block<3, 3>(3 * node, 3 * node);
+  }
 
   /// Whether entries are rounded.
   bool is_rounded() const { return rounded_.has_value(); }
 
-  /// W v / scale.
-  Eigen::VectorXf multiply(const Eigen::VectorXf &vector) const
+  Eigen::VectorXf multiply(const Eigen::VectorXf &vector) const override
   {
     return rounded_ ? *rounded_ * vector : single_.selfadjointView<Eigen::Lower>() * vector;
   }
 
-  /// About scale W^-1 v: for each node its nearest neighbours are held, and the others carry no force. The
-  /// inverse of a compliance decreases so fast with the distance that more neighbours make no better
-  /// preconditioner.
-  Eigen::VectorXf multiply_stiffness(const Eigen::VectorXf &vector) const;
+  /// For each node its nearest neighbours are held, and the others carry no force. The inverse of a
+  /// compliance decreases so fast with the distance that more neighbours make no better preconditioner.
+  Eigen::VectorXf multiply_stiffness(const Eigen::VectorXf &vector) const override;
 
 private:
   static constexpr Eigen::Index n_held = 8; ///< a node and its neighbours
 
   double hold(Eigen::Index node, const DenseView &compliance);
 
+  DenseView compliance_;
   double scale_;
   Eigen::MatrixXf single_{}; ///< one of these two
   std::optional<RoundedMatrix> rounded_{};

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#pragma once
+
+#include <orthocone/surface/compliance.h>
+#include <orthocone/surface/half_space.h>
+
+#include <memory>
+#include <optional>
+
+namespace orthocone
+{
+/// A regular grid of rectangular patches on a plane, each with a contact node at its centre. Node i + n_x j
+/// is the i-th along x and the j-th along y.
+struct SurfaceGrid
+{
+  Eigen::Index n_x, n_y;
+  double width, height; ///< of a patch, along x and y, mm
+
+  Eigen::Index n_nodes() const { return n_x * n_y; }
+
+  /// The patches that have this distance in whole patches have the same compliance.
+  Eigen::Vector2d distance(const Eigen::Index along_x, const Eigen::Index along_y) const
+  {
+    return {static_cast<double>(along_x) * width, static_cast<double>(along_y) * height};
+  }
+};
+
+/// Compliance of an elastic half-space above a plane, or of two that meet there, on a regular grid: no
+/// matrix, but products by fast Fourier transforms of the grid, padded with zeros to twice its size (Hockney,
+/// Meth. Comput. Phys. 9 (1970) 135; for contact Liu, Wang and Liu, Wear 243 (2000) 101). A force on a node
+/// is spread evenly over its patch, and a displacement is the mean over the patch, as in
+/// half_space_compliance(): the products are those of a symmetric, positive definite matrix. Only one thread
+/// at a time may use it.
+class GridHalfSpace : public Compliance
+{
+public:
+  /// `body` lies above the plane (its contact_point() normal points into it), `counterface` below it; its
+  /// compliance is added. Throws std::invalid_argument unless the grid has nodes, and patches with a size.
+  GridHalfSpace(const SurfaceGrid &grid, const HalfSpace &body,
+                const std::optional<HalfSpace> &counterface = std::nullopt);
+  ~GridHalfSpace() override;
+
+  const SurfaceGrid &grid() const { return grid_; }
+
+  /// The 3 x 3 block of W of a node by the force on another one, which lies so many patches away (mm/N).
+  Eigen::Matrix3d block(Eigen::Index along_x, Eigen::Index along_y) const;
+
+  Eigen::Index n_nodes() const override { return grid_.n_nodes(); }
+  void vmult(NodeVector &displacement, const NodeVector &force) const override;
+  Eigen::Matrix3d diagonal_block(Eigen::Index node) const override;
+  std::unique_ptr<ConditionSolver> condition_solver(double softness) const override;
+
+private:
+  SurfaceGrid grid_;
+  HalfSpace body_;
+  std::optional<HalfSpace> counterface_;
+  class Products;
+  std::unique_ptr<Products> products_;
+};
+} // namespace orthocone

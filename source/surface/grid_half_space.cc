@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+#include <orthocone/surface/grid_half_space.h>
+
+#include "condition_system.h"
+#include "grid_transform.h"
+#include "rectangle_kernel.h"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+namespace orthocone
+{
+using Eigen::Index;
+using Eigen::Matrix3d;
+using Eigen::Vector2d;
+using Eigen::VectorXf;
+
+namespace
+{
+/// Displacements x, y, z (columns: of forces x, y, z) as those of the local axes (normal = z, x, y). In a
+/// body above the plane everything is turned upside down.
+Matrix3d local(const Matrix3d &columns, const bool is_above)
+{
+  const double up = is_above ? -1 : 1;
+  Matrix3d result;
+  result << columns(2, 2), up * columns(2, 0), up * columns(2, 1), //
+      up * columns(0, 2), columns(0, 0), columns(0, 1),            //
+      up * columns(1, 2), columns(1, 0), columns(1, 1);
+  return result;
+}
+
+/// Moduli of half-spaces on each other under tractions that vary with the wave vector k: a pressure needs
+/// normal |k| per mm, and a shear traction along k or across it along |k| and across |k|.
+struct WaveStiffness
+{
+  explicit WaveStiffness(const HalfSpace &body, const std::optional<HalfSpace> &counterface)
+  {
+    // Softness 2 (1 - nu^2) / E of pressure and of shear along k, 2 (1 + nu) / E of shear across it.
+    double in_plane = softness(body, 1 - body.poisson_ratio), out_of_plane = softness(body, 1);
+    if (counterface)
+    {
+      in_plane += softness(*counterface, 1 - counterface->poisson_ratio);
+      out_of_plane += softness(*counterface, 1);
+    }
+    along = 1 / in_plane;
+    across = 1 / out_of_plane;
+  }
+
+  static double softness(const HalfSpace &half_space, const double factor)
+  {
+    return 2 * (1 + half_space.poisson_ratio) * factor / half_space.young_modulus;
+  }
+
+  /// Without the coupling between pressure and shear.
+  GridSymbol<double> at(const Vector2d &k) const
+  {
+    const double length = k.norm();
+    GridSymbol<double> symbol;
+    symbol.nn = along * length;
+    symbol.xx = (along * k[0] * k[0] + across * k[1] * k[1]) / length;
+    symbol.yy = (along * k[1] * k[1] + across * k[0] * k[0]) / length;
+    symbol.xy = (along - across) * k[0] * k[1] / length;
+    return symbol;
+  }
+
+  double along, across; ///< MPa
+};
+
+template<typename Real>
+GridSymbols<Real> scaled(const GridSymbols<double> &symbols, const double factor)
+{
+  GridSymbols<Real> result;
+  result.reserve(symbols.size());
+  for (const GridSymbol<double> &symbol : symbols)
+    result.push_back({static_cast<Real>(factor * symbol.nn), static_cast<Real>(factor * symbol.xx),
+                      static_cast<Real>(factor * symbol.xy), static_cast<Real>(factor * symbol.yy),
+                      static_cast<Real>(factor * symbol.nx), static_cast<Real>(factor * symbol.ny)});
+  return result;
+}
+
+/// What GMRES wants of the half-space. Its preconditioner is the stiffness of the whole plane, whose symbol
+/// is |k|: forces where nothing touches are dropped, as if the surface were held there (measured: the
+/// iterations do not grow with the grid).
+class InnerHalfSpace : public InnerOperator
+{
+public:
+  InnerHalfSpace(const GridHalfSpace &half_space, const GridSymbols<double> &compliance,
+                 const WaveStiffness &stiffness, const double scale)
+      : half_space_(half_space),
+        transform_(half_space.grid()),
+        scale_(scale),
+        compliance_(scaled<float>(compliance, 1 / scale))
+  {
+    const SurfaceGrid &grid = half_space.grid();
+    const double area = grid.width * grid.height;
+    const Vector2d longest =
+        transform_.least_wave_numbers() / 2; // in place of the mean, which has no stiffness
+    stiffness_ = scaled<float>(
+        transform_.symbols_at([&](const Vector2d &k) { return stiffness.at(k.isZero(0) ? longest : k); }),
+        scale * area);
+  }
+
+  double scale() const override { return scale_; }
+  Matrix3d own(const Index node) const override { return half_space_.diagonal_block(node); }
+  VectorXf multiply(const VectorXf &vector) const override { return transform_.product(compliance_, vector); }
+  VectorXf multiply_stiffness(const VectorXf &vector) const override
+  {
+    return transform_.product(stiffness_, vector);
+  }
+
+private:
+  const GridHalfSpace &half_space_;
+  GridTransform<float> transform_;
+  double scale_;
+  GridSymbols<float> compliance_, stiffness_{};
+};
+
+class GridConditionSolver : public ConditionSolver
+{
+public:
+  GridConditionSolver(const GridHalfSpace &half_space, const GridSymbols<double> &compliance,
+                      const WaveStiffness &stiffness, const double softness)
+      : inner_(half_space, compliance, stiffness, softness)
+  {
+  }
+
+  ContactChange solve(const ContactConditions &conditions, const double accuracy) const override
+  {
+    // Newton's steps with less change the status of few nodes at a time: on 128 x 128 patches five times as
+    // many.
+    constexpr double least_accuracy = 1e-2;
+    return solve_by_gmres(conditions, inner_, std::min(accuracy, least_accuracy)).change;
+  }
+
+private:
+  InnerHalfSpace inner_;
+};
+
+void require_sizes(const SurfaceGrid &grid)
+{
+  const bool is_good = grid.n_x > 0 && grid.n_y > 0 && std::isfinite(grid.width) && grid.width > 0 &&
+                       std::isfinite(grid.height) && grid.height > 0;
+  if (!is_good)
+    throw std::invalid_argument(
+        "a grid needs nodes in both directions, and patches with a width and a height > 0");
+}
+} // namespace
+
+/// The transform and the symbols of the compliance.
+class GridHalfSpace::Products
+{
+public:
+  explicit Products(const GridHalfSpace &half_space)
+      : transform(half_space.grid()),
+        symbols(transform.symbols([&](const Index i, const Index j) { return half_space.block(i, j); }))
+  {
+  }
+
+  GridTransform<double> transform;
+  GridSymbols<double> symbols;
+};
+
+GridHalfSpace::GridHalfSpace(const SurfaceGrid &grid, const HalfSpace &body,
+                             const std::optional<HalfSpace> &counterface)
+    : grid_(grid),
+      body_(body),
+      counterface_(counterface)
+{
+  require_sizes(grid);
+  products_ = std::make_unique<Products>(*this);
+}
+
+GridHalfSpace::~GridHalfSpace() = default;
+
+Matrix3d GridHalfSpace::block(const Index along_x, const Index along_y) const
+{
+  const Vector2d distance = grid_.distance(along_x, along_y);
+  const HalfSpaceKernel kernel = mean_over_rectangles(grid_.width, grid_.height, distance[0], distance[1]);
+  Matrix3d sum = local(kernel.displacements(body_), true);
+  if (counterface_)
+    sum += local(kernel.displacements(*counterface_), false);
+  return sum;
+}
+
+void GridHalfSpace::vmult(NodeVector &displacement, const NodeVector &force) const
+{
+  displacement = products_->transform.product(products_->symbols, force);
+}
+
+Matrix3d GridHalfSpace::diagonal_block(Index) const
+{
+  return block(0, 0);
+}
+
+std::unique_ptr<ConditionSolver> GridHalfSpace::condition_solver(const double softness) const
+{
+  return std::make_unique<GridConditionSolver>(*this, products_->symbols, WaveStiffness(body_, counterface_),
+                                               softness);
+}
+} // namespace orthocone

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: LGPL-2.1-or-later
+// Copyright (C) 2026 the orthocone authors
+//
+// Contact of half-spaces without a mesh and without a matrix, against closed forms.
+#include <orthocone/surface/grid_half_space.h>
+
+#include "contact/contact_problems.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace orthocone::test
+{
+using Eigen::Index;
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+namespace
+{
+/// A ball of radius 1 on a plane of the same material, in units of the radius and of E* = E / (2 (1 - nu^2))
+/// = 1, pressed by `approach`: the contact has the radius a = sqrt(approach), and carries 4/3 a^3 (Hertz).
+class Ball
+{
+public:
+  Ball(const Index n, const double poisson_ratio, const FrictionLaw &law, const double approach)
+      : approach_(approach),
+        grid_(grid_of(n, std::sqrt(approach))),
+        half_space_(grid_, half_space(poisson_ratio), half_space(poisson_ratio)),
+        system_(half_space_, FrictionLaws(grid_.n_nodes(), law))
+  {
+  }
+
+  double radius() const { return std::sqrt(approach_); }
+  double hertz() const { return 4. / 3 * std::pow(radius(), 3); }
+  double area() const { return grid_.width * grid_.height; }
+
+  /// The forces where the ball is moved along x, from a state without friction forces.
+  VectorXd solved(const double motion)
+  {
+    const ContactStep step(system_, free(motion));
+    VectorXd force = VectorXd::Zero(step.n_unknowns());
+    report = solve_step(step, solver_options("newton", 1e-8), force);
+    EXPECT_TRUE(report.converged) << report.residual;
+    return force;
+  }
+
+  SolverReport report;
+
+private:
+  static HalfSpace half_space(const double poisson_ratio)
+  {
+    return {2 * (1 - poisson_ratio * poisson_ratio), poisson_ratio};
+  }
+  static SurfaceGrid grid_of(const Index n, const double radius)
+  {
+    const double width = 2.4 * radius / static_cast<double>(n);
+    return {n, n, width, width};
+  }
+  VectorXd free(const double motion) const
+  {
+    VectorXd q(3 * grid_.n_nodes());
+    for (Index node = 0; node < grid_.n_nodes(); ++node)
+    {
+      const auto middle = [](const Index n) { return static_cast<double>(n - 1) / 2; };
+      const double x = grid_.width * (static_cast<double>(node % grid_.n_x) - middle(grid_.n_x));
+      const double y = grid_.height * (static_cast<double>(node / grid_.n_x) - middle(grid_.n_y));
+      q.segment<3>(3 * node) << (x * x + y * y) / 2 - approach_, motion, 0;
+    }
+    return q;
+  }
+
+  double approach_;
+  SurfaceGrid grid_;
+  GridHalfSpace half_space_;
+  ContactSystem system_;
+};
+
+double sum(const VectorXd &force, const Index component)
+{
+  double sum = 0;
+  for (Index i = component; i < force.size(); i += 3)
+    sum += force[i];
+  return sum;
+}
+} // namespace
+
+// Force and largest pressure, which is 2 a / pi E*; second order in the width of the patches.
+TEST(GridHalfSpaceContact, IsHertz)
+{
+  double last_error = 1;
+  for (const Index n : {16, 32, 64})
+  {
+    Ball ball(n, 0.3, OrthotropicFriction{0, 0, 1, 1}, 0.01);
+    const VectorXd force = ball.solved(0);
+    const double error = std::abs(sum(force, 0) / ball.hertz() - 1);
+    EXPECT_LT(error, 0.5 * last_error) << n;
+    last_error = error;
+    if (n == 64)
+    {
+      EXPECT_LT(error, 5e-3);
+      EXPECT_NEAR(force.maxCoeff() / ball.area(), 2 * ball.radius() / M_PI, 5e-3 * 2 * ball.radius() / M_PI);
+    }
+  }
+}
+
+// At nu = 0 shear tractions move what they act on along themselves alone, as Cattaneo and Mindlin assume:
+// what slips carries mu times the pressure of Hertz, less that of a smaller contact, whose radius obeys c^2 =
+// a^2 - motion / mu (Jaeger; Ciavarella).
+TEST(GridHalfSpaceContact, IsCattaneoWithoutPoissonEffect)
+{
+  constexpr double mu = 0.3, approach = 0.01;
+  Ball ball(64, 0, OrthotropicFriction{mu, mu, 1, 1}, approach);
+  for (const double share : {0.2, 0.5, 0.8})
+  {
+    const double c = ball.radius() * std::sqrt(1 - share);
+    const VectorXd force = ball.solved(share * mu * approach);
+    const double exact = -mu * (ball.hertz() - 4. / 3 * c * c * c);
+    EXPECT_NEAR(sum(force, 1), exact, 5e-3 * std::abs(exact)) << share;
+    EXPECT_NEAR(sum(force, 2), 0, 1e-6 * std::abs(exact));
+  }
+}
+
+// Iterations of Newton's method do not grow with the grid, also where the law is orthotropic and slip is not
+// associated.
+TEST(GridHalfSpaceContact, TakesAsManyIterationsOnAFinerGrid)
+{
+  for (const OrthotropicFriction &law : {case_a, case_b, case_c})
+  {
+    unsigned int most = 0;
+    for (const Index n : {16, 32, 64})
+    {
+      Ball ball(n, 0.3, law, 0.01);
+      ball.solved(0.5 * law.mu_x * 0.01);
+      most = std::max(most, ball.report.iterations);
+    }
+    EXPECT_LE(most, 15U);
+  }
+}
+} // namespace orthocone::test
