@@ -5,6 +5,7 @@
 Usage: test_paraview.py PROGRAM [unittest options]"""
 import csv
 import functools
+import json
 import os
 import pathlib
 import re
@@ -24,19 +25,35 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent.parent
 SCRIPT = ROOT / "tools/paraview/pictures.py"
 XVFB = ["xvfb-run", "-a", "-s", "-noreset"]
 PLOT_OVER_LINE = """
-import sys
+import json, sys
 import numpy as np
 from paraview import servermanager, simple
 from vtkmodules.util.numpy_support import vtk_to_numpy
-start, end = np.reshape(list(map(float, sys.argv[2:])), (2, 3))
-reader = simple.XMLUnstructuredGridReader(FileName=[sys.argv[1]])
-place = simple.Calculator(Input=reader, ResultArrayName="place", Function="coords")
-plot = simple.PlotOverLine(Input=place, Point1=list(start), Point2=list(end))
-plot.SamplingPattern, plot.Resolution = "Sample Uniformly", 1000
-plot.UpdatePipeline()
-samples = servermanager.Fetch(plot)
-found, places = (vtk_to_numpy(samples.GetPointData().GetArray(name)) for name in ("vtkValidPointMask", "place"))
-print(len(found), found.sum(), np.abs(places - vtk_to_numpy(samples.GetPoints().GetData())).max())
+for file, start, end in json.loads(sys.argv[1]):
+    reader = simple.XMLUnstructuredGridReader(FileName=[file])
+    place = simple.Calculator(Input=reader, ResultArrayName="place", Function="coords")
+    plot = simple.PlotOverLine(Input=place, Point1=start, Point2=end)
+    plot.SamplingPattern, plot.Resolution = "Sample Uniformly", 1000
+    plot.UpdatePipeline()
+    samples = servermanager.Fetch(plot)
+    found, places = (vtk_to_numpy(samples.GetPointData().GetArray(name)) for name in ("vtkValidPointMask", "place"))
+    print(len(found), found.sum(), np.abs(places - vtk_to_numpy(samples.GetPoints().GetData())).max())
+"""
+# A start of pvbatch takes seconds: one does for all calls that draw nothing.
+SEVERAL_CALLS = """
+import contextlib, io, json, os, runpy, sys
+os._exit = sys.exit
+script, calls = sys.argv[1], json.loads(sys.argv[2])
+results = []
+for words in calls:
+    sys.argv, code = [script, *words], 0
+    with contextlib.redirect_stdout(io.StringIO()) as output, contextlib.redirect_stderr(io.StringIO()) as errors:
+        try:
+            runpy.run_path(script, run_name="__main__")
+        except SystemExit as end:
+            code = end.code or 0
+    results.append((code, output.getvalue(), errors.getvalue()))
+print(json.dumps(results))
 """
 WIDTH, HEIGHT = 1600, 1200
 CENTRE_X, CENTRE_Y, RADIUS = 680, 600, 480  # of the contact surface in its pictures, in pixels
@@ -78,6 +95,16 @@ def pvbatch(script, *words, launcher=tuple(XVFB), **variables):
 
 def pictures(*words, **options):
     return pvbatch(SCRIPT, *words, **options)
+
+
+def several_pictures(*calls):
+    """The results of several calls of the script in one process."""
+    script = pathlib.Path(SCRATCH.name) / "several_calls.py"
+    script.write_text(SEVERAL_CALLS)
+    result = pvbatch(script, SCRIPT, json.dumps([[str(word) for word in words] for words in calls]))
+    if result.returncode != 0:
+        raise AssertionError(f"exit code {result.returncode}\n{result.stdout}{result.stderr}")
+    return [subprocess.CompletedProcess(words, *found) for words, found in zip(calls, json.loads(result.stdout.splitlines()[-1]))]
 
 
 @functools.lru_cache(maxsize=None)
@@ -249,14 +276,17 @@ class PlotOverLineTest(unittest.TestCase):
         """Across the contact surface, and upwards through the modelled part of the body."""
         script = pathlib.Path(SCRATCH.name) / "plot_over_line.py"
         script.write_text(PLOT_OVER_LINE)
-        for run, (x, y) in (("quarter", (6.5, 5)), ("cubic", (6.5, 5)), ("revolved", (9, 0))):
-            for kind, ends in (("contact", (-x, -y, 0, x, y, 0)), ("volume", (0, 0, 1, x, y, 5))):
-                with self.subTest(run=run, kind=kind):
-                    result = pvbatch(script, run_folder(run) / f"{kind}-0001.vtu", *map(str, ends))
-                    self.assertEqual(result.stderr, "")
-                    total, found, error = map(float, result.stdout.split())
-                    self.assertEqual((total, found), (1001, 1001))
-                    self.assertLess(error, 1e-5)  # mm, of single precision
+        lines = [(str(run_folder(run) / f"{kind}-0001.vtu"), ends[:3], ends[3:])
+                 for run, (x, y) in (("quarter", (6.5, 5)), ("cubic", (6.5, 5)), ("revolved", (9, 0)))
+                 for kind, ends in (("contact", (-x, -y, 0, x, y, 0)), ("volume", (0, 0, 1, x, y, 5)))]
+        result = pvbatch(script, json.dumps(lines))
+        self.assertEqual(result.stderr, "")
+        self.assertEqual(len(result.stdout.splitlines()), len(lines))
+        for line, printed in zip(lines, result.stdout.splitlines()):
+            with self.subTest(line):
+                total, found, error = map(float, printed.split())
+                self.assertEqual((total, found), (1001, 1001))
+                self.assertLess(error, 1e-5)  # mm, of single precision
 
 
 class ErrorTest(unittest.TestCase):
@@ -265,17 +295,23 @@ class ErrorTest(unittest.TestCase):
         self.assertRegex(result.stderr, r"\Apictures\.py: " + pattern + r".*\n\Z")
 
     def test_folders(self):
-        png = ["--png", pathlib.Path(SCRATCH.name) / "none"]
-        self.assert_refused(pictures("nowhere", *png), 4, "nowhere: no such folder")
-        self.assert_refused(pictures(run_folder("blind"), *png), 4, r".*no contact\.pvd.*Output/Contact fields = 0")
-        broken = pathlib.Path(SCRATCH.name) / "broken"
-        shutil.copytree(run_folder("bare"), broken)
-        (broken / "contact-0001.vtu").write_text("no xml")
-        self.assert_refused(pictures(broken, *png, "--steps", "1"), 4, r".*contact-0001\.vtu: cannot be read")
-        (broken / "history.csv").unlink()
-        self.assert_refused(pictures(broken, *png), 4, r".*history\.csv")
-        os.mkfifo(broken / "history.csv")  # nobody writes into it
-        self.assert_refused(pictures(broken, *png), 4, r".*history\.csv: is no ordinary file")
+        scratch = pathlib.Path(SCRATCH.name)
+        png = ["--png", scratch / "none"]
+        broken = {name: scratch / name for name in ("grid", "history", "fifo")}
+        for folder in broken.values():
+            shutil.copytree(run_folder("bare"), folder)
+        (broken["grid"] / "contact-0001.vtu").write_text("no xml")
+        (broken["history"] / "history.csv").unlink()
+        (broken["fifo"] / "history.csv").unlink()
+        os.mkfifo(broken["fifo"] / "history.csv")  # nobody writes into it
+        calls = {"nowhere: no such folder": ["nowhere"],
+                 r".*no contact\.pvd.*Output/Contact fields = 0": [run_folder("blind")],
+                 r".*history\.csv": [broken["history"]],
+                 r".*history\.csv: is no ordinary file": [broken["fifo"]]}
+        for pattern, result in zip(calls, several_pictures(*([*words, *png] for words in calls.values()))):
+            self.assert_refused(result, 4, pattern)
+        # VTK's own complaint goes past Python.
+        self.assert_refused(pictures(broken["grid"], *png, "--steps", "1"), 4, r".*contact-0001\.vtu: cannot be read")
         self.assertFalse(png[1].exists())
 
     def test_pictures_cannot_be_written(self):
@@ -286,10 +322,13 @@ class ErrorTest(unittest.TestCase):
 
     def test_usage(self):
         run = run_folder("bare")
-        self.assert_refused(pictures(run), 2, ".*--png")
-        for steps in ("4", "1,x", "1,"):
-            self.assert_refused(pictures(run, "--png", "none", "--steps", steps), 2, rf"--steps {steps}: .*3, 1 to 3")
-        self.assertIn("xvfb-run", pictures("--help").stdout)
+        wrong_steps = ("4", "1,x", "1,")
+        no_png, *wrong, usage = several_pictures([run], *([run, "--png", "none", "--steps", steps] for steps in wrong_steps),
+                                                 ["--help"])
+        self.assert_refused(no_png, 2, ".*--png")
+        for steps, result in zip(wrong_steps, wrong):
+            self.assert_refused(result, 2, rf"--steps {steps}: .*3, 1 to 3")
+        self.assertIn("xvfb-run", usage.stdout)
 
     def test_no_display(self):
         result = pictures(run_folder("bare"), "--png", pathlib.Path(SCRATCH.name) / "dark", launcher=(), DISPLAY="")

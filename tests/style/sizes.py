@@ -95,7 +95,7 @@ class SizeTest(unittest.TestCase):
         """Those of whole scenes and of laws in headers are named after what they show."""
         of_topics = {
             "body/backends/curved_held_face", "body/fe/projected_pressure", "body/fe/rates", "body/shapes/bad_mesh_files",
-            "contact/law/frictionless", "contact/law/projection", "contact/law/slip_rule", "contact/solvers/elastic_layer", "contact/solvers/failures", "multigrid/hanging_nodes",
+            "contact/law/frictionless", "contact/law/projection", "contact/law/slip_rule", "contact/solvers/elastic_layer", "contact/solvers/failures", "contact/solvers/grid_half_space", "multigrid/hanging_nodes",
             "results/axisymmetric", "results/forces", "results/curved_bodies", "results/frames", "results/gaps",
             "results/half_space",
             "results/imported", "results/lower_body", "results/orthotropic", "results/path_dependence", "results/physics",
