@@ -28,10 +28,10 @@ class Report:
 
     converged: whether the residual is within the tolerance, and the forces have a bound. iterations: sweeps and steps of
     the solver. residual: norm of the natural map, relative to the forces. worst_node: the node with the largest part of the
-    residual. verdict: how the solver ended: converged, slow, rounding, cycling, diverged or several. law_errors: {penetration,
-    complementarity, friction_cone, slip_rule: number}, relative errors of the law in its own terms. trace: (k, 4), a row for
-    each residual that the solver has evaluated: iterations, residual, norm of the forces (N), seconds. notes: sentences that
-    say how much rounding in W was tolerated."""
+    residual. verdict: how the solver ended: converged, slow, rounding, cycling, diverged or several. law_errors:
+    {penetration, complementarity, friction_cone, slip_rule: number}, relative errors of the law in its own terms. trace:
+    (k, 4), a row for each residual that the solver has evaluated: iterations, residual, norm of the forces (N), seconds.
+    notes: sentences that say how much rounding in W was tolerated."""
     converged: bool
     iterations: int
     residual: float
