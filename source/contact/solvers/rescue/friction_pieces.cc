@@ -228,8 +228,9 @@ VectorXd FrictionPieces::slope_of_margin(const FrictionPoint &point, const std::
   const Index first = 3 * border.node;
   VectorXd slope(step_.n_unknowns() + 1);
   slope.head(w.cols()) = (local.of_displacement * w.middleRows<3>(first)).transpose();
-  slope.segment(w.cols(), step_.face().n()) =
-      (local.of_displacement * step_.face().columns().middleRows<3>(first)).transpose();
+  if (step_.face().n() > 0)
+    slope.segment(w.cols(), step_.face().n()) =
+        (local.of_displacement * step_.face().columns().middleRows<3>(first)).transpose();
   slope.segment<3>(first) += local.of_force.transpose();
   slope[slope.size() - 1] = local.of_share[0];
   return slope;
