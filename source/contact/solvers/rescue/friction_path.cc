@@ -252,7 +252,9 @@ std::optional<FrictionPath::Aim> FrictionPath::better_aim(const Aim &aim, const 
   for (Index i = 0; i < behind.size(); ++i)
     if (behind[i] < outside && i != aim.margin)
     {
-      const double share = margins[i] > 0 ? margins[i] / (margins[i] - behind[i]) : 0;
+      if (margins[i] <= -outside) // the step began at this border, and goes beyond where it comes back to it
+        return Aim{shorter * aim.length};
+      const double share = margins[i] / (margins[i] - behind[i]);
       const double length = aim.length * std::max(share, least_share);
       if (!better || length < better->length)
         better = Aim{length, i};

@@ -26,11 +26,15 @@ namespace
 class RandomProblem
 {
 public:
-  RandomProblem(const unsigned int seed, const Index n_nodes)
+  /// `load` (N) presses a face that holds the nodes, which cannot tilt; without one the nodes are held in
+  /// place.
+  RandomProblem(const unsigned int seed, const Index n_nodes, const double load = 0)
       : random_(seed),
         compliance_(positive(3 * n_nodes)),
         system_(compliance_, laws(n_nodes)),
-        step_(system_, vector(3 * n_nodes))
+        step_(system_, vector(3 * n_nodes),
+              load > 0 ? FreeFace(Vector3d::UnitX().replicate(n_nodes, 1), VectorXd::Constant(1, load))
+                       : FreeFace())
   {
   }
 
@@ -126,6 +130,21 @@ TEST(FrictionPath, ArrivesAtASolution)
       n_folded += path.folds().n > 0 ? 1 : 0;
     }
   EXPECT_GT(n_folded, 5);
+}
+
+TEST(FrictionPath, ArrivesWhereAForceDrivesTheFace)
+{
+  unsigned int n_folded = 0;
+  for (const Index n_nodes : {2, 5})
+    for (unsigned int seed = 0; seed < 60; ++seed)
+    {
+      const RandomProblem random(seed, n_nodes, 3);
+      FrictionPath path = path_of(random.step());
+      EXPECT_TRUE(follow(path)) << n_nodes << " nodes, seed " << seed;
+      EXPECT_LE(random.step().residual(path.unknowns()), 1e-9) << n_nodes << " nodes, seed " << seed;
+      n_folded += path.folds().n > 0 ? 1 : 0;
+    }
+  EXPECT_GT(n_folded, 0U);
 }
 
 // Two solutions meet in a fold: behind it there are two fewer.
