@@ -29,6 +29,7 @@ struct CellMatrix
 
 /// Adds a cell's matrix (N/mm) to the entries of `matrix` on and below the diagonal, in rows of free degrees
 /// of freedom. In order, the columns of a row are found on one way through it, without a search for each.
+/// Zeros have no entry where components do not couple.
 void add_cell_matrix(const Eigen::MatrixXd &cell_matrix,
                      const std::vector<dealii::types::global_dof_index> &dofs,
                      dealii::SparseMatrix<double> &matrix)
@@ -37,15 +38,18 @@ void add_cell_matrix(const Eigen::MatrixXd &cell_matrix,
   std::iota(order.begin(), order.end(), 0U);
   std::sort(order.begin(), order.end(), [&](const auto i, const auto j) { return dofs[i] < dofs[j]; });
   std::vector<dealii::types::global_dof_index> columns;
-  std::vector<double> values(dofs.size());
-  for (const unsigned int i : order)
+  std::vector<double> values;
+  for (auto row = order.begin(); row != order.end() && dofs[*row] < matrix.m(); ++row)
   {
-    if (dofs[i] >= matrix.m())
-      break;
-    columns.push_back(dofs[i]);
-    for (std::size_t k = 0; k < columns.size(); ++k)
-      values[k] = cell_matrix(i, order[k]);
-    matrix.add(dofs[i], columns.size(), columns.data(), values.data(), false, true);
+    columns.clear();
+    values.clear();
+    for (auto column = order.begin(); column <= row; ++column)
+      if (const double value = cell_matrix(*row, *column); value != 0)
+      {
+        columns.push_back(dofs[*column]);
+        values.push_back(value);
+      }
+    matrix.add(dofs[*row], columns.size(), columns.data(), values.data(), false, true);
   }
 }
 
