@@ -7,6 +7,7 @@
 #include <orthocone/accuracy/cost_model.h>
 #include <orthocone/base/ranks.h>
 #include <orthocone/base/text.h>
+#include <orthocone/body/shapes/shape_kind.h>
 #include <orthocone/contact/solvers/contact_method.h>
 #include <orthocone/scene/computed_steps.h>
 #include <orthocone/scene/options.h>
@@ -78,7 +79,8 @@ bool multigrid_can(const Parameters &parameters, const ModelSymmetry &symmetry)
 BackendChoice choose_backend(const Parameters &parameters, const ModelSymmetry &symmetry,
                              const double gigabytes)
 {
-  if (parameters.mesh.backend != BodyBackend::automatic || (symmetry.is_section() && n_ranks() == 1))
+  if (parameters.mesh.backend != BodyBackend::automatic || (symmetry.is_section() && n_ranks() == 1) ||
+      !kind_of(parameters.geometry).is_meshed())
     return {parameters.mesh.backend};
   const std::string line = "backend        ";
   if (n_ranks() > 1)

@@ -8,6 +8,7 @@
 #include <orthocone/base/ranks.h>
 #include <orthocone/base/stopwatch.h>
 #include <orthocone/body/backends/stiffness_factor.h>
+#include <orthocone/body/shapes/shape_kind.h>
 #include <orthocone/march/step_solver.h>
 #include <orthocone/multigrid/multigrid_body.h>
 #include <orthocone/scene/load_program.h>
@@ -206,8 +207,25 @@ Estimate CostModel::of_factorization(const FactorizationCost &factor, const doub
   return result;
 }
 
+bool CostModel::is_meshed() const
+{
+  return kind_of(parameters_.geometry).is_meshed();
+}
+
+/// Products by FFT take n log n operations, and the iterations do not grow with n.
+Estimate CostModel::of_grid() const
+{
+  const double n = size_.contact_nodes, per_step = cost::grid_step * n * std::log2(n);
+  const double drawn =
+      cost::seconds_per_value * 9 * n * fields_written_per_step(parameters_.output.contact_interval);
+  return {cost::program + cost::grid_bytes * n / cost::gigabyte + step_gigabytes(),
+          cost::start_up + cost::grid_set_up * n, per_step + drawn};
+}
+
 Estimate CostModel::condensed(const Body &body) const
 {
+  if (!is_meshed())
+    return of_grid();
   const BodyUnknowns &unknowns = body.unknowns();
   dealii::SparsityPattern pattern;
   body.make_pattern(pattern);
@@ -231,6 +249,8 @@ Estimate CostModel::condensed(const Body &body) const
 
 Estimate CostModel::usual() const
 {
+  if (!is_meshed())
+    return of_grid();
   return of_factorization(
       {cost::factor_entries * std::pow(size_.dofs, 4. / 3), cost::factor_flops * size_.dofs * size_.dofs},
       cost::flop_rate);
@@ -238,12 +258,16 @@ Estimate CostModel::usual() const
 
 double CostModel::least_gigabytes() const
 {
+  if (!is_meshed())
+    return of_grid().gigabytes;
   return (cost::numbers_per_entry * size_.stiffness_entries + dense(cost::dense_matrices)) *
          cost::bytes_per_number / cost::gigabyte;
 }
 
 Estimate CostModel::least() const
 {
+  if (!is_meshed())
+    return of_grid();
   return {least_gigabytes(), cost::condensation * cube(3 * size_.contact_nodes) / measured_flop_rate(),
           dense(2) * cost::bytes_per_entry_of_w / cost::memory_bandwidth};
 }
@@ -289,6 +313,8 @@ Estimate CostModel::multigrid() const
 
 void CostModel::require_countable() const
 {
+  if (!is_meshed())
+    return;
   constexpr double most = std::numeric_limits<int>::max();
   const double compliance = dense(1);
   if (size_.stiffness_entries <= most && compliance <= most)
@@ -305,6 +331,8 @@ void CostModel::require_countable() const
 
 double CostModel::needed_gigabytes(const double gigabytes) const
 {
+  if (!is_meshed())
+    return of_grid().gigabytes;
   if (parameters_.mesh.backend == BodyBackend::multigrid)
     return multigrid_gigabytes();
   const double steps = step_gigabytes();

@@ -9,6 +9,7 @@
 #include <orthocone/accuracy/cost_model.h>
 #include <orthocone/accuracy/mesh_search.h>
 #include <orthocone/base/machine.h>
+#include <orthocone/body/shapes/shape_kind.h>
 #include <orthocone/scene/body_shelf.h>
 #include <orthocone/scene/contact_mesh.h>
 
@@ -50,7 +51,8 @@ std::string key_of(const Parameters &parameters, const ModelSymmetry &symmetry)
 void make_bodies(const Parameters &parameters, const ModelChoice &model)
 {
   const ChosenModel chosen = choose_mesh_and_steps(parameters, model, [](const std::string &) {});
-  if (!chosen.scene && chosen.parameters.mesh.backend != BodyBackend::multigrid)
+  if (!chosen.scene && chosen.parameters.mesh.backend != BodyBackend::multigrid &&
+      kind_of(parameters.geometry).is_meshed())
     Scene(chosen.parameters, model);
 }
 } // namespace

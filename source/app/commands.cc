@@ -9,6 +9,7 @@
 #include <orthocone/base/ranks.h>
 #include <orthocone/base/text.h>
 #include <orthocone/body/shapes/body_mesh.h>
+#include <orthocone/body/shapes/shape_kind.h>
 #include <orthocone/output/checkpoint.h>
 #include <orthocone/output/step_problem.h>
 #include <orthocone/scene/body_overlap.h>
@@ -93,6 +94,9 @@ void require_shareable(const Parameters &parameters, const ModelChoice &model)
                      " processes: allowed is " + allowed + ", or one process");
   };
   const std::string found = " (one process writes the result of its search to parameters.prm)";
+  if (!kind_of(parameters.geometry).is_meshed())
+    throw InputError(parameters.geometry.shape_entry() + " with " + std::to_string(n_ranks()) +
+                     " processes: allowed is one process, because they share meshes only");
   if (parameters.mesh.accuracy != 0)
     refuse("Mesh/Accuracy", to_text(parameters.mesh.accuracy), "0" + found);
   if (parameters.load.accuracy != 0)

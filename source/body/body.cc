@@ -2,10 +2,14 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/body/body.h>
 
+#include <orthocone/body/shapes/shape_kind.h>
+
 namespace orthocone
 {
 Body::Shape Body::shape_of(const BodyOptions &options, const ModelSymmetry &symmetry)
 {
+  if (!kind_of(options.geometry).is_meshed())
+    return Shape(std::in_place_type<GridSurface>, options.geometry, options.mesh);
   if (symmetry.is_section())
     return Shape(std::in_place_type<Section>, options, symmetry);
   return Shape(std::in_place_type<Solid>, options, symmetry);
@@ -19,7 +23,9 @@ Body::Body(const BodyOptions &options, const ModelSymmetry &symmetry)
 
 const BodyUnknowns &Body::unknowns() const
 {
-  return std::visit([](const auto &shape) -> const BodyUnknowns & { return shape.discretization; }, shape_);
+  if (const auto *const surface = std::get_if<GridSurface>(&shape_))
+    return *surface;
+  return *visit([](const auto &space) -> const BodyUnknowns * { return &space; });
 }
 
 unsigned int Body::n_levels() const
@@ -34,12 +40,14 @@ double Body::stretch() const
 
 std::vector<unsigned int> Body::cell_numbers() const
 {
-  return std::visit([](const auto &shape) { return shape.mesh.cell_numbers(); }, shape_);
+  if (const auto *const solid = std::get_if<Solid>(&shape_))
+    return solid->mesh.cell_numbers();
+  return section().mesh.cell_numbers();
 }
 
 void Body::make_pattern(dealii::SparsityPattern &pattern) const
 {
-  std::visit([&](const auto &shape) { make_stiffness_pattern(shape.discretization, pattern); }, shape_);
+  visit([&](const auto &space) { make_stiffness_pattern(space, pattern); });
 }
 
 Stiffness Body::stiffness(const Materials &materials) const
@@ -47,6 +55,6 @@ Stiffness Body::stiffness(const Materials &materials) const
   // A stiffness cannot be moved, which std::visit might do.
   if (const auto *const solid = std::get_if<Solid>(&shape_))
     return Stiffness(solid->discretization, materials);
-  return Stiffness(std::get<Section>(shape_).discretization, materials);
+  return Stiffness(section().discretization, materials);
 }
 } // namespace orthocone

@@ -97,7 +97,7 @@ std::string changed_entry(const BodyOptions &body)
   {
     Section section(list, of.mesh.section);
     declare_cells(of.mesh, of.geometry, section);
-    declare_backend(of.mesh, section);
+    declare_backend(of.mesh, of.geometry, section);
     return list.values();
   };
   EntryList list, usual_list;
@@ -191,8 +191,8 @@ void declare_mesh_choice(MeshOptions &mesh, Section &section)
 void declare_cells(MeshOptions &mesh, const GeometryOptions &geometry, Section &section)
 {
   for (const ShapeKind *const kind : shape_kinds())
-    kind->declare_cells(
-        mesh, where_shape(geometry, [kind](const ShapeKind &chosen) { return &chosen == kind; }), section);
+    kind->declare_cells(mesh, where_entries_of(geometry, *kind), section);
+  const Condition has_cells = where_shape(geometry, [](const ShapeKind &chosen) { return chosen.is_meshed(); });
   section
       .add("Layer grading", mesh.layer_grading, number_codec(NumberRange{0, 10, false, true}),
            "Thickness of each layer divided by that of its neighbour towards mid-height: below 1, layers get "
@@ -201,38 +201,49 @@ void declare_cells(MeshOptions &mesh, const GeometryOptions &geometry, Section &
   section
       .add("Degree", mesh.degree, count_codec(1, 4),
            "Polynomial degree of the elements; degree 4 is for the axisymmetric model and plane strain only.")
+      .only_if(has_cells)
       .also_called({"order"});
-  section.add(
-      "Quadrature points", mesh.quadrature_points, count_codec(0, 10),
-      "Gauss points of an element in each direction, which have to be more than Degree; 0 = Degree + 1.");
-  section.add_word("Volumetric quadrature", mesh.volumetric_quadrature,
+  section
+      .add("Quadrature points", mesh.quadrature_points, count_codec(0, 10),
+           "Gauss points of an element in each direction, which have to be more than Degree; 0 = Degree + 1.")
+      .only_if(has_cells);
+  section
+      .add_word("Volumetric quadrature", mesh.volumetric_quadrature,
                    "How the elements resist changes of volume. projected: only to the part of a change that "
                    "is a polynomial of Degree - 1 (B-bar for Degree = 1), so that nearly incompressible "
                    "bodies do not lock and contact stresses do not scatter; full: to all of it; auto: "
                    "projected from Degree = 2 on, full for Degree = 1; reduced: an older word for projected. "
-                   "The entry may stand beside a Resolution or an Accuracy.");
+                   "The entry may stand beside a Resolution or an Accuracy.")
+      .only_if(has_cells);
   section.add(
       "Refinements", mesh.refinements, count_codec(0, 7),
       "How many times all cells, of the entries above or of the Mesh file, are halved in every direction.");
 }
 
-void declare_backend(MeshOptions &mesh, Section &section)
+void declare_backend(MeshOptions &mesh, const GeometryOptions &geometry, Section &section)
 {
-  section.add("Adaptive", mesh.adaptive, count_codec(0, 10),
+  const Condition has_cells = where_shape(geometry, [](const ShapeKind &chosen) { return chosen.is_meshed(); });
+  section
+      .add("Adaptive", mesh.adaptive, count_codec(0, 10),
               "Rounds of local refinement before the run. Each round solves the first cycle on the mesh so "
               "far and halves the cells that are too large for it: at the rim of the base, where stick, slip "
-              "and gap meet, and where stresses jump between cells.");
-  section.add("Refined cells", mesh.refined_cells, refined_cells_codec(),
+              "and gap meet, and where stresses jump between cells.")
+      .only_if(has_cells);
+  section
+      .add("Refined cells", mesh.refined_cells, refined_cells_codec(),
               "Numbers of the cells of the modelled part that are halved in each round, after Refinements. A "
               "run with Adaptive writes its choice to parameters.prm, so that other runs can take the same "
-              "mesh without the search.");
-  section.add_word(
+              "mesh without the search.")
+      .only_if(has_cells);
+  section
+      .add_word(
       "Backend", mesh.backend,
       "How the elastic body is solved. condensed: its stiffness is factorized and condensed to the contact "
       "nodes; multigrid: by V-cycles over the mesh and its refinements, without a factorization of the "
       "whole, for solids of degree 1 to 3 with Contact solver/Method = newton; auto: whichever takes less "
       "time by an estimate, or alone fits into the memory, and condensed where no cell is halved and a "
-      "factorization takes seconds. The entry may stand beside a Resolution or an Accuracy.");
+      "factorization takes seconds. The entry may stand beside a Resolution or an Accuracy.")
+      .only_if(has_cells);
 }
 
 void check_mesh_choice(const BodyOptions &body)
@@ -251,7 +262,8 @@ void check_mesh_choice(const BodyOptions &body)
 
 void check_body(const BodyOptions &body)
 {
-  check_quadrature(body.mesh);
+  if (kind_of(body.geometry).is_meshed())
+    check_quadrature(body.mesh);
   const std::vector<std::string> surfaces = kind_of(body.geometry).surfaces(body.geometry);
   check_contact_surfaces(body.geometry, surfaces);
   check_supports(body.geometry, surfaces);

@@ -26,6 +26,32 @@ std::string three_text(const std::array<T, 3> &value, const std::function<std::s
 {
   return print(value[0]) + ", " + print(value[1]) + ", " + print(value[2]);
 }
+
+/// What `print` makes of two numbers, or of three where the third is not 0.
+template<typename Number>
+std::string two_or_three_text(const std::array<Number, 3> &value,
+                              const std::function<std::string(Number)> &print)
+{
+  return value[2] != 0 ? three_text<Number>(value, print) : print(value[0]) + ", " + print(value[1]);
+}
+
+/// Two or three of what `parse` reads.
+template<typename Number, typename Parse>
+std::optional<std::array<Number, 3>> two_or_three(const std::string &text, const Parse &parse)
+{
+  const auto parts = split(text, ',');
+  std::array<Number, 3> all{};
+  if (parts.size() < 2 || parts.size() > all.size())
+    return std::nullopt;
+  for (std::size_t i = 0; i < parts.size(); ++i)
+  {
+    const auto number = parse(parts[i]);
+    if (!number)
+      return std::nullopt;
+    all[i] = *number;
+  }
+  return all;
+}
 } // namespace
 
 bool NumberRange::contains(const double value) const
@@ -93,28 +119,31 @@ Codec<std::array<double, 3>> three_numbers_codec(const NumberRange &range)
           [](const std::array<double, 3> &value) { return three_text<double>(value, to_text); }};
 }
 
-Codec<std::array<unsigned int, 3>> three_counts_codec(const unsigned int most)
+Codec<std::array<double, 3>> two_or_three_numbers_codec()
 {
-  const auto parse = [most](const std::string &text,
-                            std::string &) -> std::optional<std::array<unsigned int, 3>>
+  const auto parse_one = [](const std::string &text)
   {
-    const auto parts = split(text, ',');
-    std::array<unsigned int, 3> counts{};
-    if (parts.size() != counts.size())
-      return std::nullopt;
-    for (std::size_t i = 0; i < counts.size(); ++i)
-    {
-      const auto count = parse_count(parts[i]);
-      if (!count || *count < 1 || *count > most)
-        return std::nullopt;
-      counts[i] = *count;
-    }
-    return counts;
+    const auto number = parse_number(text);
+    return number && positive.contains(*number) ? number : std::nullopt;
   };
-  return {"three whole numbers from 1 to " + std::to_string(most) + " separated by commas", parse,
+  return {"two or three numbers" + positive.describe() + " separated by commas",
+          [parse_one](const std::string &text, std::string &) { return two_or_three<double>(text, parse_one); },
+          [](const std::array<double, 3> &value) { return two_or_three_text<double>(value, to_text); }};
+}
+
+Codec<std::array<unsigned int, 3>> two_or_three_counts_codec(const unsigned int most)
+{
+  const auto parse_one = [most](const std::string &text)
+  {
+    const auto count = parse_count(text);
+    return count && *count >= 1 && *count <= most ? count : std::nullopt;
+  };
+  return {"two or three whole numbers from 1 to " + std::to_string(most) + " separated by commas",
+          [parse_one](const std::string &text, std::string &)
+          { return two_or_three<unsigned int>(text, parse_one); },
           [](const std::array<unsigned int, 3> &value) {
-            return three_text<unsigned int>(value,
-                                            [](const unsigned int count) { return std::to_string(count); });
+            return two_or_three_text<unsigned int>(value, [](const unsigned int count)
+                                                   { return std::to_string(count); });
           }};
 }
 

@@ -214,7 +214,7 @@ Json record_json(const RunRecord &record)
           {"wear_of_flattening", record.wear_of_flattening},
           {"slip_of_change", record.slip_of_change},
           {"factor", {record.change_of_factor, record.largest_factor, record.energy_of_fall}},
-          {"motion", {record.flattening, record.pressure_of_modulus, record.slide_of_face}},
+          {"motion", {record.flattening, record.pressure_of_modulus, record.slide_of_face, record.border}},
           {"zones", zones_json(record.zones)},
           {"energies", {record.work, record.dissipation, record.missing, record.into_wear, record.stored}},
           {"peaks", peaks_json(record.peaks)},
@@ -241,6 +241,7 @@ RunRecord record_from(const Json &json)
   record.flattening = motion.at(0);
   record.pressure_of_modulus = motion.at(1);
   record.slide_of_face = motion.at(2);
+  record.border = motion.at(3);
   record.zones = zones_from(json.at("zones"));
   const Json &energies = json.at("energies");
   record.work = number_from(energies.at(0));

@@ -173,6 +173,11 @@ OrderedJson surfaces_json(const Body &body, const GeometryOptions &geometry)
 
 BodyOptions with_outline_mesh(BodyOptions options)
 {
+  if (GeometryOptions &geometry = options.geometry; !kind_of(geometry).is_meshed())
+  {
+    geometry.shape = BodyShape::box;
+    geometry.sizes[2] = std::min(geometry.sizes[0], geometry.sizes[1]) / 2;
+  }
   MeshOptions outline;
   outline.section = options.mesh.section;
   outline.degree = 1;

@@ -12,7 +12,8 @@ namespace orthocone
 {
 using OrderedJson = nlohmann::ordered_json;
 
-/// Entries of a body whose mesh shows its outline and no more, for pictures without the mesh of the run.
+/// Entries of a body whose mesh shows its outline and no more, for pictures without the mesh of the run. Of a
+/// half-space it is the box above the part that may touch.
 BodyOptions with_outline_mesh(BodyOptions options);
 
 /// {"surfaces": [{"name", "roles", "faces"}], "cells", "supports", ...}. A face is a polygon of points

@@ -3,6 +3,7 @@
 #include <orthocone/output/model_text.h>
 
 #include <orthocone/base/text.h>
+#include <orthocone/body/grid_surface.h>
 #include <orthocone/body/shapes/shape_kind.h>
 #include <orthocone/output/load_ranges.h>
 #include <orthocone/scene/load_program.h>
@@ -19,9 +20,10 @@ namespace
 std::string held_text(const GeometryOptions &geometry)
 {
   const std::vector<std::string> names = kind_of(geometry).surfaces(geometry);
-  const std::string name = geometry.is_from_file() ? shown(geometry.held_surface)
-                           : names.empty()         ? std::string("top")
-                                                   : names[1];
+  const std::string name = geometry.is_from_file()         ? shown(geometry.held_surface)
+                           : !kind_of(geometry).is_meshed() ? std::string("far field")
+                           : names.empty()                  ? std::string("top")
+                                                            : names[1];
   if (name.empty() || geometry.top_face == TopFace::free)
     return "none: supports, loads and contact hold the body";
   if (geometry.top_face == TopFace::guided)
@@ -169,19 +171,32 @@ std::string describe_friction(const Parameters &parameters)
          (friction.has_factor() ? "; times " + friction.factor.text() + "\n" : "\n");
 }
 
+/// The cells, or the patches of a half-space.
+static std::string describe_cells(const Parameters &parameters, const ModelSymmetry &symmetry,
+                                  const BodyUnknowns &unknowns)
+{
+  const MeshOptions &mesh = parameters.mesh;
+  if (!kind_of(parameters.geometry).is_meshed())
+  {
+    const SurfaceGrid grid = surface_grid(parameters.geometry, mesh);
+    return "grid           " + std::to_string(grid.n_x) + " x " + std::to_string(grid.n_y) + " patches of " +
+           to_text(grid.width) + " x " + to_text(grid.height) + " mm on a half-space\n";
+  }
+  return "mesh           " + std::to_string(unknowns.size().cells) +
+         (symmetry.is_section() ? " quadrilaterals" : " hexahedra") + " of degree " +
+         std::to_string(mesh.degree) + ", " + std::to_string(mesh.n_quadrature_points()) +
+         " Gauss points per direction" +
+         (mesh.resolved_volumetric_quadrature() == VolumetricQuadrature::projected ? ", divergence projected\n"
+                                                                                   : "\n");
+}
+
 std::string describe_model(const Parameters &parameters, const ModelChoice &model,
                            const BodyUnknowns &unknowns)
 {
   const ContactSolverOptions &solver = parameters.contact_solver;
   std::ostringstream text;
-  text << describe_model(model) << describe_materials(parameters) << "mesh           "
-       << unknowns.size().cells << (model.symmetry.is_section() ? " quadrilaterals" : " hexahedra")
-       << " of degree " << parameters.mesh.degree << ", " << parameters.mesh.n_quadrature_points()
-       << " Gauss points per direction"
-       << (parameters.mesh.resolved_volumetric_quadrature() == VolumetricQuadrature::projected
-               ? ", divergence projected\n"
-               : "\n")
-       << "unknowns       " << unknowns.size().free_dofs << " of " << unknowns.size().dofs
+  text << describe_model(model) << describe_materials(parameters)
+       << describe_cells(parameters, model.symmetry, unknowns) << "unknowns       " << unknowns.size().free_dofs << " of " << unknowns.size().dofs
        << " degrees of freedom\n"
        << describe_obstacle(parameters) << "contact nodes  " << unknowns.contact_surface().nodes.size()
        << (model.symmetry.is_axisymmetric()   ? " (rings)"

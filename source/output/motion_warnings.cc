@@ -23,6 +23,12 @@ void warn_of_large_motions(const RunRecord &record, std::vector<std::string> &wa
                        to_text(std::round(percent * record.pressure_of_modulus.first)) +
                        " % of Young's modulus; the program computes with small strains, which is good up to "
                        "about 10 % (strains of 5 %). Smaller loads or motions keep within it");
+  if (record.border.first > 0)
+    warnings.push_back(begin(record.border.second) + "the contact reaches the border of Geometry/Sizes, with " +
+                       to_text(std::ceil(percent * record.border.first)) +
+                       " % of the normal force on the outermost patches, and beyond it the half-space cannot "
+                       "touch. Larger Sizes keep the contact inside, unless it is to end there as below a "
+                       "punch with sharp edges");
   if (record.slide_of_face.first > 1)
     warnings.push_back(
         begin(record.slide_of_face.second) + "the body slides by " +

@@ -9,10 +9,18 @@
 
 namespace orthocone
 {
+/// Without fields of a volume where the body has none.
+static OutputOptions possible(OutputOptions options, const Scene &scene)
+{
+  if (!scene.body().mesh().has_mesh())
+    options.volume_interval = 0;
+  return options;
+}
+
 RunOutput::RunOutput(RunFolder &folder, const OutputOptions &options, const Scene &scene,
                      const ContactFieldEvaluator &evaluator)
     : folder_(folder),
-      options_(options),
+      options_(possible(options, scene)),
       last_step_(scene.program().n_steps()),
       scene_(scene),
       evaluator_(evaluator),

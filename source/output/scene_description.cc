@@ -4,6 +4,7 @@
 
 #include <orthocone/base/numbers.h>
 #include <orthocone/base/text.h>
+#include <orthocone/body/shapes/shape_kind.h>
 #include <orthocone/output/load_ranges.h>
 #include <orthocone/output/model_text.h>
 #include <orthocone/output/scene_description.h>
@@ -36,22 +37,26 @@ std::string content_of(const std::string &line)
 struct DrawnBody
 {
   BodyOptions options;
+  std::string text; ///< what the body is
   std::unique_ptr<const Body> body;
   bool has_own_mesh; ///< whether it is that of the run
 };
 
 DrawnBody drawn_body(const BodyOptions &options, const ModelSymmetry &symmetry, const bool has_mesh)
 {
-  if (has_mesh)
+  const ShapeKind &kind = kind_of(options.geometry);
+  const std::string text = kind.describe(options.geometry);
+  if (has_mesh && kind.is_meshed())
     if (auto body = std::make_unique<const Body>(options, symmetry); n_drawn(*body) <= most_drawn)
-      return {options, std::move(body), true};
+      return {options, text, std::move(body), true};
   const BodyOptions outline = with_outline_mesh(options);
-  return {outline, std::make_unique<const Body>(outline, symmetry), false};
+  return {outline, text, std::make_unique<const Body>(outline, symmetry), false};
 }
 
 OrderedJson json_of(const DrawnBody &drawn)
 {
   OrderedJson json = body_json(*drawn.body, drawn.options);
+  json["text"] = drawn.text;
   json["has_own_mesh"] = drawn.has_own_mesh;
   return json;
 }

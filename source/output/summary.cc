@@ -46,6 +46,7 @@ void RunRecord::add_step(const unsigned int step, const Totals &before, const To
   consider(flattening, checks.motion.flattening, step);
   consider(pressure_of_modulus, checks.motion.pressure_of_modulus, step);
   consider(slide_of_face, checks.motion.slide_of_face, step);
+  consider(border, checks.motion.border, step);
   consider(change_of_factor, checks.change_of_factor, step);
   energy_of_fall += checks.energy_of_fall;
   consider(largest_factor, totals.factor ? totals.factor->largest : 0, step);

@@ -3,6 +3,7 @@
 #include <orthocone/base/numbers.h>
 #include <orthocone/base/ranks.h>
 #include <orthocone/base/version.h>
+#include <orthocone/body/shapes/shape_kind.h>
 #include <orthocone/output/answers.h>
 #include <orthocone/scene/options.h>
 #include <orthocone/scene/parameters.h>
@@ -35,7 +36,9 @@ OrderedJson model_json(const Summary &summary)
   return {{"kind", symmetry.is_plane_strain() ? "plane strain" : symmetry.name()},
           {"reason", summary.model.reason},
           {"symmetry_planes", planes},
-          {"backend", summary.parameters.mesh.backend == BodyBackend::multigrid ? "multigrid" : "condensed"},
+          {"backend", !kind_of(summary.parameters.geometry).is_meshed()             ? "half-space"
+                      : summary.parameters.mesh.backend == BodyBackend::multigrid ? "multigrid"
+                                                                                  : "condensed"},
           {"cells", unknowns.size().cells},
           {"degree", summary.parameters.mesh.degree},
           {"dofs", unknowns.size().dofs},
@@ -131,7 +134,7 @@ OrderedJson outline_json(const GeometryOptions &geometry)
 {
   if (geometry.is_from_file())
     return {{"shape", "file"}, {"mesh_file", geometry.mesh_file}};
-  if (geometry.shape == BodyShape::box)
+  if (geometry.shape == BodyShape::box || geometry.shape == BodyShape::half_space)
     return {{"shape", "rectangle"}, {"sizes_mm", {geometry.sizes[0], geometry.sizes[1]}}};
   return {{"shape", "disc"}, {"radius_mm", geometry.radius}};
 }

@@ -5,6 +5,7 @@
 #include <orthocone/base/numbers.h>
 #include <orthocone/base/ranks.h>
 #include <orthocone/base/text.h>
+#include <orthocone/body/shapes/shape_kind.h>
 #include <orthocone/surface/strip.h>
 
 #include <algorithm>
@@ -130,13 +131,31 @@ void check_slide(const Scene &scene, const ContactState &state, MotionChecks &ch
     checks.cover = covered_share(as_faces(touching_part(scene, state), scene.symmetry()),
                                  as_faces(own, scene.symmetry()), scene.lower()->facing());
 }
+
+/// Beyond its patches a half-space cannot touch.
+double share_at_border(const BodyOptions &body, const ContactState &state)
+{
+  const SurfaceGrid grid = surface_grid(body.geometry, body.mesh);
+  double all = 0, at_border = 0;
+  for (Index node = 0; node < state.n_nodes(); ++node)
+  {
+    const Index i = node % grid.n_x, j = node / grid.n_x;
+    const double force = state.force[3 * node];
+    all += force;
+    at_border += i == 0 || j == 0 || i + 1 == grid.n_x || j + 1 == grid.n_y ? force : 0;
+  }
+  return relative(at_border, all);
+}
 } // namespace
 
 MotionChecks motion_checks(const Scene &scene, const ContactState &state, const NodeVector &elastic,
                            const NodeVector &given_way)
 {
   MotionChecks checks;
-  check_strain(state, elastic, height(scene.parameters().geometry, scene.body()), checks);
+  if (scene.body().mesh().has_mesh())
+    check_strain(state, elastic, height(scene.parameters().geometry, scene.body()), checks);
+  else
+    checks.border = share_at_border(scene.parameters(), state);
   checks.pressure_of_modulus =
       mean_pressure(scene.surface(), state) / scene.contact_material().isotropic().young_modulus;
   if (const LowerBody *const lower = scene.lower())

@@ -34,6 +34,24 @@ void check_backend(const Parameters &parameters)
                      "allowed is Backend = condensed");
 }
 
+/// Refuses what a half-space, which has neither a mesh nor a matrix, cannot do.
+void check_half_space(const Parameters &parameters)
+{
+  if (kind_of(parameters.geometry).is_meshed())
+    return;
+  const std::string with = " with " + parameters.geometry.shape_entry(), method = parameters.contact_solver.method;
+  if (find_contact_method(method)->needs_dense)
+    throw InputError("Contact solver/Method = " + method + with +
+                     ", whose compliance is no matrix: allowed is newton");
+  const auto &kind = parameters.obstacle.kind;
+  if (kind.chosen().gives_way() && kind != ObstacleKind::half_space)
+    throw InputError("Obstacle/Kind = " + to_word(kind) + with + ": allowed is rigid or half-space");
+  if (!parameters.output.lines.empty())
+    throw InputError("Output/Lines" + with +
+                     ", below whose surface no fields are computed: allowed is nothing; Probes are points of "
+                     "its surface");
+}
+
 /// Refuses what a friction law that is no ellipse cannot be solved with.
 void check_law(const Parameters &parameters)
 {
@@ -298,6 +316,7 @@ void check_parameters(const Parameters &parameters)
   check_plane_strain(parameters);
   check_mesh_choice(parameters);
   check_backend(parameters);
+  check_half_space(parameters);
   check_law(parameters);
   check_load(parameters.load, parameters.wear);
   check_loads(parameters);

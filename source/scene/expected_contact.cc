@@ -60,8 +60,11 @@ Block block_of(const Parameters &parameters, const double length)
   const MaterialOptions material = contact_material(parameters).isotropic();
   const GeometryOptions &geometry = parameters.geometry;
   const auto widths = kind_of(geometry).half_widths(geometry);
-  const double nu = material.poisson_ratio, height = geometry.held_height();
+  const double nu = material.poisson_ratio;
   const double depth = geometry.is_plane_strain() ? geometry.section_thickness() : 2 * widths[1];
+  if (!kind_of(geometry).is_meshed()) // a line of contact sees no deeper than it is long
+    return {material.young_modulus / (1 - nu * nu), 0, length, length};
+  const double height = geometry.held_height();
   return {material.young_modulus / (1 - nu * nu), height / (material.young_modulus * 2 * widths[0] * depth),
           height, length};
 }
@@ -97,7 +100,9 @@ double set_hertz(const Block &block, const double force, const bool is_line, Exp
 double force_of(const Block &block, const double motion, const bool is_line, ExpectedContact contact)
 {
   constexpr unsigned int n_halvings = 60;
-  double low = 0, high = motion / block.column;
+  double low = 0, high = block.column > 0 ? motion / block.column : 1;
+  for (; !(block.column > 0) && set_hertz(block, high, is_line, contact) < motion && high < 1e100; high *= 2)
+    continue;
   for (unsigned int i = 0; i < n_halvings; ++i)
   {
     const double force = (low + high) / 2;

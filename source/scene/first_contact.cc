@@ -6,6 +6,7 @@
 #include <orthocone/base/numbers.h>
 #include <orthocone/base/text.h>
 #include <orthocone/body/body.h>
+#include <orthocone/body/shapes/shape_kind.h>
 #include <orthocone/scene/body_overlap.h>
 #include <orthocone/scene/load_path.h>
 #include <orthocone/surface/rigid_motion.h>
@@ -126,6 +127,8 @@ void require_contact_before_force(const Parameters &parameters, const Obstacle &
   if (std::any_of(supports.begin(), supports.end(),
                   [](const Support &support) { return support.directions[normal_component]; }))
     return; // they carry the force until the body touches
+  if (!kind_of(parameters.geometry).is_meshed())
+    return; // no node need lie where the gap is least, and a half-space finds contact from any gap
   const double height = sample.held_centre[2];
   for (const PathLeg &leg : load_path(parameters.load))
     if (leaves_motion(leg))

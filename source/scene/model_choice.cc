@@ -8,6 +8,7 @@
 #include <orthocone/body/body.h>
 #include <orthocone/body/driven_field.h>
 #include <orthocone/body/free_motion.h>
+#include <orthocone/body/shapes/shape_kind.h>
 #include <orthocone/scene/asymmetry.h>
 #include <orthocone/scene/load_path.h>
 #include <orthocone/scene/options.h>
@@ -66,7 +67,8 @@ void check_guided_top(const Parameters &parameters, const Asymmetry &asymmetry, 
 void check_degree(const Parameters &parameters, const Asymmetry &asymmetry, const ModelSymmetry &symmetry)
 {
   constexpr unsigned int most_of_solids = 3;
-  if (parameters.mesh.degree > most_of_solids && !symmetry.is_section())
+  if (parameters.mesh.degree > most_of_solids && !symmetry.is_section() &&
+      kind_of(parameters.geometry).is_meshed())
     throw InputError("Mesh/Degree = " + std::to_string(parameters.mesh.degree) + " with the " +
                      symmetry.name() + " model: allowed is a whole number from 1 to 3" +
                      (asymmetry.can_be_revolved() ? ", or Mesh/Model = axisymmetric" : ""));
@@ -214,6 +216,8 @@ ModelSymmetry requested_symmetry(const Parameters &parameters, const Asymmetry &
 void require_hold(const GeometryOptions &geometry, const BodyUnknowns &unknowns,
                   const ModelSymmetry &symmetry)
 {
+  if (!kind_of(geometry).is_meshed())
+    return; // the far field holds it
   const std::string motion = free_motion(unknowns, symmetry);
   if (!motion.empty())
     throw InputError(geometry.section + "/Supports leave the " + symmetry.full_name() +

@@ -21,7 +21,7 @@ void declare_parameters(Parameters &parameters, EntryList &list)
   section("Mesh", declare_mesh_choice, parameters.mesh);
   Section mesh(list, "Mesh");
   declare_cells(parameters.mesh, parameters.geometry, mesh);
-  declare_backend(parameters.mesh, mesh);
+  declare_backend(parameters.mesh, parameters.geometry, mesh);
   section("Material", declare_material, parameters.material);
   section("Friction", declare_friction, parameters.friction);
   section("Obstacle", declare_obstacle, parameters.obstacle);

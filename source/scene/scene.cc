@@ -5,6 +5,8 @@
 #include <orthocone/base/errors.h>
 #include <orthocone/base/stopwatch.h>
 #include <orthocone/base/text.h>
+#include <orthocone/body/backends/half_space_body.h>
+#include <orthocone/body/shapes/shape_kind.h>
 #include <orthocone/multigrid/multigrid_body.h>
 #include <orthocone/scene/body_overlap.h>
 #include <orthocone/scene/body_shelf.h>
@@ -58,6 +60,8 @@ std::shared_ptr<const ElasticBody> make_body(const Parameters &parameters, const
                                              const std::function<void(const Body &)> &on_meshed,
                                              PhaseSeconds &seconds)
 {
+  if (!kind_of(parameters.geometry).is_meshed())
+    return std::make_shared<const HalfSpaceBody>(parameters, axes_of, on_meshed, seconds);
   if (parameters.mesh.backend == BodyBackend::multigrid)
     return make_multigrid_body(parameters, symmetry, accuracy_of_solutions(parameters), axes_of, on_meshed,
                                seconds);
@@ -90,8 +94,13 @@ std::unique_ptr<const LowerBody> make_lower(const Parameters &parameters, const 
 }
 
 /// Null where the obstacle is rigid.
-std::unique_ptr<const Compliance> sum_of(const ElasticBody &body, Eigen::MatrixXd of_obstacle)
+std::unique_ptr<const Compliance> sum_of(const ElasticBody &body, const Obstacle &obstacle,
+                                         const std::function<Eigen::MatrixXd()> &make_dense)
 {
+  if (const auto material = obstacle.material())
+    if (auto sum = body.compliance_on(*material))
+      return sum;
+  Eigen::MatrixXd of_obstacle = make_dense();
   if (of_obstacle.size() == 0)
     return nullptr;
   const DenseView *const of_body = body.compliance().dense();
@@ -168,9 +177,13 @@ Scene::Scene(const Parameters &parameters, const ModelChoice &choice, const Obst
       sum_(timed(seconds_.condensation,
                  [&]
                  {
-                   return sum_of(*body_, lower_ ? lower_->compliance()
-                                                : compliance_of(obstacle, parameters, choice.symmetry,
-                                                                surface(), axes_));
+                   return sum_of(*body_, obstacle,
+                                 [&]
+                                 {
+                                   return lower_ ? lower_->compliance()
+                                                 : compliance_of(obstacle, parameters, choice.symmetry,
+                                                                 surface(), axes_);
+                                 });
                  })),
       system_(compliance(), friction_.laws(surface(), obstacle, choice.symmetry))
 {

@@ -7,7 +7,7 @@
 #include <orthocone/body/body.h>
 #include <orthocone/body/shapes/imported_mesh.h>
 #include <orthocone/body/shapes/mesh_ladder.h>
-#include <orthocone/body/shapes/shape.h>
+#include <orthocone/body/shapes/shape_kind.h>
 #include <orthocone/scene/contact_mesh.h>
 
 #include <algorithm>
@@ -84,7 +84,8 @@ SurfaceSample surface_sample(const Parameters &parameters)
   const ModelSymmetry whole =
       parameters.geometry.is_plane_strain() ? plane_strain(parameters, false) : ModelSymmetry();
   SurfaceSample sample{contact_points(parameters, whole), {}};
-  sample.held_centre[2] = parameters.geometry.held_height();
+  if (kind_of(parameters.geometry).is_meshed())
+    sample.held_centre[2] = parameters.geometry.held_height();
   const auto shape = make_shape(parameters.geometry, parameters.mesh);
   if (const auto section = ModelSymmetry::of_revolution(); shape->asymmetry(section).empty())
     sample.rings = contact_points(parameters, section);

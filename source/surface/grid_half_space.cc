@@ -6,6 +6,8 @@
 #include "grid_transform.h"
 #include "rectangle_kernel.h"
 
+#include <orthocone/base/threads.h>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -88,10 +90,10 @@ class InnerHalfSpace : public InnerOperator
 {
 public:
   InnerHalfSpace(const GridHalfSpace &half_space, const GridSymbols<double> &compliance,
-                 const WaveStiffness &stiffness, const double scale)
-      : half_space_(half_space),
-        transform_(half_space.grid()),
+                 const WaveStiffness &stiffness, const double scale, const unsigned int n_threads)
+      : transform_(half_space.grid(), n_threads),
         scale_(scale),
+        own_(half_space.diagonal_block(0)),
         compliance_(scaled<float>(compliance, 1 / scale))
   {
     const SurfaceGrid &grid = half_space.grid();
@@ -104,7 +106,7 @@ public:
   }
 
   double scale() const override { return scale_; }
-  Matrix3d own(const Index node) const override { return half_space_.diagonal_block(node); }
+  Matrix3d own(Index) const override { return own_; }
   VectorXf multiply(const VectorXf &vector) const override { return transform_.product(compliance_, vector); }
   VectorXf multiply_stiffness(const VectorXf &vector) const override
   {
@@ -112,18 +114,17 @@ public:
   }
 
 private:
-  const GridHalfSpace &half_space_;
   GridTransform<float> transform_;
   double scale_;
+  Matrix3d own_;
   GridSymbols<float> compliance_, stiffness_{};
 };
 
 class GridConditionSolver : public ConditionSolver
 {
 public:
-  GridConditionSolver(const GridHalfSpace &half_space, const GridSymbols<double> &compliance,
-                      const WaveStiffness &stiffness, const double softness)
-      : inner_(half_space, compliance, stiffness, softness)
+  explicit GridConditionSolver(const InnerHalfSpace &inner)
+      : inner_(inner)
   {
   }
 
@@ -136,7 +137,7 @@ public:
   }
 
 private:
-  InnerHalfSpace inner_;
+  const InnerHalfSpace &inner_;
 };
 
 void require_sizes(const SurfaceGrid &grid)
@@ -149,18 +150,32 @@ void require_sizes(const SurfaceGrid &grid)
 }
 } // namespace
 
-/// The transform and the symbols of the compliance.
+/// The transform and the symbols of the compliance, and what GMRES makes of them, once for all steps. They are
+/// made with as many threads as BLAS has then.
 class GridHalfSpace::Products
 {
 public:
   explicit Products(const GridHalfSpace &half_space)
-      : transform(half_space.grid()),
+      : n_threads(blas_threads()),
+        transform(half_space.grid(), n_threads),
         symbols(transform.symbols([&](const Index i, const Index j) { return half_space.block(i, j); }))
   {
   }
 
+  const InnerHalfSpace &inner(const GridHalfSpace &half_space, const double scale)
+  {
+    if (!inner_ || inner_->scale() != scale)
+      inner_ = std::make_unique<const InnerHalfSpace>(
+          half_space, symbols, WaveStiffness(half_space.body_, half_space.counterface_), scale, n_threads);
+    return *inner_;
+  }
+
+  unsigned int n_threads;
   GridTransform<double> transform;
   GridSymbols<double> symbols;
+
+private:
+  std::unique_ptr<const InnerHalfSpace> inner_;
 };
 
 GridHalfSpace::GridHalfSpace(const SurfaceGrid &grid, const HalfSpace &body,
@@ -195,9 +210,17 @@ Matrix3d GridHalfSpace::diagonal_block(Index) const
   return block(0, 0);
 }
 
+Eigen::Vector3d GridHalfSpace::displacement_at(const Index node, const NodeVector &force) const
+{
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  for (Index other = 0; other < n_nodes(); ++other)
+    if (const auto of_other = force.segment<3>(3 * other); !of_other.isZero(0))
+      sum += block(node % grid_.n_x - other % grid_.n_x, node / grid_.n_x - other / grid_.n_x) * of_other;
+  return sum;
+}
+
 std::unique_ptr<ConditionSolver> GridHalfSpace::condition_solver(const double softness) const
 {
-  return std::make_unique<GridConditionSolver>(*this, products_->symbols, WaveStiffness(body_, counterface_),
-                                               softness);
+  return std::make_unique<GridConditionSolver>(products_->inner(*this, softness));
 }
 } // namespace orthocone

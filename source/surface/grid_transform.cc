@@ -11,6 +11,7 @@
 #include <cmath>
 #include <complex>
 #include <cstdlib>
+#include <thread>
 #include <type_traits>
 
 namespace orthocone
@@ -20,7 +21,8 @@ using Eigen::Matrix3d;
 
 namespace
 {
-constexpr Index n_fields = 3; ///< normal, x, y
+constexpr Index n_fields = 3;              ///< normal, x, y
+constexpr Index least_for_threads = 16384; ///< nodes; with fewer, threads take longer to start than to work
 
 /// FFTW's functions for a precision, by one name each.
 template<typename Real>
@@ -31,9 +33,12 @@ struct Fftw<double>
 {
   using Plan = fftw_plan;
   using Complex = fftw_complex;
-  static constexpr auto forward = fftw_plan_many_dft_r2c;
-  static constexpr auto backward = fftw_plan_many_dft_c2r;
-  static constexpr auto execute = fftw_execute;
+  static constexpr auto plan_forward = fftw_plan_dft_r2c_1d;
+  static constexpr auto plan_backward = fftw_plan_dft_c2r_1d;
+  static constexpr auto plan_columns = fftw_plan_many_dft;
+  static constexpr auto forward = fftw_execute_dft_r2c;
+  static constexpr auto backward = fftw_execute_dft_c2r;
+  static constexpr auto columns = fftw_execute_dft;
   static constexpr auto destroy = fftw_destroy_plan;
   static constexpr auto free = fftw_free;
   static constexpr auto allocate = fftw_malloc;
@@ -44,9 +49,12 @@ struct Fftw<float>
 {
   using Plan = fftwf_plan;
   using Complex = fftwf_complex;
-  static constexpr auto forward = fftwf_plan_many_dft_r2c;
-  static constexpr auto backward = fftwf_plan_many_dft_c2r;
-  static constexpr auto execute = fftwf_execute;
+  static constexpr auto plan_forward = fftwf_plan_dft_r2c_1d;
+  static constexpr auto plan_backward = fftwf_plan_dft_c2r_1d;
+  static constexpr auto plan_columns = fftwf_plan_many_dft;
+  static constexpr auto forward = fftwf_execute_dft_r2c;
+  static constexpr auto backward = fftwf_execute_dft_c2r;
+  static constexpr auto columns = fftwf_execute_dft;
   static constexpr auto destroy = fftwf_destroy_plan;
   static constexpr auto free = fftwf_free;
   static constexpr auto allocate = fftwf_malloc;
@@ -66,46 +74,103 @@ Index fast_size(Index n)
     ++n;
   return n;
 }
+
+/// Calls `work` for the numbers from 0 to n, each thread for a range of its own.
+template<typename Work>
+void in_threads(const unsigned int n_threads, const Index n, const Work &work)
+{
+  const auto range = [&](const Index i)
+  {
+    for (Index k = i * n / n_threads; k < (i + 1) * n / n_threads; ++k)
+      work(k);
+  };
+  std::vector<std::thread> threads;
+  for (unsigned int i = 1; i < n_threads; ++i)
+    threads.emplace_back(range, i);
+  range(0);
+  for (std::thread &thread : threads)
+    thread.join();
+}
 } // namespace
 
-/// Three padded fields, their spectra, and the ways between them.
+/// Three fields whose rows are padded, their spectra, and the ways between them. Rows, and blocks of columns,
+/// begin at the same alignment, so that one plan serves all of them.
 template<typename Real>
 struct GridTransform<Real>::Plans
 {
   using Own = Fftw<Real>;
+  using Complex = typename Own::Complex;
   template<typename Value>
   using Memory = std::unique_ptr<Value, void (*)(void *)>;
   using Plan = std::unique_ptr<std::remove_pointer_t<typename Own::Plan>, void (*)(typename Own::Plan)>;
 
-  Plans(const Index size_x, const Index size_y, const Index n_frequencies)
-      : field(static_cast<Real *>(Own::allocate(sizeof(Real) * n_fields * size_x * size_y)), Own::free),
-        spectrum(static_cast<typename Own::Complex *>(
-                     Own::allocate(sizeof(typename Own::Complex) * n_fields * n_frequencies * size_y)),
-                 Own::free),
-        forward(nullptr, Own::destroy),
-        backward(nullptr, Own::destroy)
+  static constexpr Index columns_at_once = 8; ///< as many numbers as lie in one line of the cache
+
+  static Index aligned(const Index n) { return (n + columns_at_once - 1) / columns_at_once * columns_at_once; }
+
+  template<typename Value>
+  static Memory<Value> zeros(const Index n)
   {
-    const std::array<int, 2> sizes{static_cast<int>(size_y), static_cast<int>(size_x)};
-    const auto distance = static_cast<int>(size_x * size_y), apart = static_cast<int>(n_frequencies * size_y);
-    // Plans that are measured would differ from run to run.
-    forward.reset(Own::forward(2, sizes.data(), n_fields, field.get(), nullptr, 1, distance, spectrum.get(),
-                               nullptr, 1, apart, FFTW_ESTIMATE));
-    backward.reset(Own::backward(2, sizes.data(), n_fields, spectrum.get(), nullptr, 1, apart, field.get(),
-                                 nullptr, 1, distance, FFTW_ESTIMATE));
+    auto *const values = static_cast<Value *>(Own::allocate(sizeof(Value) * n));
+    std::fill_n(reinterpret_cast<Real *>(values), n * static_cast<Index>(sizeof(Value) / sizeof(Real)), Real(0));
+    return {values, Own::free};
   }
 
+  Plans(const Index given_rows, const Index size_x, const Index size_y, const Index n_frequencies)
+      : n_rows(given_rows),
+        n_columns(size_y),
+        length(2 * aligned((size_x + 1) / 2)),
+        width(aligned(n_frequencies)),
+        field(zeros<Real>(n_fields * n_rows * length)),
+        spectrum(zeros<Complex>(n_fields * size_y * width)),
+        row_forward(nullptr, Own::destroy),
+        row_backward(nullptr, Own::destroy),
+        column_forward(nullptr, Own::destroy),
+        column_backward(nullptr, Own::destroy)
+  {
+    // Plans that are measured would differ from run to run.
+    const auto n_x = static_cast<int>(size_x), n_y = static_cast<int>(size_y), apart = static_cast<int>(width);
+    const auto columns = [&](const int direction)
+    {
+      return Own::plan_columns(1, &n_y, columns_at_once, spectrum.get(), nullptr, apart, 1, spectrum.get(),
+                               nullptr, apart, 1, direction, FFTW_ESTIMATE);
+    };
+    row_forward.reset(Own::plan_forward(n_x, field.get(), spectrum.get(), FFTW_ESTIMATE));
+    row_backward.reset(Own::plan_backward(n_x, spectrum.get(), field.get(), FFTW_ESTIMATE));
+    column_forward.reset(columns(FFTW_FORWARD));
+    column_backward.reset(columns(FFTW_BACKWARD));
+  }
+
+  Real *row(const Index f, const Index y) const { return field.get() + (f * n_rows + y) * length; }
+  Complex *spectrum_row(const Index f, const Index q) const
+  {
+    return spectrum.get() + (f * n_columns + q) * width;
+  }
+
+  Index n_blocks() const { return width / columns_at_once; }
+
+  /// Transforms a block of columns of a field, in place.
+  void transform(const Plan &columns, const Index f, const Index block) const
+  {
+    Complex *const first = spectrum_row(f, 0) + block * columns_at_once;
+    Own::columns(columns.get(), first, first);
+  }
+
+  Index n_rows, n_columns; ///< of the grid, and of the padded grid
+  Index length, width;     ///< from row to row of field and spectrum
   Memory<Real> field;
-  Memory<typename Own::Complex> spectrum;
-  Plan forward, backward;
+  Memory<Complex> spectrum;
+  Plan row_forward, row_backward, column_forward, column_backward;
 };
 
 template<typename Real>
-GridTransform<Real>::GridTransform(const SurfaceGrid &grid)
+GridTransform<Real>::GridTransform(const SurfaceGrid &grid, const unsigned int n_threads)
     : grid_(grid),
       padded_x_(fast_size(2 * grid.n_x)),
       padded_y_(fast_size(2 * grid.n_y)),
       n_frequencies_(padded_x_ / 2 + 1),
-      plans_(std::make_unique<Plans>(padded_x_, padded_y_, n_frequencies_))
+      n_threads_(grid.n_nodes() < least_for_threads ? 1 : n_threads),
+      plans_(std::make_unique<Plans>(grid.n_y, padded_x_, padded_y_, n_frequencies_))
 {
 }
 
@@ -142,65 +207,114 @@ GridSymbols<double> GridTransform<Real>::symbols(const Kernel &block_at) const
   for (Index j = 0; j < grid_.n_y; ++j)
     for (Index i = 0; i < grid_.n_x; ++i)
       blocks.push_back(block_at(i, j));
-  const Index n = n_frequencies_ * padded_y_;
-  GridSymbols<double> symbols(n);
+  GridSymbols<double> symbols(n_frequencies_ * padded_y_);
   for (const Entry *const entries : {first, second})
   {
-    std::fill_n(plans_->field.get(), n_fields * padded_x_ * padded_y_, Real(0));
     for (Index f = 0; f < n_fields; ++f)
-      for (Index y = 1 - grid_.n_y; y < grid_.n_y; ++y)
-        for (Index x = 1 - grid_.n_x; x < grid_.n_x; ++x)
+      for (Index row = 0; row < padded_y_; ++row)
+      {
+        const Entry &entry = entries[f];
+        const Index y = 2 * row < padded_y_ ? row : row - padded_y_;
+        Real *const values = plans_->row(0, 0);
+        std::fill_n(values, padded_x_, Real(0));
+        for (Index x = 1 - grid_.n_x; x < grid_.n_x && std::abs(y) < grid_.n_y; ++x)
         {
-          const Entry &entry = entries[f];
           const bool changes = (entry.is_odd_in_x && x < 0) != (entry.is_odd_in_y && y < 0);
           const double value = blocks[std::abs(y) * grid_.n_x + std::abs(x)](entry.row, entry.column);
-          plans_->field.get()[(f * padded_y_ + (y + padded_y_) % padded_y_) * padded_x_ +
-                              (x + padded_x_) % padded_x_] = static_cast<Real>(changes ? -value : value);
+          values[(x + padded_x_) % padded_x_] = static_cast<Real>(changes ? -value : value);
         }
-    Fftw<Real>::execute(plans_->forward.get());
+        Fftw<Real>::forward(plans_->row_forward.get(), values, plans_->spectrum_row(f, row));
+      }
     for (Index f = 0; f < n_fields; ++f)
-      for (Index k = 0; k < n; ++k)
-        symbols[k].*entries[f].value =
-            plans_->spectrum.get()[f * n + k][entries[f].is_odd_in_x != entries[f].is_odd_in_y ? 1 : 0];
+      for (Index block = 0; block < plans_->n_blocks(); ++block)
+        plans_->transform(plans_->column_forward, f, block);
+    for (Index f = 0; f < n_fields; ++f)
+      for (Index q = 0; q < padded_y_; ++q)
+        for (Index p = 0; p < n_frequencies_; ++p)
+          symbols[q * n_frequencies_ + p].*entries[f].value =
+              plans_->spectrum_row(f, q)[p][entries[f].is_odd_in_x != entries[f].is_odd_in_y ? 1 : 0];
   }
   return symbols;
+}
+
+/// Transforms row y of the vector; rows of padding are zero.
+template<typename Real>
+void GridTransform<Real>::transform_row(const Vector &vector, const Index y) const
+{
+  for (Index f = 0; f < n_fields; ++f)
+  {
+    auto *const spectrum = plans_->spectrum_row(f, y);
+    if (y >= grid_.n_y)
+    {
+      std::fill_n(&spectrum[0][0], 2 * plans_->width, Real(0));
+      continue;
+    }
+    Real *const row = plans_->row(f, y);
+    for (Index i = 0; i < grid_.n_x; ++i)
+      row[i] = vector[n_fields * (y * grid_.n_x + i) + f];
+    std::fill(row + grid_.n_x, row + padded_x_, Real(0));
+    Fftw<Real>::forward(plans_->row_forward.get(), row, spectrum);
+  }
+}
+
+/// Multiplies the numbers at frequencies [first, last) of row q.
+template<typename Real>
+void GridTransform<Real>::multiply(const GridSymbol<Real> *const symbols, const Index q, const Index first,
+                                   const Index last) const
+{
+  using Complex = std::complex<Real>;
+  const auto times_i = [](const Complex &z) { return Complex(-z.imag(), z.real()); };
+  const Real share = Real(1) / static_cast<Real>(padded_x_ * padded_y_); // FFTW does not normalize
+  auto *const normal = plans_->spectrum_row(0, q), *const x = plans_->spectrum_row(1, q),
+              *const y = plans_->spectrum_row(2, q);
+  for (Index p = first; p < last; ++p)
+  {
+    const GridSymbol<Real> &symbol = symbols[q * n_frequencies_ + p];
+    const Complex f_n(share * normal[p][0], share * normal[p][1]), f_x(share * x[p][0], share * x[p][1]),
+        f_y(share * y[p][0], share * y[p][1]);
+    const Complex d_n = symbol.nn * f_n + times_i(symbol.nx * f_x + symbol.ny * f_y);
+    const Complex d_x = symbol.xx * f_x + symbol.xy * f_y - times_i(symbol.nx * f_n);
+    const Complex d_y = symbol.xy * f_x + symbol.yy * f_y - times_i(symbol.ny * f_n);
+    normal[p][0] = d_n.real(), normal[p][1] = d_n.imag();
+    x[p][0] = d_x.real(), x[p][1] = d_x.imag();
+    y[p][0] = d_y.real(), y[p][1] = d_y.imag();
+  }
+}
+
+/// A block of columns fits into the cache: it goes there and back at once.
+template<typename Real>
+void GridTransform<Real>::convolve_columns(const GridSymbols<Real> &symbols, const Index block) const
+{
+  const Index first = block * Plans::columns_at_once,
+              last = std::min(first + Plans::columns_at_once, n_frequencies_);
+  for (Index f = 0; f < n_fields; ++f)
+    plans_->transform(plans_->column_forward, f, block);
+  for (Index q = 0; q < padded_y_; ++q)
+    multiply(symbols.data(), q, first, last);
+  for (Index f = 0; f < n_fields; ++f)
+    plans_->transform(plans_->column_backward, f, block);
+}
+
+template<typename Real>
+void GridTransform<Real>::transform_row_back(const Index y, Vector &result) const
+{
+  for (Index f = 0; f < n_fields; ++f)
+  {
+    Real *const row = plans_->row(f, y);
+    Fftw<Real>::backward(plans_->row_backward.get(), plans_->spectrum_row(f, y), row);
+    for (Index i = 0; i < grid_.n_x; ++i)
+      result[n_fields * (y * grid_.n_x + i) + f] = row[i];
+  }
 }
 
 template<typename Real>
 typename GridTransform<Real>::Vector GridTransform<Real>::product(const GridSymbols<Real> &symbols,
                                                                   const Vector &vector) const
 {
-  Real *const field = plans_->field.get();
-  const Index area = padded_x_ * padded_y_, n = n_frequencies_ * padded_y_;
-  std::fill_n(field, n_fields * area, Real(0));
-  for (Index j = 0; j < grid_.n_y; ++j)
-    for (Index i = 0; i < grid_.n_x; ++i)
-      for (Index f = 0; f < n_fields; ++f)
-        field[f * area + j * padded_x_ + i] = vector[n_fields * (j * grid_.n_x + i) + f];
-  Fftw<Real>::execute(plans_->forward.get());
-  auto *const spectrum = plans_->spectrum.get();
-  const Real share = Real(1) / static_cast<Real>(area); // FFTW does not normalize
-  for (Index k = 0; k < n; ++k)
-  {
-    using Complex = std::complex<Real>;
-    const GridSymbol<Real> &symbol = symbols[k];
-    auto *const normal = spectrum[k], *const x = spectrum[n + k], *const y = spectrum[2 * n + k];
-    const Complex f_n(share * normal[0], share * normal[1]), f_x(share * x[0], share * x[1]),
-        f_y(share * y[0], share * y[1]);
-    const auto times_i = [](const Complex &z) { return Complex(-z.imag(), z.real()); };
-    const Complex d_n = symbol.nn * f_n + times_i(symbol.nx * f_x + symbol.ny * f_y);
-    const Complex d_x = symbol.xx * f_x + symbol.xy * f_y - times_i(symbol.nx * f_n);
-    const Complex d_y = symbol.xy * f_x + symbol.yy * f_y - times_i(symbol.ny * f_n);
-    normal[0] = d_n.real(), normal[1] = d_n.imag();
-    x[0] = d_x.real(), x[1] = d_x.imag();
-    y[0] = d_y.real(), y[1] = d_y.imag();
-  }
-  Fftw<Real>::execute(plans_->backward.get());
   Vector result(vector.size());
-  for (Index j = 0; j < grid_.n_y; ++j)
-    for (Index i = 0; i < grid_.n_x; ++i)
-      for (Index f = 0; f < n_fields; ++f)
-        result[n_fields * (j * grid_.n_x + i) + f] = field[f * area + j * padded_x_ + i];
+  in_threads(n_threads_, padded_y_, [&](const Index y) { transform_row(vector, y); });
+  in_threads(n_threads_, plans_->n_blocks(), [&](const Index block) { convolve_columns(symbols, block); });
+  in_threads(n_threads_, grid_.n_y, [&](const Index y) { transform_row_back(y, result); });
   return result;
 }
 

@@ -23,8 +23,10 @@ template<typename Real>
 using GridSymbols = std::vector<GridSymbol<Real>>; ///< of all frequencies
 
 /// Fourier transforms (FFTW) of three fields on a grid that is padded with zeros to twice its size, so that
-/// products with symbols are convolutions without images. Plans are the same in every run, so that results
-/// are, too, to the last bit. `Real` is double or float.
+/// products with symbols are convolutions without images. Rows are transformed, then columns: rows that are
+/// nothing but padding need no transform of their own. Plans are the same in every run, and each row and
+/// column belongs to one thread, so that results are the same to the last bit, whatever the number of threads.
+/// `Real` is double or float.
 template<typename Real>
 class GridTransform
 {
@@ -32,7 +34,8 @@ public:
   using Vector = Eigen::Matrix<Real, Eigen::Dynamic, 1>;
   using Kernel = std::function<Eigen::Matrix3d(Eigen::Index, Eigen::Index)>;
 
-  explicit GridTransform(const SurfaceGrid &grid);
+  /// With so many threads, or with one where the grid is small.
+  GridTransform(const SurfaceGrid &grid, unsigned int n_threads);
   ~GridTransform();
   GridTransform(const GridTransform &) = delete;
   GridTransform &operator=(const GridTransform &) = delete;
@@ -60,9 +63,14 @@ public:
 private:
   struct Plans;
   Eigen::Vector2d wave_numbers(Eigen::Index p, Eigen::Index q) const;
+  void transform_row(const Vector &vector, Eigen::Index y) const;
+  void multiply(const GridSymbol<Real> *symbols, Eigen::Index q, Eigen::Index first, Eigen::Index last) const;
+  void convolve_columns(const GridSymbols<Real> &symbols, Eigen::Index block) const;
+  void transform_row_back(Eigen::Index y, Vector &result) const;
 
   SurfaceGrid grid_;
   Eigen::Index padded_x_, padded_y_, n_frequencies_; ///< these along x
+  unsigned int n_threads_;
   std::unique_ptr<Plans> plans_;
 };
 

@@ -41,7 +41,7 @@ public:
   /// machine. Throws TooLargeError as factorization_cost() does.
   Estimate condensed(const Body &body) const;
 
-  /// The same from the size alone, for a solid and a usual machine.
+  /// The same from the size alone, for a solid and a usual machine. A half-space has this estimate alone.
   Estimate usual() const;
 
   /// A lower bound of the same: the stiffness and the dense compliance; and its memory, which measures
@@ -63,6 +63,8 @@ public:
   double needed_gigabytes(double gigabytes) const;
 
 private:
+  bool is_meshed() const;
+  Estimate of_grid() const;
   Estimate of_factorization(const FactorizationCost &factor, double rate) const;
   double dense(double n_matrices) const;
   double step_gigabytes() const;

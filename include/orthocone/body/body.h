@@ -4,21 +4,27 @@
 
 #include <orthocone/body/fe/displacement_space.h>
 #include <orthocone/body/fe/stiffness.h>
+#include <orthocone/body/grid_surface.h>
 #include <orthocone/body/shapes/body_mesh.h>
 #include <orthocone/surface/model_symmetry.h>
 
+#include <stdexcept>
 #include <variant>
 
 namespace orthocone
 {
-/// Mesh and unknowns of the modelled part of the body, a solid or a section: all that --check needs. The
-/// constructor throws InputError or FileError for a mesh file and its entries, and what refine() throws.
+/// Mesh and unknowns of the modelled part of the body, a solid or a section, or the unknowns of a half-space,
+/// which has no mesh: all that --check needs. The constructor throws InputError or FileError for a mesh file
+/// and its entries, and what refine() throws.
 class Body
 {
 public:
   Body(const BodyOptions &options, const ModelSymmetry &symmetry);
 
   const BodyUnknowns &unknowns() const;
+
+  /// Without a mesh the functions below throw std::logic_error.
+  bool has_mesh() const { return !std::holds_alternative<GridSurface>(shape_); }
 
   /// Number of meshes: the coarsest, and those that halving cells made of it.
   unsigned int n_levels() const;
@@ -44,7 +50,9 @@ public:
   template<typename Use>
   auto visit(const Use &use) const
   {
-    return std::visit([&](const auto &shape) { return use(shape.discretization); }, shape_);
+    if (const auto *const solid = std::get_if<Solid>(&shape_))
+      return use(solid->discretization);
+    return use(section().discretization);
   }
 
 private:
@@ -70,7 +78,13 @@ private:
     SectionMesh mesh;
     SectionDiscretization discretization;
   };
-  using Shape = std::variant<Solid, Section>;
+  using Shape = std::variant<Solid, Section, GridSurface>;
+  const Section &section() const
+  {
+    if (const auto *const section = std::get_if<Section>(&shape_))
+      return *section;
+    throw std::logic_error("a half-space has no mesh");
+  }
   static Shape shape_of(const BodyOptions &options, const ModelSymmetry &symmetry);
 
   Materials materials_;

@@ -8,6 +8,7 @@
 #include <orthocone/surface/compliance.h>
 #include <orthocone/surface/rigid_motion.h>
 
+#include <memory>
 #include <stdexcept>
 
 namespace orthocone
@@ -35,6 +36,14 @@ public:
 
   /// W of the contact nodes, 3 n x 3 n, local axes, mm/N.
   virtual const Compliance &compliance() const = 0;
+
+  /// The compliance of the body and of the elastic half-space below it together, of a body that has its own
+  /// way to add both; null where the dense matrices are added.
+  virtual std::unique_ptr<const Compliance> compliance_on(const MaterialOptions &counterface) const
+  {
+    static_cast<void>(counterface);
+    return nullptr;
+  }
 
   /// The contact nodes in their local axes.
   virtual const ContactFrame &frame() const = 0;

@@ -47,7 +47,7 @@ struct BodyShape
 {
   std::string_view word;
 
-  static const BodyShape cylinder, box, file;
+  static const BodyShape cylinder, box, file, half_space;
 
   bool operator==(const BodyShape other) const { return word == other.word; }
   bool operator!=(const BodyShape other) const { return word != other.word; }
@@ -56,6 +56,7 @@ struct BodyShape
 inline constexpr BodyShape BodyShape::cylinder{"cylinder"};
 inline constexpr BodyShape BodyShape::box{"box"};
 inline constexpr BodyShape BodyShape::file{"file"};
+inline constexpr BodyShape BodyShape::half_space{"half-space"};
 
 /// Part of the body that is modelled; axisymmetric is its section (r, z).
 enum class ModelKind
@@ -177,7 +178,7 @@ struct GeometryOptions
   double height = 10;
   TopFace top_face = TopFace::clamped;
   BodyShape shape = BodyShape::cylinder;
-  std::array<double, 3> sizes{{20, 20, 10}};   ///< of a box, along x, y, z
+  std::array<double, 3> sizes{{20, 20, 10}};   ///< of a box, along x, y, z; of a half-space the last is 0
   std::string mesh_file{};                     ///< path, or empty
   std::vector<std::string> contact_surfaces{}; ///< by name; none: the base, of a shape that has one
   // Physical groups of that file, by name or number:
@@ -265,7 +266,7 @@ struct MeshOptions
   MeshResolution resolution = MeshResolution::custom;
   double accuracy = 0; ///< wanted of the counted quantities, percent; 0: the mesh is given
   CountedQuantities accuracy_of = all_quantities;
-  std::array<unsigned int, 3> cells{{8, 8, 4}}; ///< of a box, along x, y, z
+  std::array<unsigned int, 3> cells{{8, 8, 4}}; ///< of a box, along x, y, z; of a half-space the last is 0
   double edge_grading = 1; ///< of a box: thickness of a cell / thickness of its neighbour towards the middle
   unsigned int refinements = 0; ///< how often every cell is divided into eight, a section's into four
   BodyBackend backend = BodyBackend::automatic;
@@ -348,8 +349,8 @@ void declare_mesh_choice(MeshOptions &mesh, Section &section);
 /// Adds the entries of the cells. `geometry` has the shape whose cells they are; it must outlive the section.
 void declare_cells(MeshOptions &mesh, const GeometryOptions &geometry, Section &section);
 
-/// Adds the entries of single cells that are halved, and of how the body is solved.
-void declare_backend(MeshOptions &mesh, Section &section);
+/// Adds the entries of single cells that are halved, and of how the body is solved. `geometry` as above.
+void declare_backend(MeshOptions &mesh, const GeometryOptions &geometry, Section &section);
 
 void declare_material(MaterialOptions &material, Section &section);
 

@@ -55,9 +55,12 @@ Codec<double> percentage_codec(const NumberRange &range);
 
 Codec<unsigned int> count_codec(unsigned int lower, unsigned int upper);
 
-/// Three numbers, or three whole numbers from 1 to `most`, separated by commas.
+/// Three numbers, separated by commas.
 Codec<std::array<double, 3>> three_numbers_codec(const NumberRange &range);
-Codec<std::array<unsigned int, 3>> three_counts_codec(unsigned int most);
+
+/// Two or three numbers > 0, or whole numbers from 1 to `most`, separated by commas; of two the third is 0.
+Codec<std::array<double, 3>> two_or_three_numbers_codec();
+Codec<std::array<unsigned int, 3>> two_or_three_counts_codec(unsigned int most);
 
 /// Path of a file, or nothing.
 Codec<std::string> path_codec();

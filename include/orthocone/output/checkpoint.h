@@ -38,7 +38,7 @@ struct CheckpointError : std::runtime_error
 };
 
 /// Version of the bytes; another one is refused.
-constexpr unsigned int checkpoint_format = 21;
+constexpr unsigned int checkpoint_format = 22;
 
 /// Checksum of the files that entries name and that count: of their numbers and words, however they are
 /// written, without comments; 0 if there is no file. Throws as read_text_file().

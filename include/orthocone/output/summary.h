@@ -54,6 +54,7 @@ struct RunRecord
   std::pair<double, unsigned int> flattening{0, 0};          ///< MotionChecks::flattening, and its step
   std::pair<double, unsigned int> pressure_of_modulus{0, 0}; ///< MotionChecks::pressure_of_modulus, likewise
   std::pair<double, unsigned int> slide_of_face{0, 0};       ///< MotionChecks::slide_of_face, likewise
+  std::pair<double, unsigned int> border{0, 0};              ///< MotionChecks::border, likewise
   std::pair<double, unsigned int> change_of_factor{0, 0};    ///< StepChecks::change_of_factor, likewise
   std::pair<double, unsigned int> largest_factor{0, 0};      ///< FactorRange::largest, likewise
   double energy_of_fall = 0; ///< StepChecks::energy_of_fall of all steps, N mm

@@ -19,6 +19,7 @@ struct MotionChecks
   double pressure_of_modulus = 0; ///< mean pressure of the contact / Young's modulus
   double slide_of_face = 0;       ///< largest slip in contact / mean size of a face of the lower body
   double cover = 1;               ///< part of the contact that still lies on the lower body
+  double border = 0;              ///< share of the normal force on the outermost patches of a half-space
 };
 
 /// Judges a state. `elastic` and `given_way` (3 n, mm) are the displacements of the body's contact nodes

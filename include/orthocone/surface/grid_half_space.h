@@ -31,12 +31,12 @@ struct SurfaceGrid
 /// Meth. Comput. Phys. 9 (1970) 135; for contact Liu, Wang and Liu, Wear 243 (2000) 101). A force on a node
 /// is spread evenly over its patch, and a displacement is the mean over the patch, as in
 /// half_space_compliance(): the products are those of a symmetric, positive definite matrix. Only one thread
-/// at a time may use it.
+/// at a time may use it, and no condition solver but the last one.
 class GridHalfSpace : public Compliance
 {
 public:
-  /// `body` lies above the plane (its contact_point() normal points into it), `counterface` below it; its
-  /// compliance is added. Throws std::invalid_argument unless the grid has nodes, and patches with a size.
+  /// `body` lies above the plane, so that the normals of the nodes point into it, and `counterface` below,
+  /// whose compliance is added. Throws std::invalid_argument unless the grid has nodes, and patches with a size.
   GridHalfSpace(const SurfaceGrid &grid, const HalfSpace &body,
                 const std::optional<HalfSpace> &counterface = std::nullopt);
   ~GridHalfSpace() override;
@@ -49,6 +49,9 @@ public:
   Eigen::Index n_nodes() const override { return grid_.n_nodes(); }
   void vmult(NodeVector &displacement, const NodeVector &force) const override;
   Eigen::Matrix3d diagonal_block(Eigen::Index node) const override;
+
+  /// By the sum of what the loaded patches do, without a transform.
+  Eigen::Vector3d displacement_at(Eigen::Index node, const NodeVector &force) const override;
   std::unique_ptr<ConditionSolver> condition_solver(double softness) const override;
 
 private:

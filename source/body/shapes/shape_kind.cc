@@ -15,7 +15,7 @@ namespace orthocone
 {
 const std::vector<const ShapeKind *> &shape_kinds()
 {
-  static const std::vector<const ShapeKind *> kinds{&cylinder_kind(), &box_kind(), &file_kind()};
+  static const std::vector<const ShapeKind *> kinds{&cylinder_kind(), &box_kind(), &file_kind(), &half_space_kind()};
   return kinds;
 }
 
@@ -61,15 +61,19 @@ Condition where_shape(const GeometryOptions &geometry, const std::function<bool(
           [&geometry] { return geometry.shape_entry(); }};
 }
 
+Condition where_entries_of(const GeometryOptions &geometry, const ShapeKind &kind)
+{
+  return where_shape(geometry, [&kind](const ShapeKind &chosen) { return &chosen.kind_of_entries() == &kind; });
+}
+
 void declare_shape(GeometryOptions &geometry, Section &section)
 {
   section.add("Shape", geometry.shape, shape_codec(),
               "Shape of the body, whose base at z = 0 faces the counterface and whose axis is z. cylinder: "
-              "of Radius and Height; box: of Sizes; file: the body of a Mesh file by Gmsh.");
+              "of Radius and Height; box: of Sizes; file: the body of a Mesh file by Gmsh; half-space: all "
+              "that is above z = 0, without a mesh, which may touch within Sizes.");
   for (const ShapeKind *const kind : shape_kinds())
-    kind->declare(geometry,
-                  where_shape(geometry, [kind](const ShapeKind &chosen) { return &chosen == kind; }),
-                  section);
+    kind->declare(geometry, where_entries_of(geometry, *kind), section);
   section
       .add("Contact surface", geometry.contact_surfaces, group_names_codec(),
            "Surfaces that may touch the counterface, one or several: base (where nothing is named) and "

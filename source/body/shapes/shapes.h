@@ -19,6 +19,9 @@ const ShapeKind &cylinder_kind();
 /// that ends at x = 0 or y = 0 needs an even number of cells along that axis.
 const ShapeKind &box_kind();
 
+/// A half-space on a regular grid, without a mesh. It has the entries of a box, without the third numbers.
+const ShapeKind &half_space_kind();
+
 /// The cells of a mesh file. The part of the body in the file is the only model.
 const ShapeKind &file_kind();
 } // namespace orthocone

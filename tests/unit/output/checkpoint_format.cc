@@ -223,6 +223,7 @@ TEST(Checkpoint, KeepsWhatSearchesAndThreadsAre)
   before.record.threads = {3, "--threads"};
   before.record.flattening = {0.06, 4};
   before.record.slide_of_face = {1.5, 5};
+  before.record.border = {0.02, 6};
   before.record.zones.contact = std::numeric_limits<double>::infinity();
   before.record.zones.is_stick_resolved = true;
   before.record.zones.narrow = {3, 6};
@@ -233,6 +234,7 @@ TEST(Checkpoint, KeepsWhatSearchesAndThreadsAre)
   EXPECT_EQ(after.record.threads.number, 3u);
   EXPECT_EQ(after.record.flattening, before.record.flattening);
   EXPECT_EQ(after.record.slide_of_face, before.record.slide_of_face);
+  EXPECT_EQ(after.record.border, before.record.border);
   EXPECT_EQ(after.record.zones.contact, before.record.zones.contact);
   EXPECT_TRUE(after.record.zones.is_stick_resolved);
   EXPECT_EQ(after.record.zones.narrow, before.record.zones.narrow);

@@ -18,6 +18,13 @@ public:
 
   virtual BodyShape shape() const = 0;
 
+  /// Whether the body is meshed. Otherwise it is a half-space: its far field is the held face, and `make`
+  /// knows sizes alone.
+  virtual bool is_meshed() const { return true; }
+
+  /// The kind whose entries it has.
+  virtual const ShapeKind &kind_of_entries() const { return *this; }
+
   /// Adds the entries of its outline to Geometry; they count where `is_chosen` holds.
   virtual void declare(GeometryOptions &geometry, const Condition &is_chosen, Section &section) const = 0;
 
@@ -88,6 +95,9 @@ const ShapeKind &kind_of(const GeometryOptions &geometry);
 
 /// Holds where `holds` does for the kind of shape that is chosen; `geometry` must outlive it.
 Condition where_shape(const GeometryOptions &geometry, const std::function<bool(const ShapeKind &)> &holds);
+
+/// Holds where the shape that is chosen has the entries of this kind.
+Condition where_entries_of(const GeometryOptions &geometry, const ShapeKind &kind);
 
 /// The warning of elements that are too coarse at the rim of the base; empty where they are not, or nothing
 /// is known of the rim's mesh.
