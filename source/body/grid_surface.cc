@@ -11,7 +11,7 @@ SurfaceGrid surface_grid(const GeometryOptions &geometry, const MeshOptions &mes
   const Index halves = Index{1} << mesh.refinements, n_x = halves * mesh.cells[0],
               n_y = halves * mesh.cells[1];
   return {n_x, n_y, geometry.sizes[0] / static_cast<double>(n_x),
-          geometry.sizes[1] / static_cast<double>(n_y)};
+          geometry.sizes[1] / static_cast<double>(n_y), geometry.is_periodic};
 }
 
 GridSurface::GridSurface(const GeometryOptions &geometry, const MeshOptions &mesh)

@@ -119,6 +119,13 @@ Codec<std::array<double, 3>> three_numbers_codec(const NumberRange &range)
           [](const std::array<double, 3> &value) { return three_text<double>(value, to_text); }};
 }
 
+Codec<bool> yes_no_codec()
+{
+  const auto parse = [](const std::string &text, std::string &) -> std::optional<bool>
+  { return text == "yes" || text == "no" ? std::optional(text == "yes") : std::nullopt; };
+  return {"yes | no", parse, [](const bool value) { return std::string(value ? "yes" : "no"); }};
+}
+
 Codec<std::array<double, 3>> two_or_three_numbers_codec()
 {
   const auto parse_one = [](const std::string &text)

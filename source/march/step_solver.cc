@@ -168,11 +168,16 @@ VectorXd StepSolver::start_of(const Attempt &attempt, const ContactState &state,
   if (!change || attempt.problem.approximate_residual(start) <= good)
     return start;
   const ElasticBody &body = scene_.body();
-  const ContactChange held = body.compliance().held_at(body.elastic_displacement(state.force) +
-                                                       body.prolonged(change->displacement));
-  body.compliance().memory().remember(held.force, held.body);
   ContactState moved = state;
-  moved.force = held.force;
+  if (body.mesh().has_mesh())
+  {
+    const ContactChange held = body.compliance().held_at(body.elastic_displacement(state.force) +
+                                                         body.prolonged(change->displacement));
+    body.compliance().memory().remember(held.force, held.body);
+    moved.force = held.force;
+  }
+  else
+    moved.force += body.prolonged_forces(change->force);
   moved.motion.components += change->motion.components;
   moved.loads += change->loads;
   return attempt.unknowns_of(moved);

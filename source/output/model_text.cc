@@ -28,7 +28,7 @@ std::string held_text(const GeometryOptions &geometry)
     return "none: supports, loads and contact hold the body";
   if (geometry.top_face == TopFace::guided)
     return name + ", guided: " + (geometry.is_lower ? "held" : "moved") + " along z, free sideways";
-  return name + ", clamped: " + (geometry.is_lower ? "does not move" : "moves as a rigid plate");
+  return name + ", clamped: " + (geometry.is_lower ? "does not move" : kind_of(geometry).is_meshed() ? "moves as a rigid plate" : "moves as a rigid body");
 }
 
 std::string supports_line(const GeometryOptions &geometry, const std::string &heading)
@@ -180,7 +180,8 @@ static std::string describe_cells(const Parameters &parameters, const ModelSymme
   {
     const SurfaceGrid grid = surface_grid(parameters.geometry, mesh);
     return "grid           " + std::to_string(grid.n_x) + " x " + std::to_string(grid.n_y) + " patches of " +
-           to_text(grid.width) + " x " + to_text(grid.height) + " mm on a half-space\n";
+           to_text(grid.width) + " x " + to_text(grid.height) + " mm on a " +
+           (grid.is_periodic ? "periodic half-space\n" : "half-space\n");
   }
   return "mesh           " + std::to_string(unknowns.size().cells) +
          (symmetry.is_section() ? " quadrilaterals" : " hexahedra") + " of degree " +

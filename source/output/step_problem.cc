@@ -3,6 +3,8 @@
 #include <orthocone/output/step_problem.h>
 
 #include <orthocone/base/errors.h>
+#include <orthocone/base/text.h>
+#include <orthocone/body/shapes/shape_kind.h>
 
 #include <stdexcept>
 
@@ -32,6 +34,11 @@ void require_writable_problems(const Parameters &parameters, const ModelSymmetry
     throw InputError(entry +
                      " with Mesh/Backend = multigrid, which has no matrix W to write: allowed is 0, or "
                      "Backend = auto or condensed");
+  constexpr double most = 2000; // nodes, whose W has 288 MB
+  const ShapeKind &shape = kind_of(parameters.geometry);
+  if (!shape.is_meshed() && make_shape(parameters.geometry, parameters.mesh)->size(symmetry).contact_nodes > most)
+    throw InputError(entry + " with " + parameters.geometry.shape_entry() + " and more than " + to_text(most) +
+                     " patches, whose W is not written: allowed is 0, or fewer Mesh/Cells");
   if (symmetry.is_axisymmetric())
     throw InputError(entry +
                      " with the axisymmetric model, whose nodes are rings: allowed is 0, or Mesh/Model "
@@ -60,13 +67,30 @@ std::string title_of(const SolvedStep &step)
          (step.report.is_released ? ", in which nothing presses" : "");
 }
 
+/// W, whose columns are products where it is no matrix.
+Eigen::MatrixXd matrix_of(const Compliance &compliance)
+{
+  if (const DenseView *const w = compliance.dense())
+    return w->selfadjointView<Eigen::Lower>();
+  const Eigen::Index n = 3 * compliance.n_nodes();
+  Eigen::MatrixXd matrix(n, n);
+  NodeVector column;
+  for (Eigen::Index i = 0; i < n; ++i)
+  {
+    compliance.vmult(column, NodeVector::Unit(n, i));
+    matrix.col(i) = column;
+  }
+  return (matrix + matrix.transpose()) / 2; // without rounding
+}
+
 ContactProblem data_of(const ContactStep &problem, const std::string &title)
 {
-  const DenseView *const w = problem.system().compliance().dense();
-  if (w == nullptr)
-    throw std::logic_error("a compliance that is no matrix cannot be written");
-  ContactProblem data{w->selfadjointView<Eigen::Lower>(), problem.q(), {}, problem.face().columns(),
-                      problem.face().balance(),           title};
+  ContactProblem data{matrix_of(problem.system().compliance()),
+                      problem.q(),
+                      {},
+                      problem.face().columns(),
+                      problem.face().balance(),
+                      title};
   for (const FrictionLaw &law : problem.laws())
   {
     if (law.ellipse() == nullptr)

@@ -136,6 +136,8 @@ void check_slide(const Scene &scene, const ContactState &state, MotionChecks &ch
 double share_at_border(const BodyOptions &body, const ContactState &state)
 {
   const SurfaceGrid grid = surface_grid(body.geometry, body.mesh);
+  if (grid.is_periodic)
+    return 0;
   double all = 0, at_border = 0;
   for (Index node = 0; node < state.n_nodes(); ++node)
   {

@@ -46,6 +46,13 @@ void check_half_space(const Parameters &parameters)
   const auto &kind = parameters.obstacle.kind;
   if (kind.chosen().gives_way() && kind != ObstacleKind::half_space)
     throw InputError("Obstacle/Kind = " + to_word(kind) + with + ": allowed is rigid or half-space");
+  for (const PathLeg &leg : load_path(parameters.load))
+    for (unsigned int i = 3; i < n_rigid_components && parameters.geometry.is_periodic; ++i)
+      if (leg.after[i].by_force || leg.after[i].value != 0)
+        throw InputError(leg.entry + ": " + (leg.after[i].by_force ? wrench_names : motion_names)[i] + " in " +
+                         leg.place +
+                         " with Geometry/Periodic = yes: allowed are ux, uy, uz and their forces, because a "
+                         "surface that turns is not periodic");
   if (!parameters.output.lines.empty())
     throw InputError("Output/Lines" + with +
                      ", below whose surface no fields are computed: allowed is nothing; Probes are points of "

@@ -5,6 +5,7 @@
 #include "condition_system.h"
 #include "grid_transform.h"
 #include "rectangle_kernel.h"
+#include "wave_symbols.h"
 
 #include <orthocone/base/threads.h>
 
@@ -34,43 +35,6 @@ Matrix3d local(const Matrix3d &columns, const bool is_above)
   return result;
 }
 
-/// Moduli of half-spaces on each other under tractions that vary with the wave vector k: a pressure needs
-/// normal |k| per mm, and a shear traction along k or across it along |k| and across |k|.
-struct WaveStiffness
-{
-  explicit WaveStiffness(const HalfSpace &body, const std::optional<HalfSpace> &counterface)
-  {
-    // Softness 2 (1 - nu^2) / E of pressure and of shear along k, 2 (1 + nu) / E of shear across it.
-    double in_plane = softness(body, 1 - body.poisson_ratio), out_of_plane = softness(body, 1);
-    if (counterface)
-    {
-      in_plane += softness(*counterface, 1 - counterface->poisson_ratio);
-      out_of_plane += softness(*counterface, 1);
-    }
-    along = 1 / in_plane;
-    across = 1 / out_of_plane;
-  }
-
-  static double softness(const HalfSpace &half_space, const double factor)
-  {
-    return 2 * (1 + half_space.poisson_ratio) * factor / half_space.young_modulus;
-  }
-
-  /// Without the coupling between pressure and shear.
-  GridSymbol<double> at(const Vector2d &k) const
-  {
-    const double length = k.norm();
-    GridSymbol<double> symbol;
-    symbol.nn = along * length;
-    symbol.xx = (along * k[0] * k[0] + across * k[1] * k[1]) / length;
-    symbol.yy = (along * k[1] * k[1] + across * k[0] * k[0]) / length;
-    symbol.xy = (along - across) * k[0] * k[1] / length;
-    return symbol;
-  }
-
-  double along, across; ///< MPa
-};
-
 template<typename Real>
 GridSymbols<Real> scaled(const GridSymbols<double> &symbols, const double factor)
 {
@@ -90,7 +54,7 @@ class InnerHalfSpace : public InnerOperator
 {
 public:
   InnerHalfSpace(const GridHalfSpace &half_space, const GridSymbols<double> &compliance,
-                 const WaveStiffness &stiffness, const double scale, const unsigned int n_threads)
+                 const WaveSymbols &waves, const double scale, const unsigned int n_threads)
       : transform_(half_space.grid(), n_threads),
         scale_(scale),
         own_(half_space.diagonal_block(0)),
@@ -100,9 +64,13 @@ public:
     const double area = grid.width * grid.height;
     const Vector2d longest =
         transform_.least_wave_numbers() / 2; // in place of the mean, which has no stiffness
-    stiffness_ = scaled<float>(
-        transform_.symbols_at([&](const Vector2d &k) { return stiffness.at(k.isZero(0) ? longest : k); }),
-        scale * area);
+    const auto symbol_at = [&](const Vector2d &k)
+    {
+      if (!k.isZero(0))
+        return waves.stiffness(k);
+      return grid.is_periodic ? waves.stiffness_of_layer(layer_below(grid)) : waves.stiffness(longest);
+    };
+    stiffness_ = scaled<float>(transform_.symbols_at(symbol_at), scale * area);
   }
 
   double scale() const override { return scale_; }
@@ -158,21 +126,28 @@ public:
   explicit Products(const GridHalfSpace &half_space)
       : n_threads(blas_threads()),
         transform(half_space.grid(), n_threads),
-        symbols(transform.symbols([&](const Index i, const Index j) { return half_space.block(i, j); }))
+        symbols(half_space.grid().is_periodic
+                    ? transform.symbols_at([&, waves = half_space.waves()](const Vector2d &k)
+                                           { return waves.compliance_of_patches(half_space.grid(), k); })
+                    : transform.symbols([&](const Index i, const Index j)
+                                        { return half_space.block_of_patches(i, j); }))
   {
+    if (half_space.grid().is_periodic)
+      kernel = transform.kernel(symbols);
   }
 
   const InnerHalfSpace &inner(const GridHalfSpace &half_space, const double scale)
   {
     if (!inner_ || inner_->scale() != scale)
       inner_ = std::make_unique<const InnerHalfSpace>(
-          half_space, symbols, WaveStiffness(half_space.body_, half_space.counterface_), scale, n_threads);
+          half_space, symbols, half_space.waves(), scale, n_threads);
     return *inner_;
   }
 
   unsigned int n_threads;
   GridTransform<double> transform;
   GridSymbols<double> symbols;
+  GridSymbols<double> kernel; ///< of a periodic grid
 
 private:
   std::unique_ptr<const InnerHalfSpace> inner_;
@@ -190,7 +165,25 @@ GridHalfSpace::GridHalfSpace(const SurfaceGrid &grid, const HalfSpace &body,
 
 GridHalfSpace::~GridHalfSpace() = default;
 
+WaveSymbols GridHalfSpace::waves() const
+{
+  return {body_, counterface_};
+}
+
 Matrix3d GridHalfSpace::block(const Index along_x, const Index along_y) const
+{
+  if (!grid_.is_periodic)
+    return block_of_patches(along_x, along_y);
+  const auto within = [](const Index i, const Index n) { return (i % n + n) % n; };
+  const GridSymbol<double> &at =
+      products_->kernel[within(along_y, grid_.n_y) * grid_.n_x + within(along_x, grid_.n_x)];
+  Matrix3d block;
+  block << at.nn, at.nx, at.ny, -at.nx, at.xx, at.xy, -at.ny, at.xy, at.yy;
+  return block;
+}
+
+/// Without images.
+Matrix3d GridHalfSpace::block_of_patches(const Index along_x, const Index along_y) const
 {
   const Vector2d distance = grid_.distance(along_x, along_y);
   const HalfSpaceKernel kernel = mean_over_rectangles(grid_.width, grid_.height, distance[0], distance[1]);

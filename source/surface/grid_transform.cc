@@ -166,8 +166,8 @@ struct GridTransform<Real>::Plans
 template<typename Real>
 GridTransform<Real>::GridTransform(const SurfaceGrid &grid, const unsigned int n_threads)
     : grid_(grid),
-      padded_x_(fast_size(2 * grid.n_x)),
-      padded_y_(fast_size(2 * grid.n_y)),
+      padded_x_(grid.is_periodic ? grid.n_x : fast_size(2 * grid.n_x)),
+      padded_y_(grid.is_periodic ? grid.n_y : fast_size(2 * grid.n_y)),
       n_frequencies_(padded_x_ / 2 + 1),
       n_threads_(grid.n_nodes() < least_for_threads ? 1 : n_threads),
       plans_(std::make_unique<Plans>(grid.n_y, padded_x_, padded_y_, n_frequencies_))
@@ -186,29 +186,39 @@ Eigen::Vector2d GridTransform<Real>::wave_numbers(const Index p, const Index q) 
           2 * pi * static_cast<double>(signed_q) / (static_cast<double>(padded_y_) * grid_.height)};
 }
 
+namespace
+{
+/// An entry of a 3 x 3 block, and where its kernel changes sign.
+struct Entry
+{
+  Index row, column;
+  bool is_odd_in_x, is_odd_in_y;
+  double GridSymbol<double>::*value;
+
+  bool is_imaginary() const { return is_odd_in_x != is_odd_in_y; }
+};
+
+/// In two groups of as many as there are fields.
+constexpr std::array<std::array<Entry, n_fields>, 2> all_entries{
+    {{{{0, 0, false, false, &GridSymbol<double>::nn},
+       {1, 1, false, false, &GridSymbol<double>::xx},
+       {2, 2, false, false, &GridSymbol<double>::yy}}},
+     {{{1, 2, true, true, &GridSymbol<double>::xy},
+       {0, 1, true, false, &GridSymbol<double>::nx},
+       {0, 2, false, true, &GridSymbol<double>::ny}}}}};
+} // namespace
+
 /// Fills the fields with entries of a kernel that is known where both distances are not negative: the entries
 /// between x and y are odd in both, those of (n, x) and (n, y) in one.
 template<typename Real>
 GridSymbols<double> GridTransform<Real>::symbols(const Kernel &block_at) const
 {
-  struct Entry
-  {
-    Index row, column;
-    bool is_odd_in_x, is_odd_in_y;
-    double GridSymbol<double>::*value;
-  };
-  constexpr Entry first[] = {{0, 0, false, false, &GridSymbol<double>::nn},
-                             {1, 1, false, false, &GridSymbol<double>::xx},
-                             {2, 2, false, false, &GridSymbol<double>::yy}};
-  constexpr Entry second[] = {{1, 2, true, true, &GridSymbol<double>::xy},
-                              {0, 1, true, false, &GridSymbol<double>::nx},
-                              {0, 2, false, true, &GridSymbol<double>::ny}};
   std::vector<Matrix3d> blocks;
   for (Index j = 0; j < grid_.n_y; ++j)
     for (Index i = 0; i < grid_.n_x; ++i)
       blocks.push_back(block_at(i, j));
   GridSymbols<double> symbols(n_frequencies_ * padded_y_);
-  for (const Entry *const entries : {first, second})
+  for (const auto &entries : all_entries)
   {
     for (Index f = 0; f < n_fields; ++f)
       for (Index row = 0; row < padded_y_; ++row)
@@ -232,9 +242,38 @@ GridSymbols<double> GridTransform<Real>::symbols(const Kernel &block_at) const
       for (Index q = 0; q < padded_y_; ++q)
         for (Index p = 0; p < n_frequencies_; ++p)
           symbols[q * n_frequencies_ + p].*entries[f].value =
-              plans_->spectrum_row(f, q)[p][entries[f].is_odd_in_x != entries[f].is_odd_in_y ? 1 : 0];
+              plans_->spectrum_row(f, q)[p][entries[f].is_imaginary() ? 1 : 0];
   }
   return symbols;
+}
+
+template<typename Real>
+GridSymbols<double> GridTransform<Real>::kernel(const GridSymbols<double> &symbols) const
+{
+  GridSymbols<double> kernel(grid_.n_nodes());
+  const double share = 1 / static_cast<double>(padded_x_ * padded_y_);
+  for (const auto &entries : all_entries)
+    for (Index f = 0; f < n_fields; ++f)
+    {
+      for (Index q = 0; q < padded_y_; ++q)
+        for (Index p = 0; p < n_frequencies_; ++p)
+        {
+          auto &number = plans_->spectrum_row(f, q)[p];
+          number[0] = number[1] = 0;
+          number[entries[f].is_imaginary() ? 1 : 0] =
+              static_cast<Real>(share * symbols[q * n_frequencies_ + p].*entries[f].value);
+        }
+      for (Index block = 0; block < plans_->n_blocks(); ++block)
+        plans_->transform(plans_->column_backward, f, block);
+      for (Index y = 0; y < grid_.n_y; ++y)
+      {
+        Real *const row = plans_->row(f, y);
+        Fftw<Real>::backward(plans_->row_backward.get(), plans_->spectrum_row(f, y), row);
+        for (Index x = 0; x < grid_.n_x; ++x)
+          kernel[y * grid_.n_x + x].*entries[f].value = row[x];
+      }
+    }
+  return kernel;
 }
 
 /// Transforms row y of the vector; rows of padding are zero.

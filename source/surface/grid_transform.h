@@ -22,8 +22,8 @@ struct GridSymbol
 template<typename Real>
 using GridSymbols = std::vector<GridSymbol<Real>>; ///< of all frequencies
 
-/// Fourier transforms (FFTW) of three fields on a grid that is padded with zeros to twice its size, so that
-/// products with symbols are convolutions without images. Rows are transformed, then columns: rows that are
+/// Fourier transforms (FFTW) of three fields on a grid that is padded with zeros to twice its size, unless it
+/// is periodic, so that products with symbols are convolutions without images. Rows are transformed, then columns: rows that are
 /// nothing but padding need no transform of their own. Plans are the same in every run, and each row and
 /// column belongs to one thread, so that results are the same to the last bit, whatever the number of threads.
 /// `Real` is double or float.
@@ -53,6 +53,9 @@ public:
         symbols.push_back(symbol(wave_numbers(p, q)));
     return symbols;
   }
+
+  /// The kernel of which these are the symbols: the six values at all distances of a periodic grid.
+  GridSymbols<double> kernel(const GridSymbols<double> &symbols) const;
 
   /// Those of the longest waves, 1/mm.
   Eigen::Vector2d least_wave_numbers() const { return {wave_numbers(1, 0)[0], wave_numbers(0, 1)[1]}; }

@@ -87,6 +87,14 @@ public:
     throw std::logic_error("this body has no coarser mesh");
   }
 
+  /// Contact forces (3 n, N, global axes) on a grid of patches twice as long and wide, as forces on this one
+  /// (local axes). Throws std::logic_error where the body is no grid.
+  virtual NodeVector prolonged_forces(const Eigen::VectorXd &coarser) const
+  {
+    static_cast<void>(coarser);
+    throw std::logic_error("this body is no grid");
+  }
+
   /// The mismatch of forces (3 n) that move the contact nodes by `elastic` (3 n, without the motion of the
   /// held face). Rounding is kept well below `bound`, which is relative.
   virtual BodyMismatch mismatch(const NodeVector &force, const NodeVector &elastic, double bound) const = 0;

@@ -179,6 +179,7 @@ struct GeometryOptions
   TopFace top_face = TopFace::clamped;
   BodyShape shape = BodyShape::cylinder;
   std::array<double, 3> sizes{{20, 20, 10}};   ///< of a box, along x, y, z; of a half-space the last is 0
+  bool is_periodic = false;                    ///< whether a half-space repeats for ever along x and y
   std::string mesh_file{};                     ///< path, or empty
   std::vector<std::string> contact_surfaces{}; ///< by name; none: the base, of a shape that has one
   // Physical groups of that file, by name or number:

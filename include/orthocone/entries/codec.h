@@ -62,6 +62,9 @@ Codec<std::array<double, 3>> three_numbers_codec(const NumberRange &range);
 Codec<std::array<double, 3>> two_or_three_numbers_codec();
 Codec<std::array<unsigned int, 3>> two_or_three_counts_codec(unsigned int most);
 
+/// yes or no.
+Codec<bool> yes_no_codec();
+
 /// Path of a file, or nothing.
 Codec<std::string> path_codec();
 

@@ -9,7 +9,8 @@
 
 namespace orthocone
 {
-/// The march of the same scene on the mesh before the last refinement, with a loose tolerance and one step
+/// The march of the same scene on the mesh before the last refinement, or on a grid of patches twice as long
+/// and wide, with a loose tolerance and one step
 /// ahead: the change of a step there gives its start on the finer mesh.
 class CoarserMarch
 {
@@ -22,7 +23,8 @@ public:
 
   struct Change
   {
-    Eigen::VectorXd displacement; ///< of the free degrees of freedom of the coarser mesh, mm
+    Eigen::VectorXd displacement; ///< of the free degrees of freedom of the coarser mesh, mm, if there is one
+    Eigen::VectorXd force;        ///< of the contact nodes of a coarser grid, in global axes, N
     RigidMotion motion;           ///< of the held face
     Eigen::VectorXd loads{};      ///< as ContactState::loads
   };

@@ -10,12 +10,15 @@
 
 namespace orthocone
 {
+class WaveSymbols;
+
 /// A regular grid of rectangular patches on a plane, each with a contact node at its centre. Node i + n_x j
 /// is the i-th along x and the j-th along y.
 struct SurfaceGrid
 {
   Eigen::Index n_x, n_y;
   double width, height; ///< of a patch, along x and y, mm
+  bool is_periodic = false; ///< whether the plane repeats the grid for ever along x and y
 
   Eigen::Index n_nodes() const { return n_x * n_y; }
 
@@ -30,7 +33,12 @@ struct SurfaceGrid
 /// matrix, but products by fast Fourier transforms of the grid, padded with zeros to twice its size (Hockney,
 /// Meth. Comput. Phys. 9 (1970) 135; for contact Liu, Wang and Liu, Wear 243 (2000) 101). A force on a node
 /// is spread evenly over its patch, and a displacement is the mean over the patch, as in
-/// half_space_compliance(): the products are those of a symmetric, positive definite matrix. Only one thread
+/// half_space_compliance(): the products are those of a symmetric, positive definite matrix.
+///
+/// A periodic grid is not padded. Its symbol is that of the plane (Johnson, Contact Mechanics, 1985, 13.2),
+/// summed over the waves that are alike on the grid, each with the means over patches. Mean tractions would
+/// move a half-space without end against its far field: here they strain a layer as thick as the longer
+/// period, so that motions count from a rigid plane at that depth, which the other waves hardly reach. Only one thread
 /// at a time may use it, and no condition solver but the last one.
 class GridHalfSpace : public Compliance
 {
@@ -43,7 +51,8 @@ public:
 
   const SurfaceGrid &grid() const { return grid_; }
 
-  /// The 3 x 3 block of W of a node by the force on another one, which lies so many patches away (mm/N).
+  /// The 3 x 3 block of W of a node by the force on another one, which lies so many patches away (mm/N), on a
+  /// periodic grid with all its images.
   Eigen::Matrix3d block(Eigen::Index along_x, Eigen::Index along_y) const;
 
   Eigen::Index n_nodes() const override { return grid_.n_nodes(); }
@@ -55,6 +64,9 @@ public:
   std::unique_ptr<ConditionSolver> condition_solver(double softness) const override;
 
 private:
+  Eigen::Matrix3d block_of_patches(Eigen::Index along_x, Eigen::Index along_y) const;
+  WaveSymbols waves() const;
+
   SurfaceGrid grid_;
   HalfSpace body_;
   std::optional<HalfSpace> counterface_;

@@ -4,6 +4,7 @@
 
 #include <orthocone/surface/turned_compliance.h>
 
+#include <algorithm>
 #include <utility>
 
 namespace orthocone
@@ -66,6 +67,27 @@ VectorXd HalfSpaceBody::elastic_displacement(const NodeVector &force) const
     displacement.segment<3>(3 * node) =
         axes_.global_in_local(static_cast<std::size_t>(node)) * local.segment<3>(3 * node);
   return displacement;
+}
+
+/// Bilinear between the middles of the coarser patches, and a quarter of the force, because a patch has a
+/// quarter of the area: each middle has the weight 3/4 along an axis for the patch that it lies next to.
+NodeVector HalfSpaceBody::prolonged_forces(const VectorXd &coarser) const
+{
+  const Index n_x = grid_.n_x / 2, n_y = grid_.n_y / 2;
+  const auto neighbour = [](const Index i, const Index n)
+  { return std::clamp<Index>(i / 2 + (i % 2 == 0 ? -1 : 1), 0, n - 1); };
+  NodeVector force(3 * grid_.n_nodes());
+  for (Index node = 0; node < grid_.n_nodes(); ++node)
+  {
+    const Index i = node % grid_.n_x, j = node / grid_.n_x;
+    const auto at = [&](const Index x, const Index y) { return coarser.segment<3>(3 * (y * n_x + x)); };
+    const auto along_x = [&](const Index y) -> Vector3d
+    { return 0.75 * at(i / 2, y) + 0.25 * at(neighbour(i, n_x), y); };
+    const Vector3d mean = 0.75 * along_x(j / 2) + 0.25 * along_x(neighbour(j, n_y));
+    force.segment<3>(3 * node) =
+        axes_.global_in_local(static_cast<std::size_t>(node)).transpose() * mean / 4;
+  }
+  return force;
 }
 
 BodyMismatch HalfSpaceBody::mismatch(const NodeVector &force, const NodeVector &elastic, double) const

@@ -50,7 +50,17 @@ public:
   BodyShape shape() const override { return BodyShape::half_space; }
   bool is_meshed() const override { return false; }
   const ShapeKind &kind_of_entries() const override { return box_kind(); }
-  void declare(GeometryOptions &, const Condition &, Section &) const override {} // those of a box
+
+  /// Beside the entries of a box.
+  void declare(GeometryOptions &geometry, const Condition &is_chosen, Section &section) const override
+  {
+    section
+        .add("Periodic", geometry.is_periodic, yes_no_codec(),
+             "Whether Sizes are the periods of a half-space that touches everywhere alike. Its motions then "
+             "count from a rigid plane at the depth of the longer period, because mean tractions would move "
+             "a half-space without end.")
+        .only_if(is_chosen);
+  }
   bool has_layers() const override { return false; }
 
   void check(const BodyOptions &body) const override
@@ -96,8 +106,8 @@ public:
 
   std::string describe(const GeometryOptions &geometry) const override
   {
-    return "half-space, which may touch on " + to_text(geometry.sizes[0]) + " x " +
-           to_text(geometry.sizes[1]) + " mm";
+    return (geometry.is_periodic ? "half-space with the periods " : "half-space, which may touch on ") +
+           to_text(geometry.sizes[0]) + " x " + to_text(geometry.sizes[1]) + " mm";
   }
 
   std::unique_ptr<Shape> make(const GeometryOptions &geometry, const MeshOptions &mesh) const override

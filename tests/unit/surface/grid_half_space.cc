@@ -81,7 +81,8 @@ TEST(MeanOverRectangles, AddUp)
 
 TEST(GridHalfSpace, ProductsAreThoseOfADenseMatrix)
 {
-  for (const SurfaceGrid &grid : {SurfaceGrid{9, 5, 0.3, 0.2}, {4, 11, 1, 1}, {1, 6, 2, 0.5}})
+  for (const SurfaceGrid &grid : {SurfaceGrid{9, 5, 0.3, 0.2}, {4, 11, 1, 1}, {1, 6, 2, 0.5},
+                                  {9, 5, 0.3, 0.2, true}, {4, 11, 1, 1, true}, {8, 6, 0.2, 0.5, true}})
     for (const auto &counterface : {std::optional<HalfSpace>(), std::optional<HalfSpace>(body_of_rubber)})
     {
       const GridHalfSpace half_space(grid, body_of_steel, counterface);
@@ -93,7 +94,49 @@ TEST(GridHalfSpace, ProductsAreThoseOfADenseMatrix)
       EXPECT_LT((w - w.transpose()).norm(), 1e-12 * w.norm());
       EXPECT_GT(w.selfadjointView<Eigen::Lower>().eigenvalues().minCoeff(), 0);
       EXPECT_EQ(half_space.diagonal_block(0), (w.block<3, 3>(0, 0)));
+      EXPECT_LT((half_space.displacement_at(3, force) - moved.segment<3>(9)).norm(), 1e-12 * moved.norm());
     }
+}
+
+// A wave of pressure along x moves the surface of a periodic half-space as Johnson (Contact Mechanics, 13.2)
+// has it: by 2 (1 - nu^2) / (E k) along itself, and a quarter of a wave apart by (1 + nu) (1 - 2 nu) / (E k)
+// along x, to the side that the image of a single patch shows, too.
+TEST(GridHalfSpace, MovesAsAWaveDoesWhereItIsPeriodic)
+{
+  constexpr Index n = 64;
+  const SurfaceGrid grid{n, 4, 0.1, 0.3, true};
+  const GridHalfSpace half_space(grid, body_of_steel);
+  const double k = 2 * M_PI / (n * grid.width), nu = body_of_steel.poisson_ratio,
+               normal = 2 * (1 - nu * nu) / (body_of_steel.young_modulus * k),
+               along = (1 + nu) * (1 - 2 * nu) / (body_of_steel.young_modulus * k);
+  VectorXd force = VectorXd::Zero(3 * grid.n_nodes()), moved;
+  for (Index node = 0; node < grid.n_nodes(); ++node)
+    force[3 * node] = grid.width * grid.height * std::cos(k * grid.width * static_cast<double>(node % n));
+  half_space.vmult(moved, force);
+  constexpr double of_patches = 2e-3; // (k width)^2 / 6: the wave is a stair
+  EXPECT_NEAR(moved[0], normal, of_patches * normal);
+  EXPECT_NEAR(moved[3 * (n / 4) + 1] / along, -1, of_patches);
+  EXPECT_NEAR(moved[3 * (3 * n / 4) + 1] / along, 1, of_patches);
+}
+
+// Near a force its images are far: what they do is the same for all that is near, but for the square of its
+// distance. The mean traction compresses a layer as thick as the longer period.
+TEST(GridHalfSpace, IsThatOfASinglePatchNearIt)
+{
+  const SurfaceGrid single{64, 64, 1, 1}, periodic{64, 64, 1, 1, true};
+  const GridHalfSpace alone(single, body_of_steel), among(periodic, body_of_steel);
+  for (const auto &[i, j] : std::vector<std::pair<Index, Index>>{{1, 0}, {0, 1}, {2, 3}, {-3, 1}})
+  {
+    const Matrix3d of_one = alone.block(0, 0) - alone.block(i, j),
+                   of_all = among.block(0, 0) - among.block(i, j);
+    EXPECT_LT((of_all - of_one).norm(), 2e-3 * of_one.norm()) << i << ", " << j;
+  }
+  const VectorXd force = VectorXd::Ones(3 * periodic.n_nodes());
+  VectorXd moved;
+  among.vmult(moved, force);
+  const double nu = body_of_steel.poisson_ratio, soft = (1 + nu) / body_of_steel.young_modulus;
+  EXPECT_NEAR(moved[0], 64 * soft * (1 - 2 * nu) / (1 - nu), 1e-9 * moved[0]);
+  EXPECT_NEAR(moved[1], 64 * 2 * soft, 1e-9 * moved[1]);
 }
 
 // What pressure does to one of two equal bodies along the plane, it does to the other one as well.

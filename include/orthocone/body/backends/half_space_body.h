@@ -26,6 +26,8 @@ public:
   std::unique_ptr<const Compliance> compliance_on(const MaterialOptions &counterface) const override;
   Eigen::VectorXd elastic_displacement(const NodeVector &force) const override;
 
+  NodeVector prolonged_forces(const Eigen::VectorXd &coarser) const override;
+
   /// There is nothing to balance, so that `unbalanced` is how far the displacement of the most loaded node
   /// differs from the sum of what all forces do there by the closed forms, relative to the displacement.
   BodyMismatch mismatch(const NodeVector &force, const NodeVector &elastic, double bound) const override;
