@@ -41,10 +41,10 @@ constexpr double factor_entries = 28, factor_flops = 28;
 /// Far more than any model needs (GB an unknown, and GB): below it nothing is meshed to know that it fits.
 constexpr double most_per_unknown = 1e-4, most_program = 0.2;
 
-// A half-space on a grid: performance.md, "Half-spaces" (tools/study half_space).
-constexpr double grid_bytes = 3000;    // a patch: vectors of GMRES, symbols, transforms
-constexpr double grid_set_up = 1e-5;   // s a patch
-constexpr double grid_step = 4e-6;     // s a patch and binary digit of their number
+// A half-space on a grid: performance.md, "Half-spaces without a mesh" (tools/study half_space).
+constexpr double grid_bytes = 6000;  // a patch: vectors of GMRES, symbols and transforms, on all grids
+constexpr double grid_set_up = 1e-6; // s a patch
+constexpr double grid_step = 6e-7;   // s a patch and binary digit of their number
 
 // The body with multigrid: performance.md, "Multigrid" (tools/study elastic --large).
 constexpr double multigrid_program = 0.17; // GB of each process

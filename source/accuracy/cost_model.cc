@@ -215,11 +215,10 @@ bool CostModel::is_meshed() const
 /// Products by FFT take n log n operations, and the iterations do not grow with n.
 Estimate CostModel::of_grid() const
 {
-  const double n = size_.contact_nodes, per_step = cost::grid_step * n * std::log2(n);
-  const double drawn =
-      cost::seconds_per_value * 9 * n * fields_written_per_step(parameters_.output.contact_interval);
+  const double n = size_.contact_nodes, drawn = fields_written_per_step(parameters_.output.contact_interval);
   return {cost::program + cost::grid_bytes * n / cost::gigabyte + step_gigabytes(),
-          cost::start_up + cost::grid_set_up * n, per_step + drawn};
+          cost::start_up + cost::grid_set_up * n,
+          cost::grid_step * n * std::log2(n) + cost::seconds_per_value * 9 * n * drawn};
 }
 
 Estimate CostModel::condensed(const Body &body) const
@@ -258,10 +257,9 @@ Estimate CostModel::usual() const
 
 double CostModel::least_gigabytes() const
 {
-  if (!is_meshed())
-    return of_grid().gigabytes;
-  return (cost::numbers_per_entry * size_.stiffness_entries + dense(cost::dense_matrices)) *
-         cost::bytes_per_number / cost::gigabyte;
+  return is_meshed() ? (cost::numbers_per_entry * size_.stiffness_entries + dense(cost::dense_matrices)) *
+                           cost::bytes_per_number / cost::gigabyte
+                     : of_grid().gigabytes;
 }
 
 Estimate CostModel::least() const
@@ -313,11 +311,9 @@ Estimate CostModel::multigrid() const
 
 void CostModel::require_countable() const
 {
-  if (!is_meshed())
-    return;
   constexpr double most = std::numeric_limits<int>::max();
   const double compliance = dense(1);
-  if (size_.stiffness_entries <= most && compliance <= most)
+  if (!is_meshed() || (size_.stiffness_entries <= most && compliance <= most))
     return;
   std::ostringstream text;
   text
@@ -331,12 +327,10 @@ void CostModel::require_countable() const
 
 double CostModel::needed_gigabytes(const double gigabytes) const
 {
-  if (!is_meshed())
-    return of_grid().gigabytes;
   if (parameters_.mesh.backend == BodyBackend::multigrid)
     return multigrid_gigabytes();
   const double steps = step_gigabytes();
-  if (const double least = least_gigabytes(); least > gigabytes)
+  if (const double least = least_gigabytes(); least > gigabytes || !is_meshed())
     return least;
   require_countable();
   const double lower_dofs = parameters_.obstacle.kind == ObstacleKind::body

@@ -101,9 +101,8 @@ Ending QuasiStaticProblem::run(const std::optional<Checkpoint> &checkpoint,
                                const std::function<void()> &on_resumed)
 {
   // Also for the parts that a resumed run computes again. Without a matrix BLAS adds vectors alone.
-  const BlasThreads threads(scene_.compliance().dense() != nullptr || scene_.body().mesh().has_mesh()
-                                ? state_.force.size()
-                                : 0);
+  const BlasThreads threads(
+      scene_.compliance().dense() != nullptr || scene_.body().mesh().has_mesh() ? state_.force.size() : 0);
   begin(checkpoint);
   if (checkpoint && on_resumed)
     on_resumed();

@@ -192,7 +192,8 @@ void declare_cells(MeshOptions &mesh, const GeometryOptions &geometry, Section &
 {
   for (const ShapeKind *const kind : shape_kinds())
     kind->declare_cells(mesh, where_entries_of(geometry, *kind), section);
-  const Condition has_cells = where_shape(geometry, [](const ShapeKind &chosen) { return chosen.is_meshed(); });
+  const Condition has_cells =
+      where_shape(geometry, [](const ShapeKind &chosen) { return chosen.is_meshed(); });
   section
       .add("Layer grading", mesh.layer_grading, number_codec(NumberRange{0, 10, false, true}),
            "Thickness of each layer divided by that of its neighbour towards mid-height: below 1, layers get "
@@ -209,11 +210,11 @@ void declare_cells(MeshOptions &mesh, const GeometryOptions &geometry, Section &
       .only_if(has_cells);
   section
       .add_word("Volumetric quadrature", mesh.volumetric_quadrature,
-                   "How the elements resist changes of volume. projected: only to the part of a change that "
-                   "is a polynomial of Degree - 1 (B-bar for Degree = 1), so that nearly incompressible "
-                   "bodies do not lock and contact stresses do not scatter; full: to all of it; auto: "
-                   "projected from Degree = 2 on, full for Degree = 1; reduced: an older word for projected. "
-                   "The entry may stand beside a Resolution or an Accuracy.")
+                "How the elements resist changes of volume. projected: only to the part of a change that "
+                "is a polynomial of Degree - 1 (B-bar for Degree = 1), so that nearly incompressible "
+                "bodies do not lock and contact stresses do not scatter; full: to all of it; auto: "
+                "projected from Degree = 2 on, full for Degree = 1; reduced: an older word for projected. "
+                "The entry may stand beside a Resolution or an Accuracy.")
       .only_if(has_cells);
   section.add(
       "Refinements", mesh.refinements, count_codec(0, 7),
@@ -222,27 +223,30 @@ void declare_cells(MeshOptions &mesh, const GeometryOptions &geometry, Section &
 
 void declare_backend(MeshOptions &mesh, const GeometryOptions &geometry, Section &section)
 {
-  const Condition has_cells = where_shape(geometry, [](const ShapeKind &chosen) { return chosen.is_meshed(); });
+  const Condition has_cells =
+      where_shape(geometry, [](const ShapeKind &chosen) { return chosen.is_meshed(); });
   section
       .add("Adaptive", mesh.adaptive, count_codec(0, 10),
-              "Rounds of local refinement before the run. Each round solves the first cycle on the mesh so "
-              "far and halves the cells that are too large for it: at the rim of the base, where stick, slip "
-              "and gap meet, and where stresses jump between cells.")
+           "Rounds of local refinement before the run. Each round solves the first cycle on the mesh so "
+           "far and halves the cells that are too large for it: at the rim of the base, where stick, slip "
+           "and gap meet, and where stresses jump between cells.")
       .only_if(has_cells);
   section
       .add("Refined cells", mesh.refined_cells, refined_cells_codec(),
-              "Numbers of the cells of the modelled part that are halved in each round, after Refinements. A "
-              "run with Adaptive writes its choice to parameters.prm, so that other runs can take the same "
-              "mesh without the search.")
+           "Numbers of the cells of the modelled part that are halved in each round, after Refinements. A "
+           "run with Adaptive writes its choice to parameters.prm, so that other runs can take the same "
+           "mesh without the search.")
       .only_if(has_cells);
   section
       .add_word(
-      "Backend", mesh.backend,
-      "How the elastic body is solved. condensed: its stiffness is factorized and condensed to the contact "
-      "nodes; multigrid: by V-cycles over the mesh and its refinements, without a factorization of the "
-      "whole, for solids of degree 1 to 3 with Contact solver/Method = newton; auto: whichever takes less "
-      "time by an estimate, or alone fits into the memory, and condensed where no cell is halved and a "
-      "factorization takes seconds. The entry may stand beside a Resolution or an Accuracy.")
+          "Backend", mesh.backend,
+          "How the elastic body is solved. condensed: its stiffness is factorized and condensed to the "
+          "contact "
+          "nodes; multigrid: by V-cycles over the mesh and its refinements, without a factorization of the "
+          "whole, for solids of degree 1 to 3 with Contact solver/Method = newton; auto: whichever takes "
+          "less "
+          "time by an estimate, or alone fits into the memory, and condensed where no cell is halved and a "
+          "factorization takes seconds. The entry may stand beside a Resolution or an Accuracy.")
       .only_if(has_cells);
 }
 

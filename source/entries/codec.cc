@@ -134,7 +134,8 @@ Codec<std::array<double, 3>> two_or_three_numbers_codec()
     return number && positive.contains(*number) ? number : std::nullopt;
   };
   return {"two or three numbers" + positive.describe() + " separated by commas",
-          [parse_one](const std::string &text, std::string &) { return two_or_three<double>(text, parse_one); },
+          [parse_one](const std::string &text, std::string &)
+          { return two_or_three<double>(text, parse_one); },
           [](const std::array<double, 3> &value) { return two_or_three_text<double>(value, to_text); }};
 }
 
@@ -148,7 +149,8 @@ Codec<std::array<unsigned int, 3>> two_or_three_counts_codec(const unsigned int 
   return {"two or three whole numbers from 1 to " + std::to_string(most) + " separated by commas",
           [parse_one](const std::string &text, std::string &)
           { return two_or_three<unsigned int>(text, parse_one); },
-          [](const std::array<unsigned int, 3> &value) {
+          [](const std::array<unsigned int, 3> &value)
+          {
             return two_or_three_text<unsigned int>(value, [](const unsigned int count)
                                                    { return std::to_string(count); });
           }};

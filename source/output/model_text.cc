@@ -20,7 +20,7 @@ namespace
 std::string held_text(const GeometryOptions &geometry)
 {
   const std::vector<std::string> names = kind_of(geometry).surfaces(geometry);
-  const std::string name = geometry.is_from_file()         ? shown(geometry.held_surface)
+  const std::string name = geometry.is_from_file()          ? shown(geometry.held_surface)
                            : !kind_of(geometry).is_meshed() ? std::string("far field")
                            : names.empty()                  ? std::string("top")
                                                             : names[1];
@@ -28,7 +28,10 @@ std::string held_text(const GeometryOptions &geometry)
     return "none: supports, loads and contact hold the body";
   if (geometry.top_face == TopFace::guided)
     return name + ", guided: " + (geometry.is_lower ? "held" : "moved") + " along z, free sideways";
-  return name + ", clamped: " + (geometry.is_lower ? "does not move" : kind_of(geometry).is_meshed() ? "moves as a rigid plate" : "moves as a rigid body");
+  return name + ", clamped: " +
+         (geometry.is_lower               ? "does not move"
+          : kind_of(geometry).is_meshed() ? "moves as a rigid plate"
+                                          : "moves as a rigid body");
 }
 
 std::string supports_line(const GeometryOptions &geometry, const std::string &heading)
@@ -187,8 +190,9 @@ static std::string describe_cells(const Parameters &parameters, const ModelSymme
          (symmetry.is_section() ? " quadrilaterals" : " hexahedra") + " of degree " +
          std::to_string(mesh.degree) + ", " + std::to_string(mesh.n_quadrature_points()) +
          " Gauss points per direction" +
-         (mesh.resolved_volumetric_quadrature() == VolumetricQuadrature::projected ? ", divergence projected\n"
-                                                                                   : "\n");
+         (mesh.resolved_volumetric_quadrature() == VolumetricQuadrature::projected
+              ? ", divergence projected\n"
+              : "\n");
 }
 
 std::string describe_model(const Parameters &parameters, const ModelChoice &model,
@@ -197,8 +201,8 @@ std::string describe_model(const Parameters &parameters, const ModelChoice &mode
   const ContactSolverOptions &solver = parameters.contact_solver;
   std::ostringstream text;
   text << describe_model(model) << describe_materials(parameters)
-       << describe_cells(parameters, model.symmetry, unknowns) << "unknowns       " << unknowns.size().free_dofs << " of " << unknowns.size().dofs
-       << " degrees of freedom\n"
+       << describe_cells(parameters, model.symmetry, unknowns) << "unknowns       "
+       << unknowns.size().free_dofs << " of " << unknowns.size().dofs << " degrees of freedom\n"
        << describe_obstacle(parameters) << "contact nodes  " << unknowns.contact_surface().nodes.size()
        << (model.symmetry.is_axisymmetric()   ? " (rings)"
            : model.symmetry.is_plane_strain() ? " (lines)"

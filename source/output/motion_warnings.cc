@@ -24,7 +24,8 @@ void warn_of_large_motions(const RunRecord &record, std::vector<std::string> &wa
                        " % of Young's modulus; the program computes with small strains, which is good up to "
                        "about 10 % (strains of 5 %). Smaller loads or motions keep within it");
   if (record.border.first > 0)
-    warnings.push_back(begin(record.border.second) + "the contact reaches the border of Geometry/Sizes, with " +
+    warnings.push_back(begin(record.border.second) +
+                       "the contact reaches the border of Geometry/Sizes, with " +
                        to_text(std::ceil(percent * record.border.first)) +
                        " % of the normal force on the outermost patches, and beyond it the half-space cannot "
                        "touch. Larger Sizes keep the contact inside, unless it is to end there as below a "

@@ -36,9 +36,10 @@ void require_writable_problems(const Parameters &parameters, const ModelSymmetry
                      "Backend = auto or condensed");
   constexpr double most = 2000; // nodes, whose W has 288 MB
   const ShapeKind &shape = kind_of(parameters.geometry);
-  if (!shape.is_meshed() && make_shape(parameters.geometry, parameters.mesh)->size(symmetry).contact_nodes > most)
-    throw InputError(entry + " with " + parameters.geometry.shape_entry() + " and more than " + to_text(most) +
-                     " patches, whose W is not written: allowed is 0, or fewer Mesh/Cells");
+  if (!shape.is_meshed() &&
+      make_shape(parameters.geometry, parameters.mesh)->size(symmetry).contact_nodes > most)
+    throw InputError(entry + " with " + parameters.geometry.shape_entry() + " and more than " +
+                     to_text(most) + " patches, whose W is not written: allowed is 0, or fewer Mesh/Cells");
   if (symmetry.is_axisymmetric())
     throw InputError(entry +
                      " with the axisymmetric model, whose nodes are rings: allowed is 0, or Mesh/Model "

@@ -71,8 +71,8 @@ std::string describe(const CriticalFrictionRecord &critical)
   std::ostringstream text;
   text << std::setprecision(3) << "critical friction ";
   if (std::isnan(critical.factor))
-    text << "not known, because it is computed from the compliance of single nodes, which multigrid does not "
-            "have, and for friction ellipses only";
+    text << "not known, because it is computed from the compliance of single nodes, which a "
+            "condensed body alone has, and for friction ellipses only";
   else if (!std::isfinite(critical.factor))
     text << "none, because there is no friction, or because normal and tangential directions are not coupled";
   else

@@ -36,7 +36,7 @@ OrderedJson model_json(const Summary &summary)
   return {{"kind", symmetry.is_plane_strain() ? "plane strain" : symmetry.name()},
           {"reason", summary.model.reason},
           {"symmetry_planes", planes},
-          {"backend", !kind_of(summary.parameters.geometry).is_meshed()             ? "half-space"
+          {"backend", !kind_of(summary.parameters.geometry).is_meshed()           ? "half-space"
                       : summary.parameters.mesh.backend == BodyBackend::multigrid ? "multigrid"
                                                                                   : "condensed"},
           {"cells", unknowns.size().cells},

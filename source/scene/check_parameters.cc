@@ -39,7 +39,8 @@ void check_half_space(const Parameters &parameters)
 {
   if (kind_of(parameters.geometry).is_meshed())
     return;
-  const std::string with = " with " + parameters.geometry.shape_entry(), method = parameters.contact_solver.method;
+  const std::string with = " with " + parameters.geometry.shape_entry(),
+                    method = parameters.contact_solver.method;
   if (find_contact_method(method)->needs_dense)
     throw InputError("Contact solver/Method = " + method + with +
                      ", whose compliance is no matrix: allowed is newton");
@@ -49,8 +50,8 @@ void check_half_space(const Parameters &parameters)
   for (const PathLeg &leg : load_path(parameters.load))
     for (unsigned int i = 3; i < n_rigid_components && parameters.geometry.is_periodic; ++i)
       if (leg.after[i].by_force || leg.after[i].value != 0)
-        throw InputError(leg.entry + ": " + (leg.after[i].by_force ? wrench_names : motion_names)[i] + " in " +
-                         leg.place +
+        throw InputError(leg.entry + ": " + (leg.after[i].by_force ? wrench_names : motion_names)[i] +
+                         " in " + leg.place +
                          " with Geometry/Periodic = yes: allowed are ux, uy, uz and their forces, because a "
                          "surface that turns is not periodic");
   if (!parameters.output.lines.empty())

@@ -196,9 +196,10 @@ void declare_output(OutputOptions &output, Section &section)
       .may_change_on_resume()
       .also_called({"vtu", "vtk"});
   section
-      .add("Volume fields", output.volume_interval, interval,
-           "Interval, in load steps, at which displacement and stress in the bodies are written; 0 = never. A "
-           "half-space without a mesh has no such fields.")
+      .add(
+          "Volume fields", output.volume_interval, interval,
+          "Interval, in load steps, at which displacement and stress in the bodies are written; 0 = never. A "
+          "half-space without a mesh has no such fields.")
       .may_change_on_resume();
   section
       .add("Problems", output.problem_interval, interval,

@@ -118,8 +118,8 @@ void require_sizes(const SurfaceGrid &grid)
 }
 } // namespace
 
-/// The transform and the symbols of the compliance, and what GMRES makes of them, once for all steps. They are
-/// made with as many threads as BLAS has then.
+/// The transform and the symbols of the compliance, and what GMRES makes of them, once for all steps. They
+/// are made with as many threads as BLAS has then.
 class GridHalfSpace::Products
 {
 public:
@@ -139,8 +139,8 @@ public:
   const InnerHalfSpace &inner(const GridHalfSpace &half_space, const double scale)
   {
     if (!inner_ || inner_->scale() != scale)
-      inner_ = std::make_unique<const InnerHalfSpace>(
-          half_space, symbols, half_space.waves(), scale, n_threads);
+      inner_ =
+          std::make_unique<const InnerHalfSpace>(half_space, symbols, half_space.waves(), scale, n_threads);
     return *inner_;
   }
 

@@ -106,13 +106,17 @@ struct GridTransform<Real>::Plans
 
   static constexpr Index columns_at_once = 8; ///< as many numbers as lie in one line of the cache
 
-  static Index aligned(const Index n) { return (n + columns_at_once - 1) / columns_at_once * columns_at_once; }
+  static Index aligned(const Index n)
+  {
+    return (n + columns_at_once - 1) / columns_at_once * columns_at_once;
+  }
 
   template<typename Value>
   static Memory<Value> zeros(const Index n)
   {
     auto *const values = static_cast<Value *>(Own::allocate(sizeof(Value) * n));
-    std::fill_n(reinterpret_cast<Real *>(values), n * static_cast<Index>(sizeof(Value) / sizeof(Real)), Real(0));
+    std::fill_n(reinterpret_cast<Real *>(values), n * static_cast<Index>(sizeof(Value) / sizeof(Real)),
+                Real(0));
     return {values, Own::free};
   }
 
@@ -129,7 +133,8 @@ struct GridTransform<Real>::Plans
         column_backward(nullptr, Own::destroy)
   {
     // Plans that are measured would differ from run to run.
-    const auto n_x = static_cast<int>(size_x), n_y = static_cast<int>(size_y), apart = static_cast<int>(width);
+    const auto n_x = static_cast<int>(size_x), n_y = static_cast<int>(size_y),
+               apart = static_cast<int>(width);
     const auto columns = [&](const int direction)
     {
       return Own::plan_columns(1, &n_y, columns_at_once, spectrum.get(), nullptr, apart, 1, spectrum.get(),

@@ -23,10 +23,10 @@ template<typename Real>
 using GridSymbols = std::vector<GridSymbol<Real>>; ///< of all frequencies
 
 /// Fourier transforms (FFTW) of three fields on a grid that is padded with zeros to twice its size, unless it
-/// is periodic, so that products with symbols are convolutions without images. Rows are transformed, then columns: rows that are
-/// nothing but padding need no transform of their own. Plans are the same in every run, and each row and
-/// column belongs to one thread, so that results are the same to the last bit, whatever the number of threads.
-/// `Real` is double or float.
+/// is periodic, so that products with symbols are convolutions without images. Rows are transformed, then
+/// columns: rows that are nothing but padding need no transform of their own. Plans are the same in every
+/// run, and each row and column belongs to one thread, so that results are the same to the last bit, whatever
+/// the number of threads. `Real` is double or float.
 template<typename Real>
 class GridTransform
 {

@@ -84,7 +84,8 @@ private:
     {
       const Matrix3d turn = compliance_.turn(node);
       NodeCondition &condition = conditions.nodes[static_cast<std::size_t>(node)];
-      condition.basis = turn * condition.basis;
+      if (condition.n_unknowns < 3) // three unknowns are the force, in whatever axes
+        condition.basis = turn * condition.basis;
       condition.rows = turn * condition.rows;
       condition.fixed = turn * condition.fixed;
     }

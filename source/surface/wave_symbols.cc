@@ -42,8 +42,8 @@ void add(const GridSymbol<double> &symbol, const double weight, GridSymbol<doubl
 } // namespace
 
 /// Waves on a half-space (Johnson, Contact Mechanics, 1985, 13.2): pressure, and shear along k, move it along
-/// themselves by 2 (1 - nu^2) / (E |k|), shear across k by 2 (1 + nu) / (E |k|), and pressure moves it along k
-/// by (1 + nu) (1 - 2 nu) / (E |k|), a quarter of a wave apart: towards its crests above the plane, where a
+/// themselves by 2 (1 - nu^2) / (E |k|), shear across k by 2 (1 + nu) / (E |k|), and pressure moves it along
+/// k by (1 + nu) (1 - 2 nu) / (E |k|), a quarter of a wave apart: towards its crests above the plane, where a
 /// normal force pushes up, and to the other side below.
 WaveSymbols::WaveSymbols(const HalfSpace &body, const std::optional<HalfSpace> &counterface)
 {
@@ -91,9 +91,9 @@ GridSymbol<double> WaveSymbols::stiffness_of_layer(const double thickness) const
   return symbol;
 }
 
-/// The tractions of a patch are even, so that they contain all waves k + 2 pi (i / width, j / height), each by
-/// its mean over the patch, and so does the mean displacement of another patch. The terms fall with the fifth
-/// power of the wave number, or the third along the axes: what is left out is 1e-4 of a patch's own
+/// The tractions of a patch are even, so that they contain all waves k + 2 pi (i / width, j / height), each
+/// by its mean over the patch, and so does the mean displacement of another patch. The terms fall with the
+/// fifth power of the wave number, or the third along the axes: what is left out is 1e-4 of a patch's own
 /// compliance. Entries that are odd vanish where a wave is its own mirror image.
 GridSymbol<double> WaveSymbols::compliance_of_patches(const SurfaceGrid &grid, const Vector2d &k) const
 {

@@ -4,7 +4,59 @@
 FOLDER = "contradictions"
 PLANE = "subsection Geometry\n  set Kind = plane strain\n  set Shape = box\nend\n"
 ON_BODY = "subsection Obstacle\n  set Kind = body\nend\n"
+GRID = "subsection Geometry\n  set Shape = half-space\n  set Sizes = 4, 4\nend\nsubsection Mesh\n  set Cells = 16, 16\nend\n"
+
+
+def of_half_space(name, section, entry, value, message):
+    """A half-space with an entry that it does not take."""
+    return (f"grid_{name}", GRID + f"subsection {section}\n  set {entry} = {value}\nend\n", "{file}: " + message)
+
+
+WITH = " with Geometry/Shape = half-space: allowed is "
+HALF_SPACES = [
+    ("grid_without_sizes", "subsection Geometry\n  set Shape = half-space\nend\n",
+     "{file}: Geometry/Sizes = 20, 20, 10" + WITH + "l_x, l_y, the part of its surface that may touch"),
+    of_half_space("of_cells", "Mesh", "Cells", "8, 8, 8", "Mesh/Cells = 8, 8, 8" + WITH + "n_x, n_y, the patches of that part"),
+    of_half_space("of_one", "Mesh", "Cells", "1, 8", "Mesh/Cells = 1, 8" + WITH + "at least 2 patches along x and y"),
+    of_half_space("too_fine", "Mesh", "Cells", "4096, 8\n  set Refinements = 1",
+                  "Mesh/Refinements = 1" + WITH + "a number that leaves at most 4096 patches along x and y"),
+    of_half_space("graded", "Mesh", "Edge grading", "2", "Mesh/Edge grading = 2" + WITH + "1, because its grid is regular"),
+    of_half_space("on_multigrid", "Mesh", "Backend", "multigrid",
+                  "Mesh/Backend = multigrid" + WITH + "auto, because it has no mesh"),
+    of_half_space("adaptive", "Mesh", "Adaptive", "2", "Mesh/Adaptive = 2" + WITH + "0, because it has no mesh"),
+    of_half_space("refined_cells", "Mesh", "Refined cells", "0-3",
+                  "Mesh/Refined cells is set" + WITH + "nothing, because it has no mesh"),
+    of_half_space("accuracy", "Mesh", "Accuracy", "1 %",
+                  "Mesh/Accuracy = 1 %" + WITH + "0; Mesh/Cells are the patches of a half-space"),
+    of_half_space("free", "Geometry", "Top face", "free",
+                  "Geometry/Top face = free" + WITH + "clamped: its far field moves as a rigid body"),
+    of_half_space("supported", "Geometry", "Supports", "side: x",
+                  "Geometry/Supports = side: x with Geometry/Shape = half-space, whose surfaces have no names: allowed is "
+                  "nothing"),
+    of_half_space("plane_strain", "Geometry", "Kind", "plane strain",
+                  "Geometry/Shape = half-space with Geometry/Kind = plane strain: allowed is box or file"),
+    of_half_space("orthotropic", "Material", "Law", "orthotropic",
+                  "Material/Law = orthotropic" + WITH + "one isotropic material, of which its closed forms are"),
+    of_half_space("warm", "Material", "Thermal expansion", "1e-5\nend\nsubsection Load program\n  set Loads = warm: temperature",
+                  "Load program/Loads: 'warm: temperature'" + WITH + "an interference; motions and forces of the far field "
+                  "stand in the legs"),
+    of_half_space("on_body", "Obstacle", "Kind", "body",
+                  "Obstacle/Kind = body with Geometry/Shape = half-space: allowed is rigid or half-space"),
+    of_half_space("by_sweeps", "Contact solver", "Method", "uzawa",
+                  "Contact solver/Method = uzawa with Geometry/Shape = half-space, whose compliance is no matrix: allowed is "
+                  "newton"),
+    of_half_space("half", "Mesh", "Model", "half",
+                  "Mesh/Model = half is not possible: Geometry/Shape = half-space is computed as a whole, because the "
+                  "products of its grid need no symmetry to be fast; possible models are full"),
+    of_half_space("with_lines", "Output", "Lines", "axis: 0 0 0 to 0 0 1, 10",
+                  "Output/Lines with Geometry/Shape = half-space, below whose surface no fields are computed: allowed is "
+                  "nothing; Probes are points of its surface"),
+    of_half_space("turned", "Geometry", "Periodic", "yes\nend\nsubsection Load program\n  set Legs = uz -0.01 rz 1 : 2",
+                  "Load program/Legs: rz in leg 1 with Geometry/Periodic = yes: allowed are ux, uy, uz and their forces, "
+                  "because a surface that turns is not periodic"),
+]
 ROWS = [
+    *HALF_SPACES,
     ("accuracy_and_resolution", "subsection Mesh\n  set Resolution = fine\n  set Accuracy   = 1 %\nend\n",
      "{file}: Mesh/Accuracy = 1 % with Mesh/Resolution = fine: allowed is one of them; an accuracy chooses the "
      "mesh by itself"),

@@ -47,11 +47,11 @@ COUNT, POSITIVE, GRADING = "a whole number from 1 to 200", "a number > 0", "a nu
 OF_CELLS = [("Core cells", "0", COUNT), ("Rings", "-1", "a whole number from 0 to 200"), ("Layers", "0", COUNT),
             ("Degree", "5", "a whole number from 1 to 4"), ("Quadrature points", "11", "a whole number from 0 to 10"),
             ("Volumetric quadrature", "b-bar", "auto | full | projected | reduced"), ("Core ratio", "1", "a number >= 0.01 and < 1"),
-            ("Rim grading", "0", GRADING), ("Cells", "8, 8", "three whole numbers from 1 to 200 separated by commas"),
+            ("Rim grading", "0", GRADING), ("Cells", "8", "two or three whole numbers from 1 to 4096 separated by commas"),
             ("Edge grading", "0", GRADING), ("Layer grading", "10.1", GRADING),
             ("Refinements", "8", "a whole number from 0 to 7")]
 OF_SIZES = [("Shape", "sphere", "cylinder | box | file"), ("Radius", "0", POSITIVE), ("Height", "-10", POSITIVE),
-            ("Sizes", "20, 0, 10", "three numbers > 0 separated by commas"), ("Top face", "loose", "clamped | guided | free"),
+            ("Sizes", "20, 0, 10", "two or three numbers > 0 separated by commas"), ("Top face", "loose", "clamped | guided | free"),
             ("Supports", "top x", SUPPORTS)]
 OF_CONSTANTS = [("Young modulus", "210 N", POSITIVE + "; N is a unit of force, and this entry has MPa, N/mm^2, N/mm2, GPa, kPa, Pa, bar"), ("Poisson ratio", "0.5", "a number > -1 and < 0.5")]
 GIVEN = [(text.split("set ")[1].split(" = "), message.split("allowed is ", 1)[1], text) for _, text, message in ROWS]

@@ -11,6 +11,7 @@ REFUSED = {
                         "10 10"],
     "Geometry/Height": ["-1e-300", "1,000.5", "e5", ".", "+", "+-5", "-", "10d0"],
     "Geometry/Kind": ["Plane strain", "plane", "2"], "Geometry/Thickness": ["-0", "1 MPa", "inf"],
+    "Geometry/Periodic": ["Yes", "true", "1", "yes no", ""],
     "Geometry/Top face": ["Clamped", "clamped | guided", "0", "free free"],
     "Geometry/Supports": ["x", "x:", ":", ";", "side: X", "side: x,y", "side: x ;; top: x", "a\\b: x", "side: x: y", "0"],
     "Geometry/Curved surfaces": ["bore", "bore:", "bore: cone", "bore: cylinder", "bore: cylinder through 0 0 0",

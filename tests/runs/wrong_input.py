@@ -22,9 +22,9 @@ PROBE = "probes \"name: x y\""
 
 # Values that are wrong by themselves: section, entry, what the message says is allowed, values.
 WRONG_VALUES = [
-    ("Geometry", "Shape", "cylinder | box | file", ["cube"]),
-    ("Geometry", "Sizes", "three numbers > 0 separated by commas", ["1, 2", "0, 1, 1", "1 2 3", "1, 2, inf"]),
-    ("Mesh", "Cells", "three whole numbers from 1 to 200 separated by commas", ["8, 8", "0, 1, 1", "201, 1, 1", "1.5, 1, 1"]),
+    ("Geometry", "Shape", "cylinder | box | file | half-space", ["cube"]),
+    ("Geometry", "Sizes", "two or three numbers > 0 separated by commas", ["1", "0, 1, 1", "1 2 3", "1, 2, inf"]),
+    ("Mesh", "Cells", "two or three whole numbers from 1 to 4096 separated by commas", ["8", "0, 1, 1", "4097, 1, 1", "1.5, 1, 1"]),
     ("Geometry", "Radius", POSITIVE, ["ten", "", "1,5", "+-5", "++5"]),
     ("Material", "Young modulus", POSITIVE, ["0", "-1", "nan", "inf", "1e999", "2 Gpa"]),
     ("Material", "Poisson ratio", "a number > -1 and < 0.5", ["0.5", "-1", "0.7", "steel"]),

@@ -2,6 +2,7 @@
 # Copyright (C) 2026 the orthocone authors
 """The one list of known answers: tools/verification prints them, ctest -R run_book checks them, the tables of
 docs/verification.md are made of them."""
+import grids
 import inside
 import loaded
 import sheared
@@ -11,7 +12,7 @@ import whole
 
 # Name of each table of the page, and its rows.
 CHAPTERS = {"pressed": (*spheres.ROWS, *inside.ROWS), "sheared": (*sheared.MINDLIN, *sheared.EXAMPLE, *sheared.ORTHOTROPIC),
-            "twisted": sheared.TORSION, "spence": sheared.SELF, "strips": strips.ROWS, "uniform": whole.UNIFORM,
+            "twisted": sheared.TORSION, "spence": sheared.SELF, "grids": grids.GRIDS, "strips": strips.ROWS, "uniform": whole.UNIFORM,
             "sliding": whole.MOVING, "squeezed": whole.SQUEEZED, "worn": whole.WEARING,
             "fatigue": loaded.FATIGUE, "loaded": loaded.SURFACES}
 ROWS = tuple(row for rows in CHAPTERS.values() for row in rows)

@@ -20,9 +20,9 @@ using NodeVector = Eigen::VectorXd;
 
 /// A linearized contact law at one node. Its change of force (N) is fixed + basis x with n unknowns x (N),
 /// which obey n equations: rows^T (change of displacement, mm) + diagonal x = right_side. Without unknowns
-/// the force is given. With three the displacement is given. With two there is a mixed relation: its first
-/// unknown is along the stiff direction, its second one along the direction that friction makes soft.
-/// docs/theory.md, section 3, "A body without a matrix".
+/// the force is given. With three the displacement is given, and basis is I. With two there is a mixed
+/// relation: its first unknown is along the stiff direction, its second one along the direction that friction
+/// makes soft. docs/theory.md, section 3, "A body without a matrix".
 struct NodeCondition
 {
   Eigen::Index n_unknowns = 0;                     ///< 0, 2 or 3; as many columns of the next two count

@@ -17,7 +17,7 @@ class WaveSymbols;
 struct SurfaceGrid
 {
   Eigen::Index n_x, n_y;
-  double width, height; ///< of a patch, along x and y, mm
+  double width, height;     ///< of a patch, along x and y, mm
   bool is_periodic = false; ///< whether the plane repeats the grid for ever along x and y
 
   Eigen::Index n_nodes() const { return n_x * n_y; }
@@ -38,13 +38,14 @@ struct SurfaceGrid
 /// A periodic grid is not padded. Its symbol is that of the plane (Johnson, Contact Mechanics, 1985, 13.2),
 /// summed over the waves that are alike on the grid, each with the means over patches. Mean tractions would
 /// move a half-space without end against its far field: here they strain a layer as thick as the longer
-/// period, so that motions count from a rigid plane at that depth, which the other waves hardly reach. Only one thread
-/// at a time may use it, and no condition solver but the last one.
+/// period, so that motions count from a rigid plane at that depth, which the other waves hardly reach. Only
+/// one thread at a time may use it, and no condition solver but the last one.
 class GridHalfSpace : public Compliance
 {
 public:
   /// `body` lies above the plane, so that the normals of the nodes point into it, and `counterface` below,
-  /// whose compliance is added. Throws std::invalid_argument unless the grid has nodes, and patches with a size.
+  /// whose compliance is added. Throws std::invalid_argument unless the grid has nodes, and patches with a
+  /// size.
   GridHalfSpace(const SurfaceGrid &grid, const HalfSpace &body,
                 const std::optional<HalfSpace> &counterface = std::nullopt);
   ~GridHalfSpace() override;

@@ -84,8 +84,7 @@ NodeVector HalfSpaceBody::prolonged_forces(const VectorXd &coarser) const
     const auto along_x = [&](const Index y) -> Vector3d
     { return 0.75 * at(i / 2, y) + 0.25 * at(neighbour(i, n_x), y); };
     const Vector3d mean = 0.75 * along_x(j / 2) + 0.25 * along_x(neighbour(j, n_y));
-    force.segment<3>(3 * node) =
-        axes_.global_in_local(static_cast<std::size_t>(node)).transpose() * mean / 4;
+    force.segment<3>(3 * node) = axes_.global_in_local(static_cast<std::size_t>(node)).transpose() * mean / 4;
   }
   return force;
 }
@@ -97,8 +96,8 @@ BodyMismatch HalfSpaceBody::mismatch(const NodeVector &force, const NodeVector &
   if (force.isZero(0))
     return mismatch;
   const Index node = most_loaded_node(force);
-  const Vector3d by_sum = axes_.global_in_local(static_cast<std::size_t>(node)) *
-                          compliance_->displacement_at(node, force);
+  const Vector3d by_sum =
+      axes_.global_in_local(static_cast<std::size_t>(node)) * compliance_->displacement_at(node, force);
   mismatch.unbalanced = (mismatch.volume.segment<3>(3 * node) - by_sum).norm() / by_sum.norm();
   return mismatch;
 }

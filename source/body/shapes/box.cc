@@ -195,9 +195,10 @@ public:
   {
     constexpr unsigned int most = 4096;
     section
-        .add("Cells", mesh.cells, two_or_three_counts_codec(most),
-             "n_x, n_y, n_z: numbers of cells of a box along x, y and z, up to 200 each; n_x, n_y: numbers of "
-             "patches of a half-space.")
+        .add(
+            "Cells", mesh.cells, two_or_three_counts_codec(most),
+            "n_x, n_y, n_z: numbers of cells of a box along x, y and z, up to 200 each; n_x, n_y: numbers of "
+            "patches of a half-space.")
         .only_if(is_chosen);
     section
         .add("Edge grading", mesh.edge_grading, number_codec(NumberRange{0, 10, false, true}),
@@ -219,12 +220,12 @@ public:
     constexpr unsigned int most = 200;
     const std::string with_shape = " with " + body.geometry.shape_entry() + ": allowed are ";
     if (body.geometry.sizes[2] == 0)
-      throw InputError(body.geometry.section + "/Sizes = " +
-                       two_or_three_numbers_codec().print(body.geometry.sizes) + with_shape +
+      throw InputError(body.geometry.section +
+                       "/Sizes = " + two_or_three_numbers_codec().print(body.geometry.sizes) + with_shape +
                        "three numbers, l_x, l_y, l_z");
     if (mesh.cells[2] == 0 || *std::max_element(mesh.cells.begin(), mesh.cells.end()) > most)
-      throw InputError(mesh.section + "/Cells = " + two_or_three_counts_codec(most).print(mesh.cells) + with_shape +
-                       "three whole numbers from 1 to " + std::to_string(most));
+      throw InputError(mesh.section + "/Cells = " + two_or_three_counts_codec(most).print(mesh.cells) +
+                       with_shape + "three whole numbers from 1 to " + std::to_string(most));
     for (const unsigned int d : {0, 1})
       check_grading(mesh.section + "/Edge grading", mesh.edge_grading, (mesh.cells[d] + 1) / 2,
                     std::to_string(mesh.cells[d]) + " cells along " + (d == 0 ? "x" : "y") +

@@ -65,16 +65,12 @@ public:
 
   void check(const BodyOptions &body) const override
   {
-    if (body.geometry.is_lower)
-      throw InputError(body.geometry.shape_entry() +
-                       ": allowed are cylinder, box and file, or Obstacle/Kind = half-space, which needs no "
-                       "section of its own");
     check_grid(body);
     check_hold(body.geometry);
     if (!body.material.is_uniform_and_isotropic())
-      throw InputError((body.material.is_isotropic() ? body.material.section + "/Regions"
-                                                     : body.material.law_entry()) +
-                       allowed_with(body.geometry) + "one isotropic material, of which its closed forms are");
+      throw InputError(
+          (body.material.is_isotropic() ? body.material.section + "/Regions" : body.material.law_entry()) +
+          allowed_with(body.geometry) + "one isotropic material, of which its closed forms are");
   }
 
   std::string chooser_of_mesh() const override { return "Mesh/Cells are the patches of a half-space"; }

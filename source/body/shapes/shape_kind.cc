@@ -15,7 +15,8 @@ namespace orthocone
 {
 const std::vector<const ShapeKind *> &shape_kinds()
 {
-  static const std::vector<const ShapeKind *> kinds{&cylinder_kind(), &box_kind(), &file_kind(), &half_space_kind()};
+  static const std::vector<const ShapeKind *> kinds{&cylinder_kind(), &box_kind(), &file_kind(),
+                                                    &half_space_kind()};
   return kinds;
 }
 
@@ -39,14 +40,24 @@ double GeometryOptions::section_thickness() const
 
 namespace
 {
-Codec<BodyShape> shape_codec()
+/// The kinds that a body may have: below another one there is always a mesh.
+std::vector<const ShapeKind *> possible_kinds(const GeometryOptions &geometry)
+{
+  std::vector<const ShapeKind *> kinds;
+  for (const ShapeKind *const kind : shape_kinds())
+    if (kind->is_meshed() || !geometry.is_lower)
+      kinds.push_back(kind);
+  return kinds;
+}
+
+Codec<BodyShape> shape_codec(const std::vector<const ShapeKind *> &kinds)
 {
   std::string allowed;
-  for (const ShapeKind *const kind : shape_kinds())
+  for (const ShapeKind *const kind : kinds)
     allowed += (allowed.empty() ? "" : " | ") + std::string(kind->shape().word);
-  const auto parse = [](const std::string &text, std::string &) -> std::optional<BodyShape>
+  const auto parse = [kinds](const std::string &text, std::string &) -> std::optional<BodyShape>
   {
-    for (const ShapeKind *const kind : shape_kinds())
+    for (const ShapeKind *const kind : kinds)
       if (kind->shape().word == text)
         return kind->shape();
     return std::nullopt;
@@ -63,16 +74,21 @@ Condition where_shape(const GeometryOptions &geometry, const std::function<bool(
 
 Condition where_entries_of(const GeometryOptions &geometry, const ShapeKind &kind)
 {
-  return where_shape(geometry, [&kind](const ShapeKind &chosen) { return &chosen.kind_of_entries() == &kind; });
+  return where_shape(geometry, [&kind](const ShapeKind &chosen)
+                     { return &chosen == &kind || &chosen.kind_of_entries() == &kind; });
 }
 
 void declare_shape(GeometryOptions &geometry, Section &section)
 {
-  section.add("Shape", geometry.shape, shape_codec(),
-              "Shape of the body, whose base at z = 0 faces the counterface and whose axis is z. cylinder: "
-              "of Radius and Height; box: of Sizes; file: the body of a Mesh file by Gmsh; half-space: all "
-              "that is above z = 0, without a mesh, which may touch within Sizes.");
-  for (const ShapeKind *const kind : shape_kinds())
+  const std::vector<const ShapeKind *> kinds = possible_kinds(geometry);
+  section.add("Shape", geometry.shape, shape_codec(kinds),
+              std::string("Shape of the body, whose base at z = 0 faces the counterface and whose axis is z. "
+                          "cylinder: of Radius and Height; box: of Sizes; file: the body of a Mesh file by "
+                          "Gmsh") +
+                  (geometry.is_lower ? "."
+                                     : "; half-space: all that is above z = 0, without a mesh, which may "
+                                       "touch within Sizes."));
+  for (const ShapeKind *const kind : kinds)
     kind->declare(geometry, where_entries_of(geometry, *kind), section);
   section
       .add("Contact surface", geometry.contact_surfaces, group_names_codec(),

@@ -81,8 +81,12 @@ TEST(MeanOverRectangles, AddUp)
 
 TEST(GridHalfSpace, ProductsAreThoseOfADenseMatrix)
 {
-  for (const SurfaceGrid &grid : {SurfaceGrid{9, 5, 0.3, 0.2}, {4, 11, 1, 1}, {1, 6, 2, 0.5},
-                                  {9, 5, 0.3, 0.2, true}, {4, 11, 1, 1, true}, {8, 6, 0.2, 0.5, true}})
+  for (const SurfaceGrid &grid : {SurfaceGrid{9, 5, 0.3, 0.2},
+                                  {4, 11, 1, 1},
+                                  {1, 6, 2, 0.5},
+                                  {9, 5, 0.3, 0.2, true},
+                                  {4, 11, 1, 1, true},
+                                  {8, 6, 0.2, 0.5, true}})
     for (const auto &counterface : {std::optional<HalfSpace>(), std::optional<HalfSpace>(body_of_rubber)})
     {
       const GridHalfSpace half_space(grid, body_of_steel, counterface);

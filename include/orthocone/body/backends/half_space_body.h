@@ -10,9 +10,9 @@
 
 namespace orthocone
 {
-/// An elastic half-space above its contact surface, on a regular grid: no mesh, no stiffness, and a compliance
-/// by fast Fourier transforms. Displacements count from the far field, which moves as the held face of other
-/// bodies does. Its volume has no unknowns: elastic_displacement() is that of the surface.
+/// An elastic half-space above its contact surface, on a regular grid: no mesh, no stiffness, and a
+/// compliance by fast Fourier transforms. Displacements count from the far field, which moves as the held
+/// face of other bodies does. Its volume has no unknowns: elastic_displacement() is that of the surface.
 class HalfSpaceBody : public ElasticBody
 {
 public:

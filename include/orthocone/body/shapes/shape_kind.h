@@ -22,7 +22,7 @@ public:
   /// knows sizes alone.
   virtual bool is_meshed() const { return true; }
 
-  /// The kind whose entries it has.
+  /// A kind whose entries it has, too; without one it is the kind itself.
   virtual const ShapeKind &kind_of_entries() const { return *this; }
 
   /// Adds the entries of its outline to Geometry; they count where `is_chosen` holds.
