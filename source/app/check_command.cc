@@ -17,6 +17,7 @@
 #include <orthocone/scene/contact_mesh.h>
 #include <orthocone/scene/load_program.h>
 #include <orthocone/scene/mesh_files.h>
+#include <orthocone/scene/model_advice.h>
 
 #include <cmath>
 #include <iostream>
@@ -100,6 +101,9 @@ void print_expected_contact(const Parameters &parameters, const ModelChoice &mod
   const double across = nodes_across(*expected, body.unknowns().contact_surface(), model.symmetry);
   std::cout << "contact        " << describe(*expected) << ", about " << std::round(across)
             << (std::round(across) == 1 ? " node across\n" : " nodes across\n");
+  const std::string advice = model.symmetry.is_section() ? "" : half_space_advice(parameters, *expected);
+  if (!advice.empty())
+    std::cout << "simpler model  " << advice << "\n";
   if (across < least_nodes)
     std::cout
         << "warning: Mesh: the contact to be expected has " << std::round(across)
