@@ -39,7 +39,8 @@ struct DrawnBody
   BodyOptions options;
   std::string text; ///< what the body is
   std::unique_ptr<const Body> body;
-  bool has_own_mesh; ///< whether it is that of the run
+  bool has_own_mesh;  ///< whether it is that of the run
+  bool is_half_space; ///< whether the mesh is a box in its place
 };
 
 DrawnBody drawn_body(const BodyOptions &options, const ModelSymmetry &symmetry, const bool has_mesh)
@@ -48,9 +49,9 @@ DrawnBody drawn_body(const BodyOptions &options, const ModelSymmetry &symmetry, 
   const std::string text = kind.describe(options.geometry);
   if (has_mesh && kind.is_meshed())
     if (auto body = std::make_unique<const Body>(options, symmetry); n_drawn(*body) <= most_drawn)
-      return {options, text, std::move(body), true};
+      return {options, text, std::move(body), true, false};
   const BodyOptions outline = with_outline_mesh(options);
-  return {outline, text, std::make_unique<const Body>(outline, symmetry), false};
+  return {outline, text, std::make_unique<const Body>(outline, symmetry), false, !kind.is_meshed()};
 }
 
 OrderedJson json_of(const DrawnBody &drawn)
@@ -58,6 +59,7 @@ OrderedJson json_of(const DrawnBody &drawn)
   OrderedJson json = body_json(*drawn.body, drawn.options);
   json["text"] = drawn.text;
   json["has_own_mesh"] = drawn.has_own_mesh;
+  json["is_half_space"] = drawn.is_half_space;
   return json;
 }
 

@@ -46,6 +46,7 @@ class Body:
         self.surfaces = [Surface(surface, lift) for surface in entry["surfaces"]]
         self.cells = [np.array(cell) + [0, 0, lift] for cell in entry["cells"]]
         self.has_mesh = entry["has_own_mesh"]
+        self.is_half_space = entry["is_half_space"]
         self.colour = LOWER if is_lower else BODY
 
     def points(self):
@@ -64,6 +65,8 @@ class Body:
         if surface.has("contact"):
             words.append("contact surface")
         if surface.has("held"):
+            if self.is_half_space:
+                return "far field: moves as a rigid body"
             if self.entry["top_face"] == "guided":
                 words.append("held along z, free sideways")
             else:

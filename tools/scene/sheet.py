@@ -33,7 +33,9 @@ def lift_of(scene):
 def notes(scene, bodies):
     """What the picture leaves out, or has changed."""
     found = ["The bodies are drawn apart."] if marks.normals_of(scene) is None else []
-    if not all(body.has_mesh for body in bodies):
+    if any(body.is_half_space for body in bodies):
+        found.append("The body is a half-space: a part above its contact surface is drawn, and it has no end.")
+    elif not all(body.has_mesh for body in bodies):
         found.append("The mesh of the run is not drawn: it has too many faces, or the run chooses it.")
     if len(scene["model"]["mirrored"]) and (any(scene["model"]["mirrored"]) or scene["model"]["is_axisymmetric"]):
         found.append("Dashed: what symmetry adds to the modelled part.")
