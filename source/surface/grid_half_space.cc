@@ -47,6 +47,8 @@ GridSymbols<Real> scaled(const GridSymbols<double> &symbols, const double factor
   return result;
 }
 
+} // namespace
+
 /// What GMRES wants of the half-space. Its preconditioner is the stiffness of the whole plane, whose symbol
 /// is |k|: forces where nothing touches are dropped, as if the surface were held there (measured: the
 /// iterations do not grow with the grid).
@@ -88,6 +90,8 @@ private:
   GridSymbols<float> compliance_, stiffness_{};
 };
 
+namespace
+{
 class GridConditionSolver : public ConditionSolver
 {
 public:
