@@ -21,7 +21,7 @@ using Eigen::Vector3d;
 
 namespace
 {
-constexpr double rounding = 1e-7; // in sizes of a cell
+constexpr double rounding_in_cells = 1e-7; // in sizes of a cell
 constexpr unsigned int n_values = 10;
 
 void set_point(const Vector3d &from, dealii::Point<3> &to)
@@ -51,7 +51,7 @@ std::optional<dealii::Point<dim>> unit_point(const DisplacementSpace<dim> &space
   try
   {
     const dealii::Point<dim> unit = space.mapping().transform_real_to_unit_cell(cell, point);
-    if (dealii::GeometryInfo<dim>::distance_to_unit_cell(unit) <= rounding)
+    if (dealii::GeometryInfo<dim>::distance_to_unit_cell(unit) <= rounding_in_cells)
       return dealii::GeometryInfo<dim>::project_to_unit_cell(unit);
   }
   catch (const typename dealii::Mapping<dim>::ExcTransformationFailed &) // it is far outside
@@ -92,7 +92,7 @@ double face_at(const typename DisplacementSpace<dim>::Cell &cell, const dealii::
   for (const unsigned int face : cell->face_indices())
     if (cell->face(face)->at_boundary() && is_contact(cell->face(face)->boundary_id()))
     {
-      if (std::abs(unit[face / 2] - face % 2) <= rounding && k < faces.size())
+      if (std::abs(unit[face / 2] - face % 2) <= rounding_in_cells && k < faces.size())
         return faces[k];
       ++k;
     }

@@ -35,7 +35,7 @@ void GridSurface::add_nodes(const SurfaceGrid &grid)
                    y = (static_cast<double>(j) - middle(grid.n_y)) * grid.height;
       const auto first = static_cast<unsigned int>(directions_.size());
       contact_surface_.nodes.push_back(
-          {{x, y}, grid.width * grid.height, {first, first + 1, first + 2}, {true, true, true}});
+          {{{x, y}}, grid.width * grid.height, {{first, first + 1, first + 2}}, {{true, true, true}}});
       for (unsigned int d = 0; d < 3; ++d)
       {
         directions_.push_back(static_cast<unsigned char>(d));
