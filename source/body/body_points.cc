@@ -6,6 +6,7 @@
 #include <orthocone/body/fe/recovered_stress.h>
 #include <orthocone/body/shapes/boundary.h>
 #include <orthocone/body/shapes/curved_cells.h>
+#include <orthocone/surface/half_space_fields.h>
 
 #include <deal.II/base/geometry_info.h>
 #include <deal.II/numerics/rtree.h>
@@ -132,6 +133,11 @@ BodyPoints::BodyPoints(const Body &body, const std::vector<Vector3d> &points)
       n_cells_(points.size(), 0),
       faces_(points.size(), -1)
 {
+  if (!body.has_mesh())
+  {
+    find_in_half_space(points);
+    return;
+  }
   const bool is_shared = body.visit([](const auto &space) { return space.is_shared(); });
   body.visit([&](const auto &space) { find(space, points); });
   if (is_shared)
@@ -139,6 +145,46 @@ BodyPoints::BodyPoints(const Body &body, const std::vector<Vector3d> &points)
     sum_over_ranks(n_cells_.data(), n_cells_.size());
     largest_of_ranks(faces_.data(), faces_.size());
   }
+}
+
+/// All that is not below the plane is inside, as if it were one cell; the faces of the contact surface lie
+/// between the middles of patches.
+void BodyPoints::find_in_half_space(const std::vector<Vector3d> &points)
+{
+  places_ = points;
+  const SurfaceGrid &grid = body_.surface_grid();
+  const auto face_along = [](const double place, const Eigen::Index n, const double width)
+  { return std::floor(place / width + static_cast<double>(n - 1) / 2); };
+  for (std::size_t i = 0; i < points.size(); ++i)
+  {
+    n_cells_[i] = points[i][2] >= 0 ? 1 : 0;
+    const double along_x = face_along(points[i][0], grid.n_x, grid.width),
+                 along_y = face_along(points[i][1], grid.n_y, grid.height);
+    const auto last_x = static_cast<double>(grid.n_x - 2), last_y = static_cast<double>(grid.n_y - 2);
+    if (points[i][2] == 0 && along_x >= 0 && along_y >= 0 && along_x <= last_x && along_y <= last_y)
+      faces_[i] = along_y * (last_x + 1) + along_x;
+  }
+}
+
+std::vector<PointFields> BodyPoints::fields_in_half_space(const Deformation &deformation) const
+{
+  const Material &material = body_.materials().of(0);
+  const double lambda = material.volumetric_modulus(), mu = material.shear_modulus();
+  const HalfSpace half_space{mu * (3 * lambda + 2 * mu) / (lambda + mu), lambda / (2 * (lambda + mu))};
+  std::vector<PointFields> all(places_.size());
+  for (std::size_t i = 0; i < all.size(); ++i)
+  {
+    const HalfSpaceFields own =
+        fields_below(body_.surface_grid(), half_space, deformation.tractions, places_[i]);
+    all[i].displacement =
+        own.displacement + deformation.motion.at(places_[i] - body_.unknowns().held_centre());
+    Strain strain;
+    for (unsigned int row = 0; row < 3; ++row)
+      for (unsigned int column = row; column < 3; ++column)
+        strain[row][column] = (own.gradient(row, column) + own.gradient(column, row)) / 2;
+    all[i].stress = material.stress(strain);
+  }
+  return all;
 }
 
 template<int dim>
@@ -175,6 +221,8 @@ void BodyPoints::add_fields(const DisplacementSpace<dim> &space, const Deformati
 
 std::vector<PointFields> BodyPoints::fields(const Deformation &deformation) const
 {
+  if (!body_.has_mesh())
+    return fields_in_half_space(deformation);
   MatrixXd sums = MatrixXd::Zero(n_values, static_cast<Eigen::Index>(n_cells_.size()));
   const bool is_shared = body_.visit([](const auto &space) { return space.is_shared(); });
   body_.visit([&](const auto &space) { add_fields(space, deformation, sums); });

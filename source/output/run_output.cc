@@ -98,7 +98,7 @@ Deformation RunOutput::deformation(const ContactState &state, const Eigen::Vecto
 {
   const Parameters &parameters = scene_.parameters();
   return {scene_.body().with_motion(state.motion, volume, state.loads),
-          free_strain(parameters.load.loads, state.loads, false, parameters.material),
+          free_strain(parameters.load.loads, state.loads, false, parameters.material), state.motion,
           surface_tractions(scene_.surface(), scene_.axes(), state.force)};
 }
 
@@ -110,6 +110,7 @@ Deformation RunOutput::lower_deformation(const ContactState &state) const
   const NodeVector force = scene_.lower()->own_force(state.force);
   return {body.with_motion({}, body.elastic_displacement(force), state.loads),
           free_strain(parameters.load.loads, state.loads, true, parameters.lower.material),
+          {},
           surface_tractions(body.surface(), LowerBody::own_axes(), force)};
 }
 

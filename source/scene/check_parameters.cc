@@ -54,10 +54,10 @@ void check_half_space(const Parameters &parameters)
                          " in " + leg.place +
                          " with Geometry/Periodic = yes: allowed are ux, uy, uz and their forces, because a "
                          "surface that turns is not periodic");
-  if (!parameters.output.lines.empty())
-    throw InputError("Output/Lines" + with +
-                     ", below whose surface no fields are computed: allowed is nothing; Probes are points of "
-                     "its surface");
+  if (parameters.geometry.is_periodic && !parameters.output.lines.empty())
+    throw InputError(
+        "Output/Lines with Geometry/Periodic = yes: allowed is nothing, because the closed forms of "
+        "what is below the surface know no images; Probes are points of the surface");
 }
 
 /// Refuses what a friction law that is no ellipse cannot be solved with.

@@ -20,7 +20,7 @@ bool may_be_half_space(const Parameters &parameters)
   const auto &obstacle = parameters.obstacle.kind;
   return kind_of(geometry).is_meshed() && !geometry.is_from_file() && !geometry.is_plane_strain() &&
          geometry.top_face == TopFace::clamped && geometry.supports.empty() && geometry.loads.empty() &&
-         parameters.material.is_uniform_and_isotropic() && parameters.output.lines.empty() &&
+         parameters.material.is_uniform_and_isotropic() &&
          !find_contact_method(parameters.contact_solver.method)->needs_dense &&
          (!obstacle.chosen().gives_way() || obstacle == ObstacleKind::half_space);
 }

@@ -48,9 +48,9 @@ HALF_SPACES = [
     of_half_space("half", "Mesh", "Model", "half",
                   "Mesh/Model = half is not possible: Geometry/Shape = half-space is computed as a whole, because the "
                   "products of its grid need no symmetry to be fast; possible models are full"),
-    of_half_space("with_lines", "Output", "Lines", "axis: 0 0 0 to 0 0 1, 10",
-                  "Output/Lines with Geometry/Shape = half-space, below whose surface no fields are computed: allowed is "
-                  "nothing; Probes are points of its surface"),
+    of_half_space("with_lines", "Geometry", "Periodic", "yes\nend\nsubsection Output\n  set Lines = axis: 0 0 0 to 0 0 1, 10",
+                  "Output/Lines with Geometry/Periodic = yes: allowed is nothing, because the closed forms of what is below "
+                  "the surface know no images; Probes are points of the surface"),
     of_half_space("turned", "Geometry", "Periodic", "yes\nend\nsubsection Load program\n  set Legs = uz -0.01 rz 1 : 2",
                   "Load program/Legs: rz in leg 1 with Geometry/Periodic = yes: allowed are ux, uy, uz and their forces, "
                   "because a surface that turns is not periodic"),

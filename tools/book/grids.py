@@ -3,9 +3,11 @@
 """Rows of the book: half-spaces on regular grids, without a mesh."""
 import math
 
+import numpy as np
+
 import answers
 from answers import YOUNG, Sphere
-from measure import circle_of, fitted_ellipse, gyration, left_by_slip, normal, of_history, on_surface
+from measure import circle_of, fitted_ellipse, gyration, left_by_slip, normal, of_history
 from row import Row, Scene
 from sheared import legs_of_spence, spence_middle, spence_stick
 
@@ -45,6 +47,20 @@ def semi_axis(index):
     return lambda runs, scene: math.sqrt(5) * float(gyration(runs(scene), 1, normal)[index])
 
 
+BELOW, STEEL = answers.deepest_shear(0.3), Sphere(384.615)
+INSIDE = on_grid("hertz", 1.2).set("Output/Lines=axis: 0 0 0 to 0 0 0.5, 251", "Output/Line fields=4")
+
+
+def beneath(index):
+    """A measure: largest shear on the axis, by p0 (0), and its depth, by a (1)."""
+    def measured(runs, scene):
+        line = runs(scene).line("axis", 4)
+        shear = np.abs(line["stress_zz"] - line["stress_xx"]) / 2
+        deepest = int(np.argmax(shear))
+        return (shear[deepest] / STEEL.largest_pressure, line["z"][deepest] / STEEL.contact_radius)[index]
+    return measured
+
+
 EQUAL, SOFT = on_grid("equal_spheres", 2.4), Sphere(9.1954, 50, 0.42, 0.4, (568, 0.42), 568)
 PULL = 3.21839  # N
 SPENCE = on_grid("spence", 8)
@@ -74,6 +90,9 @@ GRIDS = (
         "half-space: (a/R)²"),
     Row("grid.elliptic.approach", ELLIPTIC, "approach (mm)", of_history("uz", 1, -1), ELLIPSE[3], 0.002, "Hertz",
         "half-space: (a/R)²"),
+    Row("grid.hertz.shear", INSIDE, "largest shear below the surface, by p0", beneath(0), BELOW[0], 0.001, "Huber 1904",
+        "half-space: (a/R)²"),
+    Row("grid.hertz.depth", INSIDE, "its depth, by a", beneath(1), BELOW[1], 0.005, "Huber 1904", "line of 2 µm"),
     Row("grid.equal.approach", EQUAL, "approach (mm)", of_history("uz", 1, -1), SOFT.approach, 0.001, "Hertz",
         "half-space: (a/R)²", "CONTACT 0.02"),
     Row("grid.equal.c", EQUAL, "radius that sticks at 7/8 of sliding (mm)", circle_of(left_by_slip(0.4, 0), 5),

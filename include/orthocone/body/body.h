@@ -26,6 +26,9 @@ public:
   /// Without a mesh the functions below throw std::logic_error.
   bool has_mesh() const { return !std::holds_alternative<GridSurface>(shape_); }
 
+  /// Of the half-space; with a mesh it throws std::bad_variant_access.
+  const SurfaceGrid &surface_grid() const { return std::get<GridSurface>(shape_).grid(); }
+
   /// Number of meshes: the coarsest, and those that halving cells made of it.
   unsigned int n_levels() const;
 

@@ -14,8 +14,8 @@ namespace orthocone
 {
 /// Points of the modelled part of a body: the cells that they lie in, found once, and the fields there. A
 /// point where several cells meet has the mean of their fields, because stress jumps between cells, and no
-/// cell has the right to it. Where several processes share the body, all must make this object and ask it,
-/// and all get the same.
+/// cell has the right to it. A half-space has the closed forms of its tractions. Where several processes
+/// share the body, all must make this object and ask it, and all get the same.
 class BodyPoints
 {
 public:
@@ -44,6 +44,8 @@ private:
     std::vector<std::size_t> points{};          ///< numbers
     std::vector<Eigen::Vector3d> unit_points{}; ///< of a section the first two coordinates
   };
+  void find_in_half_space(const std::vector<Eigen::Vector3d> &points);
+  std::vector<PointFields> fields_in_half_space(const Deformation &deformation) const;
   template<int dim>
   void find(const DisplacementSpace<dim> &space, const std::vector<Eigen::Vector3d> &points);
   template<int dim>
@@ -52,7 +54,8 @@ private:
 
   const Body &body_;
   std::vector<InCell> cells_;
-  std::vector<double> n_cells_; ///< of all processes, of each point
-  std::vector<double> faces_;   ///< of each point, -1 where it is on none
+  std::vector<double> n_cells_;           ///< of all processes, of each point
+  std::vector<double> faces_;             ///< of each point, -1 where it is on none
+  std::vector<Eigen::Vector3d> places_{}; ///< of the points of a half-space
 };
 } // namespace orthocone

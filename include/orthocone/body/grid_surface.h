@@ -20,8 +20,12 @@ class GridSurface : public BodyUnknowns
 public:
   GridSurface(const GeometryOptions &geometry, const MeshOptions &mesh);
 
+  const SurfaceGrid &grid() const { return grid_; }
+
 private:
-  void add_nodes(const SurfaceGrid &grid);
-  void add_faces(const SurfaceGrid &grid);
+  void add_nodes();
+  void add_faces();
+
+  SurfaceGrid grid_;
 };
 } // namespace orthocone

@@ -56,9 +56,9 @@ public:
   {
     section
         .add("Periodic", geometry.is_periodic, yes_no_codec(),
-             "Whether Sizes are the periods of a half-space that touches everywhere alike. Its motions then "
-             "count from a rigid plane at the depth of the longer period, because mean tractions would move "
-             "a half-space without end.")
+             "Whether a half-space and its counterface repeat for ever along x and y, with Sizes as the "
+             "periods. Motions then count from a rigid plane at the depth of the longer period, because mean "
+             "tractions would move a half-space without end.")
         .only_if(is_chosen);
   }
   bool has_layers() const override { return false; }

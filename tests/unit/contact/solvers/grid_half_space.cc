@@ -137,4 +137,40 @@ TEST(GridHalfSpaceContact, TakesAsManyIterationsOnAFinerGrid)
     EXPECT_LE(most, 15U);
   }
 }
+
+// A rough surface touches at the same nodes, and with the same forces, where products are by FFT and where
+// they are those of a matrix that its own solver works with; with friction that is orthotropic and not
+// associated.
+TEST(GridHalfSpaceContact, IsThatOfTheDenseMatrix)
+{
+  constexpr Index n = 16;
+  const SurfaceGrid grid{n, n, 0.1, 0.12};
+  const GridHalfSpace half_space(grid, {1000, 0.3});
+  Eigen::MatrixXd w(3 * n * n, 3 * n * n);
+  for (Index a = 0; a < n * n; ++a)
+    for (Index b = 0; b < n * n; ++b)
+      w.block<3, 3>(3 * a, 3 * b) = half_space.block(a % n - b % n, a / n - b / n);
+  const DenseCompliance dense(w);
+  VectorXd q(3 * n * n);
+  for (Index node = 0; node < n * n; ++node)
+  {
+    const auto i = static_cast<double>(node % n), j = static_cast<double>(node / n);
+    const double rough =
+        std::cos(2.3 * i + 0.7 * j) + std::sin(1.1 * i - 1.9 * j) + std::cos(0.4 * i + 2.9 * j);
+    q.segment<3>(3 * node) << 1e-3 * (rough - 0.5), 3e-4, -1e-4;
+  }
+  const FrictionLaws laws(n * n, OrthotropicFriction{0.3, 0.15, 1, 0.4});
+  const auto solved = [&](const Compliance &compliance)
+  {
+    const ContactSystem system(compliance, laws);
+    const ContactStep step(system, q);
+    VectorXd force = VectorXd::Zero(step.n_unknowns());
+    EXPECT_TRUE(solve_step(step, solver_options("newton", 1e-13), force).converged);
+    return force;
+  };
+  const VectorXd by_matrix = solved(dense), by_transform = solved(half_space);
+  EXPECT_LT((by_transform - by_matrix).norm(), 1e-9 * by_matrix.norm());
+  EXPECT_GT((by_matrix(Eigen::seqN(0, n * n, 3)).array() > 0).count(), n * n / 8) << "some patches touch";
+  EXPECT_LT((by_matrix(Eigen::seqN(0, n * n, 3)).array() > 0).count(), n * n) << "and some do not";
+}
 } // namespace orthocone::test
