@@ -86,7 +86,7 @@ def figures(rows):
         style.plain_ticks(axes.yaxis)
     grid[0].set_ylabel("error (%)")
     style.legend_below(figure, *grid[0].get_legend_handles_labels(), 4)
-    style.headline(figure, "A ball on a plate needs no volume: the half-space is right to 0.1 % within a second")
+    style.headline(figure, "A ball on a plate needs no volume: half-spaces are the fastest")
     return {"ball_models": figure}
 
 
