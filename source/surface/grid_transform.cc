@@ -11,6 +11,7 @@
 #include <cmath>
 #include <complex>
 #include <cstdlib>
+#include <cstring>
 #include <thread>
 #include <type_traits>
 
@@ -114,10 +115,10 @@ struct GridTransform<Real>::Plans
   template<typename Value>
   static Memory<Value> zeros(const Index n)
   {
-    auto *const values = static_cast<Value *>(Own::allocate(sizeof(Value) * n));
-    std::fill_n(reinterpret_cast<Real *>(values), n * static_cast<Index>(sizeof(Value) / sizeof(Real)),
-                Real(0));
-    return {values, Own::free};
+    const std::size_t n_bytes = sizeof(Value) * static_cast<std::size_t>(n);
+    void *const values = Own::allocate(n_bytes);
+    std::memset(values, 0, n_bytes);
+    return {static_cast<Value *>(values), Own::free};
   }
 
   Plans(const Index given_rows, const Index size_x, const Index size_y, const Index n_frequencies)
