@@ -207,6 +207,30 @@ class SolidTest(FatigueTest):
         self.assertEqual(np.abs(Vtu(self.folder / "run/fatigue.vtu").points[:, 1]).max(), 0)
 
 
+class HalfSpaceTest(FatigueTest):
+    """A half-space has no volume files: its lines alone are evaluated."""
+    BALL = program.ROOT / "prm/verification/hertz.prm"
+    SETTINGS = ["Geometry/Shape=half-space", "Geometry/Sizes=1.2, 1.2", "Mesh/Cells=64, 64",
+                "Load program/Legs=Fz -384.615 : 1 ; Fz 0 : 1"]
+    LINE = ["Output/Lines=beside: 0.6 0 0 to 0.6 0 0.2, 11", "Output/Line fields=1"]
+
+    def test_the_tension_beside_a_ball_is_that_of_hertz(self):
+        """At the distance r it is (1 - 2 nu)/3 p0 (a / r)^2 outwards, and as much pressure around: when the ball is lifted, the
+        parameter of Smith, Watson and Topper is its square times (1 + nu)/(2 E)."""
+        self.run_done("run", self.BALL, *self.SETTINGS, *self.LINE)
+        text = self.tables("run", "--steps", "1:2", "--parameters", "swt")
+        tension = (1 - 2 * POISSON) / 3 * 734.56 * (0.5 / 0.6)**2
+        found = float(re.search(r"Smith-Watson-Topper +([0-9.e-]+) MPa", text)[1])
+        self.assertAlmostEqual(found / (tension**2 * (1 + POISSON) / (2 * YOUNG)), 1, delta=3e-3)
+        self.assertFalse((self.folder / "run/fatigue.vtu").exists())
+        self.refused(WRONG_INPUT, "--picture draws their fields", "run", "--steps", "1:2", "--picture", "x.png")
+
+    def test_without_lines_says_which_entries_are_missing(self):
+        self.run_done("run", self.BALL, *self.SETTINGS)
+        self.refused(WRONG_INPUT, "is of a half-space, which has no volume files: set Output/Lines from the surface down and "
+                                  "Output/Line fields = 1 and run again", "run", "--steps", "1:2")
+
+
 class RefusedTest(FatigueTest):
     SETTINGS = [*SMALL, "Load program/Legs=0 0 -0.1 : 2; 0 0 -0.05 : 2", "Load program/Cycles=1"]
 

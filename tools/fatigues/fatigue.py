@@ -108,7 +108,26 @@ def chosen_steps(run, given):
     return steps, f"cycle {cycle}, steps {steps[0]} to {steps[-1]} ({len(steps)})", warning
 
 
+def has_volume(run):
+    """A half-space has no volume files: all that is known below its surface are its lines."""
+    return run.summary.get("model", {}).get("backend") != "half-space"
+
+
+def check_files(run, given, steps):
+    """Requires the files that the parameters are computed from."""
+    if has_volume(run):
+        cycle_stresses.check_steps(run, "volume", steps)
+        return
+    if not run.line_names():
+        raise NotInRun("is of a half-space, which has no volume files: set Output/Lines from the surface down and Output/Line "
+                       "fields = 1 and run again")
+    if given.picture:
+        raise NotInRun("is of a half-space, which has no volume files: --picture draws their fields, and the table has the lines")
+
+
 def bodies_of(run, given, steps, surface):
+    if not has_volume(run):
+        return []
     near = surface.near(given.within)
     kinds = ["volume"] + ["lower"] * bool(run.contact_steps("lower"))
     return [body_of(run, kind, steps, near) for kind in kinds]
@@ -207,7 +226,7 @@ def worst_of(of_bodies, below, radius):
 
 def tables(given, worst, at_edges, worst_means, along_lines):
     """The lines of all tables, of {name: [Place]}."""
-    lines = places.table(worst)
+    lines = places.table(worst) if worst else []
     if any(at_edges.values()):
         lines += ["\nat the edges of the contact, from the zone that slips:", *places.table(at_edges)]
     mean = (f"mean stress over {2 * given.critical_distance:g} mm" if given.method == "line" else
@@ -224,7 +243,7 @@ def notes(run, given, surface, bodies, at_edges):
     lines, planes = [], run.summary.get("model", {}).get("symmetry_planes", [])
     if not surface.is_plane and set(given.parameters) & set(parameters.SURFACE):
         lines.append("\nThe contact surface is curved, so that the parameters of Ruiz are left out.")
-    if all(body.is_section for body in bodies) and not any(at_edges.values()):
+    if bodies and all(body.is_section for body in bodies) and not any(at_edges.values()):
         lines.append("\nNo edge of the contact could be found from nodes that slip beside it (it takes five, and an edge that stays): "
                      "the stress at an edge may be larger than at any node.")
     if planes:
@@ -251,6 +270,8 @@ def check_possible(given, bodies, surface, averaged, along_lines):
 
 
 def names_of_materials(bodies, constants):
+    if not bodies:
+        return f"material: {one_line(constants[section_of(1)].name)}"
     names = [one_line(constants[body.section].name) for body in bodies]
     if len(set(names)) == 1:
         return f"material: {names[0]}"
@@ -261,7 +282,7 @@ def look(given):
     run = RunFolder(given.run)
     constants = constants_of(run, given.material)
     steps, sentence, warning = chosen_steps(run, given)
-    cycle_stresses.check_steps(run, "volume", steps)
+    check_files(run, given, steps)
     surface = Surface(run, steps)
     bodies = bodies_of(run, given, steps, surface)
     averaged = averaged_fields(bodies, given, constants, surface)
@@ -270,14 +291,16 @@ def look(given):
     fields = all_fields(bodies, given, constants, surface)
     below = {body.name: surface.below(body.points, body.inward) for body in bodies}
     worst, worst_means = (worst_of(of_bodies, below, surface.radius) for of_bodies in (fields, averaged))
-    write_vtu(given.output, bodies, vtu_fields(bodies, below, fields, averaged))
+    if bodies:
+        write_vtu(given.output, bodies, vtu_fields(bodies, below, fields, averaged))
     if given.picture:
         save_picture(given.picture, f"{given.run.name}: {sentence}", bodies, fields, averaged, worst, surface)
     print(f"{one_line(given.run)}: {sentence}, up to {given.within * surface.radius:.3g} mm from the contact, whose half-width is "
           f"{surface.radius:.3g} mm\n{names_of_materials(bodies, constants)}")
     at_edges = edge_places(bodies, given, constants, surface)
     print(*tables(given, worst, at_edges, worst_means, along_lines), *notes(run, given, surface, bodies, at_edges), sep="\n")
-    print(f"{one_line(given.output)}: the fields" + (f"\n{one_line(given.picture)}: the picture" if given.picture else ""))
+    if bodies:
+        print(f"{one_line(given.output)}: the fields" + (f"\n{one_line(given.picture)}: the picture" if given.picture else ""))
     if warning:
         print(f"fatigue: warning: {one_line(given.run)}: {warning}", file=sys.stderr)
 

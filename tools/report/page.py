@@ -37,7 +37,9 @@ def facts(data):
     if "model" in summary and "contact_solver" in summary:
         model, solver = summary["model"], summary["contact_solver"]
         rows = [("model", f"{model['kind']} ({model['reason']})"),
-                ("mesh", f"{model['cells']} cells of degree {model['degree']}, {model['dofs']} degrees of freedom"),
+                (("grid", f"{model['cells']} patches on a half-space, {model['dofs']} degrees of freedom")
+                 if model.get("backend") == "half-space" else
+                 ("mesh", f"{model['cells']} cells of degree {model['degree']}, {model['dofs']} degrees of freedom")),
                 ("contact nodes", f"{model['contact_nodes']} in the model"), rows[1],
                 ("contact solver", f"{solver['method']}, tolerance {solver['tolerance']:g}, {solver['iterations']} "
                  "iterations"),
