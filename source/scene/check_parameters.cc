@@ -15,8 +15,8 @@ namespace
 /// Refuses what a body without a dense compliance cannot do.
 void check_backend(const Parameters &parameters)
 {
-  if (parameters.mesh.backend != BodyBackend::multigrid)
-    return;
+  if (parameters.mesh.backend != BodyBackend::multigrid || !kind_of(parameters.geometry).is_meshed())
+    return; // check_body() says of a half-space that it has no mesh
   const std::string method = parameters.contact_solver.method;
   if (find_contact_method(method)->needs_dense)
     throw InputError("Contact solver/Method = " + method +
