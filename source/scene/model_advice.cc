@@ -33,7 +33,7 @@ double rounded_up(const double length)
 } // namespace
 
 // Stresses of a contact of radius a fall with the square of the distance: at a face that is h away, the body
-// feels its ends by the square of a / h, relative to its pressures, and its approach by a / h
+// feels its ends by the square of a / h at most, relative to its pressures, and its approach by a / h
 // (docs/accuracy.md, "The right model of a ball on a plate").
 std::string half_space_advice(const Parameters &parameters, const ExpectedContact &contact)
 {
@@ -57,7 +57,7 @@ std::string half_space_advice(const Parameters &parameters, const ExpectedContac
   text << "Geometry/Shape = half-space with Sizes = " << side(0) << ", " << side(1)
        << " and Mesh/Cells = 64, 64 computes this contact without a mesh; it leaves out the "
           "ends of "
-          "the body, which change pressures by about "
+          "the body, which change pressures by at most about "
        << percent * a * a / (size * size) << " % and the approach by some " << percent * a / size << " %";
   return text.str();
 }
