@@ -42,7 +42,7 @@ constexpr double factor_entries = 28, factor_flops = 28;
 constexpr double most_per_unknown = 1e-4, most_program = 0.2;
 
 // A half-space on a grid: performance.md, "Half-spaces without a mesh" (tools/study half_space).
-constexpr double grid_bytes = 6000;  // a patch: vectors of GMRES, symbols and transforms, on all grids
+constexpr double grid_bytes = 4500;  // a patch: vectors of GMRES, symbols and transforms, on all grids
 constexpr double grid_set_up = 1e-6; // s a patch
 constexpr double grid_step = 6e-7;   // s a patch and binary digit of their number
 

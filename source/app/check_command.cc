@@ -28,11 +28,7 @@ namespace
 {
 void print_warnings(const Parameters &parameters, const ModelChoice &model, const std::string &lack)
 {
-  for (const std::string &warning : mesh_file_warnings(parameters))
-    std::cout << "warning: " << warning << "\n";
-  for (const std::string &warning : counterface_warnings(parameters, model.symmetry))
-    std::cout << "warning: " << warning << "\n";
-  for (const std::string &warning : layer_warnings(parameters))
+  for (const std::string &warning : scene_warnings(parameters, model.symmetry))
     std::cout << "warning: " << warning << "\n";
   for (const std::string &warning : parameter_warnings(parameters))
     std::cout << "warning: " << warning << "\n";

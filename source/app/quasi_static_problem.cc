@@ -54,11 +54,7 @@ QuasiStaticProblem::QuasiStaticProblem(ChosenModel chosen, const ModelChoice &ch
   record_.critical_friction = critical_friction_;
   if (parameters_.mesh.backend == BodyBackend::multigrid)
     record_.stretch = scene_.body().mesh().stretch();
-  record_.of_files = mesh_file_warnings(parameters_);
-  for (std::string &warning : counterface_warnings(parameters_, scene_.symmetry()))
-    record_.of_files.push_back(std::move(warning));
-  for (std::string &warning : layer_warnings(parameters_))
-    record_.of_files.push_back(std::move(warning));
+  record_.of_files = scene_warnings(parameters_, scene_.symmetry());
   record_.seconds = scene_.seconds();
   // The search for a mesh built the model, too.
   record_.seconds.mesh_search = chosen_.search_seconds - (chosen_.accuracy ? scene_.seconds().sum() : 0);
@@ -101,8 +97,7 @@ Ending QuasiStaticProblem::run(const std::optional<Checkpoint> &checkpoint,
                                const std::function<void()> &on_resumed)
 {
   // Also for the parts that a resumed run computes again. Without a matrix BLAS adds vectors alone.
-  const BlasThreads threads(
-      scene_.compliance().dense() != nullptr || scene_.body().mesh().has_mesh() ? state_.force.size() : 0);
+  const BlasThreads threads(scene_.body().mesh().has_mesh() ? state_.force.size() : 0);
   begin(checkpoint);
   if (checkpoint && on_resumed)
     on_resumed();

@@ -54,11 +54,11 @@ std::string half_space_advice(const Parameters &parameters, const ExpectedContac
   };
   std::ostringstream text;
   text.precision(2);
-  text << "Geometry/Shape = half-space with Sizes = " << side(0) << ", " << side(1)
-       << " and Mesh/Cells = 64, 64 computes this contact without a mesh; it leaves out the "
-          "ends of "
-          "the body, which change pressures by at most about "
-       << percent * a * a / (size * size) << " % and the approach by some " << percent * a / size << " %";
+  text
+      << "Geometry/Shape = half-space with Sizes = " << side(0) << ", " << side(1)
+      << " and Mesh/Cells = 64, 64 computes this contact without a mesh; it leaves out the ends of the body, "
+         "which change pressures by at most about "
+      << percent * a * a / (size * size) << " % and the approach by some " << percent * a / size << " %";
   return text.str();
 }
 } // namespace orthocone

@@ -93,23 +93,6 @@ std::unique_ptr<const LowerBody> make_lower(const Parameters &parameters, const 
   return std::make_unique<LowerBody>(parameters, symmetry, body.surface(), axes, seconds);
 }
 
-/// Null where the obstacle is rigid.
-std::unique_ptr<const Compliance> sum_of(const ElasticBody &body, const Obstacle &obstacle,
-                                         const std::function<Eigen::MatrixXd()> &make_dense)
-{
-  if (const auto material = obstacle.material())
-    if (auto sum = body.compliance_on(*material))
-      return sum;
-  Eigen::MatrixXd of_obstacle = make_dense();
-  if (of_obstacle.size() == 0)
-    return nullptr;
-  const DenseView *const of_body = body.compliance().dense();
-  if (of_body == nullptr)
-    throw std::logic_error("an obstacle that gives way needs a body with a dense compliance");
-  of_obstacle += *of_body;
-  return std::make_unique<DenseCompliance>(std::move(of_obstacle));
-}
-
 std::string text_of(const LocalAxes &axes, const std::size_t n_nodes)
 {
   std::string text;
@@ -134,6 +117,25 @@ Eigen::MatrixXd compliance_of(const Obstacle &obstacle, const Parameters &parame
                to_text(material->poisson_ratio) + text_of(axes, surface.nodes.size());
       },
       make);
+}
+
+/// Of the body and what is below it; null where the obstacle is rigid.
+std::unique_ptr<const Compliance> sum_of(const ElasticBody &body, const Obstacle &obstacle,
+                                         const LowerBody *const lower, const Parameters &parameters,
+                                         const ModelSymmetry &symmetry, const LocalAxes &axes)
+{
+  if (const auto material = obstacle.material())
+    if (auto sum = body.compliance_on(*material))
+      return sum;
+  Eigen::MatrixXd of_obstacle =
+      lower ? lower->compliance() : compliance_of(obstacle, parameters, symmetry, body.surface(), axes);
+  if (of_obstacle.size() == 0)
+    return nullptr;
+  const DenseView *const of_body = body.compliance().dense();
+  if (of_body == nullptr)
+    throw std::logic_error("an obstacle that gives way needs a body with a dense compliance");
+  of_obstacle += *of_body;
+  return std::make_unique<DenseCompliance>(std::move(of_obstacle));
 }
 
 /// The motion of the components that motions drive, without the others.
@@ -175,16 +177,7 @@ Scene::Scene(const Parameters &parameters, const ModelChoice &choice, const Obst
       lower_(make_lower(parameters, choice.symmetry, *body_, axes_, seconds_)),
       gaps_(gaps_of(obstacle, surface())),
       sum_(timed(seconds_.condensation,
-                 [&]
-                 {
-                   return sum_of(*body_, obstacle,
-                                 [&]
-                                 {
-                                   return lower_ ? lower_->compliance()
-                                                 : compliance_of(obstacle, parameters, choice.symmetry,
-                                                                 surface(), axes_);
-                                 });
-                 })),
+                 [&] { return sum_of(*body_, obstacle, lower_.get(), parameters, choice.symmetry, axes_); })),
       system_(compliance(), friction_.laws(surface(), obstacle, choice.symmetry))
 {
   if (lower_)

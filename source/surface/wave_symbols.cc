@@ -93,8 +93,8 @@ GridSymbol<double> WaveSymbols::stiffness_of_layer(const double thickness) const
 
 /// The tractions of a patch are even, so that they contain all waves k + 2 pi (i / width, j / height), each
 /// by its mean over the patch, and so does the mean displacement of another patch. The terms fall with the
-/// fifth power of the wave number, or the third along the axes: what is left out is 1e-4 of a patch's own
-/// compliance. Entries that are odd vanish where a wave is its own mirror image.
+/// fifth power of the wave number, or the third along the axes: what is left out is less than a
+/// thousandth of a patch's own compliance. Entries that are odd vanish where a wave is its own mirror image.
 GridSymbol<double> WaveSymbols::compliance_of_patches(const SurfaceGrid &grid, const Vector2d &k) const
 {
   constexpr int most = 8;

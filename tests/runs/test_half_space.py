@@ -76,6 +76,16 @@ class ScenesTest(HalfSpaceTest):
         self.assertRegex(" ".join(self.warnings("beyond")), r"the contact reaches the border of Geometry/Sizes, with \d+ % of the "
                                                            "normal force on the outermost patches")
 
+    def test_a_gap_that_is_not_periodic_is_warned_of(self):
+        periodic = ["Geometry/Sizes=1, 1", "Geometry/Periodic=yes", "Mesh/Cells=16, 16", "Load program/Legs=Fz -10 : 1",
+                    "Load program/Preload="]
+        for gap, is_warned in (("0.001*(1-cos(2*pi*x))", False), ("(x^2+y^2)/200", False), ("0.001*(x+0.5)", True),
+                               ("0.001*(1-cos(3*pi*y+1))", True)):
+            with self.subTest(gap):
+                result = self.run_program("run", "--check", settings=[*periodic, f"Obstacle/Gap={gap}"])
+                self.assertEqual(result.returncode, 0, result.stderr)
+                self.assertEqual("between opposite borders, which are one place" in result.stdout, is_warned)
+
     def test_equal_bodies_give_way_alike(self):
         """A half-space on one of the same material moves twice as far as on a rigid plate, without friction."""
         free = ["Friction/Coefficients=0, 0", "Load program/Preload=Fz -175 : 1", "Load program/Legs=Fz -200 : 1", *COARSE]

@@ -70,7 +70,7 @@ struct RunRecord
   CriticalFrictionRecord critical_friction{}; ///< of the model, not kept in checkpoints
   ThreadChoice threads{};                     ///< of the present run
   double stretch = 1; ///< Body::stretch() where multigrid solves the body; not kept in checkpoints
-  /// mesh_file_warnings() and layer_warnings(), found once, because files may change while a run goes on; not
+  /// scene_warnings(), found once, because files may change while a run goes on; not
   /// kept in checkpoints
   std::vector<std::string> of_files{};
   PhaseSeconds seconds{};

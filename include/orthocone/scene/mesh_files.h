@@ -17,6 +17,10 @@ std::string describe_mesh_files(const Parameters &parameters);
 /// ImportedMesh::warnings() of the same bodies, with the names of their own entries.
 std::vector<std::string> mesh_file_warnings(const Parameters &parameters);
 
-/// Obstacle::warnings() at the contact nodes of the scene, or overlap_warnings() of two bodies.
+/// Obstacle::warnings() at the contact nodes of the scene, or overlap_warnings() of two bodies, and of a
+/// periodic half-space that its gap is not periodic.
 std::vector<std::string> counterface_warnings(const Parameters &parameters, const ModelSymmetry &symmetry);
+
+/// All that is doubtful about meshes and counterface before a run: both of these, and layer_warnings().
+std::vector<std::string> scene_warnings(const Parameters &parameters, const ModelSymmetry &symmetry);
 } // namespace orthocone
