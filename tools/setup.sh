@@ -15,7 +15,7 @@ set -eu
 
 # mold is the linker that the flags of Debian 13's deal.II ask for; libdeal.ii-dev only recommends it.
 packages="g++ cmake ninja-build git mold
-  libdeal.ii-dev libsuitesparse-dev libmetis-dev libeigen3-dev libopenblas-pthread-dev liblapacke-dev libfftw3-dev zlib1g-dev
+  libdeal.ii-dev libsuitesparse-dev libmetis-dev libeigen3-dev libopenblas-pthread-dev liblapacke-dev libfftw3-dev libhmat-oss-dev zlib1g-dev
   libboost-program-options-dev nlohmann-json3-dev libgtest-dev pybind11-dev python3-dev python3-numpy python3-matplotlib
   python3-meshio"
 benchmark_packages="libbenchmark-dev"

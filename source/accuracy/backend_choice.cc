@@ -23,7 +23,8 @@ namespace
 /// The entry with which multigrid cannot compute a solid; empty where it can.
 std::string what_multigrid_cannot(const Parameters &parameters)
 {
-  if (parameters.obstacle.kind.chosen().gives_way())
+  if (const auto &kind = parameters.obstacle.kind;
+      kind.chosen().gives_way() && kind != ObstacleKind::half_space)
     return "Obstacle/Kind = " + to_word(parameters.obstacle.kind);
   if (parameters.output.problem_interval != 0)
     return "Output/Problems = " + std::to_string(parameters.output.problem_interval);

@@ -171,8 +171,8 @@ VectorXd StepSolver::start_of(const Attempt &attempt, const ContactState &state,
   ContactState moved = state;
   if (body.mesh().has_mesh())
   {
-    const ContactChange held = body.compliance().held_at(body.elastic_displacement(state.force) +
-                                                         body.prolonged(change->displacement));
+    const ContactChange held = scene_.compliance().held_at(body.elastic_displacement(state.force) +
+                                                           body.prolonged(change->displacement));
     body.compliance().memory().remember(held.force, held.body);
     moved.force = held.force;
   }

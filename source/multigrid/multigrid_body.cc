@@ -2,6 +2,7 @@
 // Copyright (C) 2026 the orthocone authors
 #include <orthocone/multigrid/multigrid_body.h>
 
+#include "counterface_sum.h"
 #include "multigrid_compliance.h"
 #include "node_values.h"
 
@@ -51,6 +52,10 @@ public:
   const Body &mesh() const override { return mesh_; }
   const ContactFrame &frame() const override { return frame_; }
   const Compliance &compliance() const override { return compliance_; }
+  std::unique_ptr<const Compliance> compliance_above(const Compliance &counterface) const override
+  {
+    return std::make_unique<CounterfaceSum>(compliance_, counterface);
+  }
   const DrivenField *driven() const override { return driven_ ? &*driven_ : nullptr; }
 
   VectorXd elastic_displacement(const NodeVector &force) const override

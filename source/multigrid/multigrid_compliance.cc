@@ -41,7 +41,7 @@ void MultigridCompliance::Memory::remember(const NodeVector &force, const BodyPa
   entries(displacement, body.displacement.size()) = body.displacement;
   entries(forces, frame.n_free()) = frame.on_free_unknowns(force) - body.residual;
   elastic.remember(displacement, forces);
-  last = {force, {}, compliance_.of_nodes(displacement, force), body};
+  last = {force, {}, compliance_.contact_displacement(displacement, force), body};
 }
 
 std::vector<VectorXd> MultigridCompliance::Memory::forget_trials(const NodeVector &force)
@@ -86,7 +86,7 @@ ContactChange MultigridCompliance::approximate(const NodeVector &force) const
   const ApproximateSolution approximate = memory_->elastic.approximate(on_body(force));
   ContactChange answer;
   answer.force = force;
-  answer.displacement = of_nodes(approximate.displacement, force);
+  answer.displacement = contact_displacement(approximate.displacement, force);
   answer.body = {entries(approximate.displacement, frame_.n_free()),
                  entries(approximate.residual, frame_.n_free())};
   return answer;
@@ -102,8 +102,8 @@ ContactChange MultigridCompliance::held_at(const VectorXd &displacement) const
   return contact_change(frame_, all, forces, {});
 }
 
-/// Displacement of the contact nodes. A direction that symmetry holds has a compliance of its own.
-NodeVector MultigridCompliance::of_nodes(const BodyVector<double> &body, const NodeVector &force) const
+NodeVector MultigridCompliance::contact_displacement(const BodyVector<double> &body,
+                                                     const NodeVector &force) const
 {
   NodeVector displacement = NodeVector::Zero(force.size());
   for (std::size_t i = 0; i < frame_.nodes().size(); ++i)
@@ -125,7 +125,7 @@ NodeVector MultigridCompliance::of_nodes(const BodyVector<double> &body, const N
 // A product with W is a solution of the body: one sparse system, to the accuracy that the compliance has.
 void MultigridCompliance::vmult(NodeVector &displacement, const NodeVector &force) const
 {
-  displacement = of_nodes(solution(force), force);
+  displacement = contact_displacement(solution(force), force);
 }
 
 Eigen::Matrix3d MultigridCompliance::diagonal_block(const Index node) const
@@ -156,7 +156,7 @@ double MultigridCompliance::softness() const
                             {
                               entries(forces, frame_.n_free()) = frame_.on_free_unknowns(force);
                               cycle_.vmult(displacement, forces);
-                              return of_nodes(displacement, force);
+                              return contact_displacement(displacement, force);
                             });
 }
 } // namespace orthocone

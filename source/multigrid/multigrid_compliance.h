@@ -28,6 +28,18 @@ public:
   std::unique_ptr<ConditionSolver> condition_solver(double softness) const override;
   double softness() const override;
 
+  // For solvers that share the body.
+  const MatrixFreeStiffness<double> &stiffness() const { return stiffness_; }
+  VCycle &cycle() const { return cycle_; }
+  unsigned int n_free() const { return frame_.n_free(); }
+
+  /// Contact forces (3 n, N, local axes) on the degrees of freedom of the body.
+  BodyVector<double> on_body(const NodeVector &force) const;
+
+  /// Displacement of the contact nodes (3 n, mm, local axes). A direction that symmetry holds has a
+  /// compliance of its own.
+  NodeVector contact_displacement(const BodyVector<double> &body, const NodeVector &force) const;
+
   /// Displacement of the free degrees of freedom (mm) under forces on them (N).
   Eigen::VectorXd displacement(const Eigen::VectorXd &forces) const;
 
@@ -50,12 +62,10 @@ private:
     const MultigridCompliance &compliance_;
   };
 
-  BodyVector<double> on_body(const NodeVector &force) const;
   BodyVector<double> solution(const NodeVector &force) const
   {
     return memory_->elastic.solve(on_body(force), accuracy_);
   }
-  NodeVector of_nodes(const BodyVector<double> &body, const NodeVector &force) const;
 
   const ContactFrame &frame_;
   const MatrixFreeStiffness<double> &stiffness_;

@@ -22,10 +22,11 @@ void check_backend(const Parameters &parameters)
     throw InputError("Contact solver/Method = " + method +
                      " needs the compliance as a matrix, which Mesh/Backend = multigrid does not compute: "
                      "allowed is newton, or Backend = condensed");
-  if (parameters.obstacle.kind.chosen().gives_way())
-    throw InputError("Obstacle/Kind = " + to_word(parameters.obstacle.kind) +
+  if (const auto &kind = parameters.obstacle.kind;
+      kind.chosen().gives_way() && kind != ObstacleKind::half_space)
+    throw InputError("Obstacle/Kind = " + to_word(kind) +
                      " with Mesh/Backend = multigrid, whose V-cycles solve the upper body only: allowed is "
-                     "auto or condensed, or Kind = rigid");
+                     "auto or condensed, or Kind = rigid or half-space");
   if (!parameters.material.is_uniform_and_isotropic())
     throw InputError((parameters.material.is_isotropic()
                           ? "Material/Regions = " + parameters.material.regions_text()

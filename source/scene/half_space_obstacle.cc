@@ -4,6 +4,7 @@
 
 #include <orthocone/scene/obstacle.h>
 #include <orthocone/surface/half_plane.h>
+#include <orthocone/surface/hierarchical_half_space.h>
 
 #include <utility>
 
@@ -28,12 +29,19 @@ public:
   Eigen::MatrixXd compliance(const ContactSurface &surface, const ModelSymmetry &symmetry,
                              const LocalAxes &axes) const override
   {
-    const HalfSpace half_space{material_.young_modulus, material_.poisson_ratio};
-    return symmetry.is_plane_strain() ? half_plane_compliance(half_space, surface, symmetry, axes)
-                                      : half_space_compliance(half_space, surface, symmetry, axes);
+    return symmetry.is_plane_strain() ? half_plane_compliance(half_space(), surface, symmetry, axes)
+                                      : half_space_compliance(half_space(), surface, symmetry, axes);
+  }
+  std::unique_ptr<const Compliance> compliance_by_products(const ContactSurface &surface,
+                                                           const ModelSymmetry &symmetry,
+                                                           const LocalAxes &axes) const override
+  {
+    return std::make_unique<HierarchicalHalfSpace>(half_space(), surface, symmetry, axes);
   }
 
 private:
+  HalfSpace half_space() const { return {material_.young_modulus, material_.poisson_ratio}; }
+
   std::unique_ptr<const Obstacle> surface_;
   MaterialOptions material_;
 };

@@ -100,6 +100,12 @@ Eigen::MatrixXd Obstacle::compliance(const ContactSurface &, const ModelSymmetry
   return {};
 }
 
+std::unique_ptr<const Compliance>
+Obstacle::compliance_by_products(const ContactSurface &, const ModelSymmetry &, const LocalAxes &) const
+{
+  return nullptr;
+}
+
 std::unique_ptr<const Obstacle> make_obstacle(const ObstacleOptions &options)
 {
   std::unique_ptr<const Obstacle> surface;

@@ -119,11 +119,23 @@ Eigen::MatrixXd compliance_of(const Obstacle &obstacle, const Parameters &parame
       make);
 }
 
-/// Of the body and what is below it; null where the obstacle is rigid.
-std::unique_ptr<const Compliance> sum_of(const ElasticBody &body, const Obstacle &obstacle,
-                                         const LowerBody *const lower, const Parameters &parameters,
-                                         const ModelSymmetry &symmetry, const LocalAxes &axes)
+/// Of what gives way below a body that has neither a dense compliance nor its own way to add both.
+std::unique_ptr<const Compliance> counterface_of(const ElasticBody &body, const Obstacle &obstacle,
+                                                 const ModelSymmetry &symmetry, const LocalAxes &axes)
 {
+  if (!body.mesh().has_mesh() || body.compliance().dense() != nullptr)
+    return nullptr;
+  return obstacle.compliance_by_products(body.surface(), symmetry, axes);
+}
+
+/// Of the body and what is below it; null where the obstacle is rigid.
+std::unique_ptr<const Compliance> sum_of(const ElasticBody &body, const Compliance *const counterface,
+                                         const Obstacle &obstacle, const LowerBody *const lower,
+                                         const Parameters &parameters, const ModelSymmetry &symmetry,
+                                         const LocalAxes &axes)
+{
+  if (counterface)
+    return body.compliance_above(*counterface);
   if (const auto material = obstacle.material())
     if (auto sum = body.compliance_on(*material))
       return sum;
@@ -176,8 +188,13 @@ Scene::Scene(const Parameters &parameters, const ModelChoice &choice, const Obst
       pressed_areas_(areas_pressed(surface(), axes_)),
       lower_(make_lower(parameters, choice.symmetry, *body_, axes_, seconds_)),
       gaps_(gaps_of(obstacle, surface())),
+      counterface_(timed(seconds_.condensation,
+                         [&] { return counterface_of(*body_, obstacle, choice.symmetry, axes_); })),
       sum_(timed(seconds_.condensation,
-                 [&] { return sum_of(*body_, obstacle, lower_.get(), parameters, choice.symmetry, axes_); })),
+                 [&] {
+                   return sum_of(*body_, counterface_.get(), obstacle, lower_.get(), parameters,
+                                 choice.symmetry, axes_);
+                 })),
       system_(compliance(), friction_.laws(surface(), obstacle, choice.symmetry))
 {
   if (lower_)
@@ -213,7 +230,9 @@ double Scene::undeformed_gap(const Eigen::Index node, const VectorXd &loads) con
 NodeVector Scene::given_way(const NodeVector &force) const
 {
   NodeVector of_both = NodeVector::Zero(force.size());
-  if (sum_)
+  if (counterface_)
+    counterface_->vmult(of_both, force);
+  else if (sum_)
   {
     NodeVector of_body;
     sum_->vmult(of_both, force);

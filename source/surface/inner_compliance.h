@@ -3,6 +3,7 @@
 #pragma once
 
 #include "condition_system.h"
+#include "neighbour_stiffness.h"
 #include "rounded_matrix.h"
 
 #include <orthocone/surface/compliance.h>
@@ -35,20 +36,16 @@ public:
     return rounded_ ? *rounded_ * vector : single_.selfadjointView<Eigen::Lower>() * vector;
   }
 
-  /// For each node its nearest neighbours are held, and the others carry no force. The inverse of a
-  /// compliance decreases so fast with the distance that more neighbours make no better preconditioner.
-  Eigen::VectorXf multiply_stiffness(const Eigen::VectorXf &vector) const override;
+  Eigen::VectorXf multiply_stiffness(const Eigen::VectorXf &vector) const override
+  {
+    return stiffness_ * vector;
+  }
 
 private:
-  static constexpr Eigen::Index n_held = 8; ///< a node and its neighbours
-
-  double hold(Eigen::Index node, const DenseView &compliance);
-
   DenseView compliance_;
   double scale_;
   Eigen::MatrixXf single_{}; ///< one of these two
   std::optional<RoundedMatrix> rounded_{};
-  Eigen::Matrix<Eigen::Index, n_held, Eigen::Dynamic> held_;        ///< the nodes held for each node
-  Eigen::Matrix<float, 3 * n_held, Eigen::Dynamic> holding_forces_; ///< on them, 3 columns a node
+  NeighbourStiffness stiffness_;
 };
 } // namespace orthocone

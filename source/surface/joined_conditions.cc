@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: LGPL-2.1-or-later
 // Copyright (C) 2026 the orthocone authors
-#include "joined_conditions.h"
+#include <orthocone/surface/joined_conditions.h>
 
 namespace orthocone
 {

@@ -4,7 +4,7 @@
 
 #include "dense_conditions.h"
 #include "direct_conditions.h"
-#include "joined_conditions.h"
+#include <orthocone/surface/joined_conditions.h>
 
 #include <Eigen/SparseLU>
 

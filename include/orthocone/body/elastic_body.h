@@ -45,6 +45,14 @@ public:
     return nullptr;
   }
 
+  /// The same of a body without a dense compliance, which adds that of any counterface; null elsewhere. The
+  /// counterface must outlive the sum.
+  virtual std::unique_ptr<const Compliance> compliance_above(const Compliance &counterface) const
+  {
+    static_cast<void>(counterface);
+    return nullptr;
+  }
+
   /// The contact nodes in their local axes.
   virtual const ContactFrame &frame() const = 0;
 

@@ -56,6 +56,12 @@ public:
   virtual Eigen::MatrixXd compliance(const ContactSurface &surface, const ModelSymmetry &symmetry,
                                      const LocalAxes &axes) const;
 
+  /// The same compliance known by its products alone, for bodies without a dense one; null where there is
+  /// none.
+  virtual std::unique_ptr<const Compliance> compliance_by_products(const ContactSurface &surface,
+                                                                   const ModelSymmetry &symmetry,
+                                                                   const LocalAxes &axes) const;
+
   /// Why the obstacle does not have the symmetry of a model; empty if it does.
   std::string asymmetry(const ModelSymmetry &symmetry, const SurfaceSample &sample) const;
 };

@@ -139,7 +139,8 @@ private:
   std::optional<Eigen::Index> interference_; ///< its number among the loads
   NodeVector overlap_;                       ///< what it drives: negative gaps, 3 n, mm
   Eigen::VectorXd change_lengths_;
-  std::unique_ptr<const Compliance> sum_; ///< null on a rigid obstacle
+  std::unique_ptr<const Compliance> counterface_; ///< elastic, below a body without a dense compliance
+  std::unique_ptr<const Compliance> sum_;         ///< null on a rigid obstacle
   ContactSystem system_;
 };
 } // namespace orthocone

@@ -134,4 +134,36 @@ inline std::vector<NodeCondition> mixed_conditions(const RefinedBody &refined, c
   }
   return conditions;
 }
+
+/// Unknowns of a node's condition that give the change of force, and what is left of it.
+inline std::pair<Eigen::Vector3d, double> unknowns_of(const NodeCondition &condition,
+                                                      const Eigen::Vector3d &force)
+{
+  const Eigen::Vector3d x = condition.basis.transpose() * (force - condition.fixed);
+  Eigen::Vector3d force_given = condition.fixed;
+  force_given += condition.basis.leftCols(condition.n_unknowns) * x.head(condition.n_unknowns);
+  return {x, (force - force_given).norm()};
+}
+
+/// Largest error of the nodes' equations, N, with the displacements that the compliance makes of the forces.
+inline double error_of(const ContactConditions &conditions, const ContactChange &change,
+                       const Compliance &compliance)
+{
+  NodeVector moved;
+  compliance.vmult(moved, change.force);
+  if (conditions.face.cols() > 0)
+    moved += conditions.face * change.face;
+  double error = (moved - change.displacement).norm() * node_stiffness;
+  for (std::size_t i = 0; i < conditions.nodes.size(); ++i)
+  {
+    const NodeCondition &condition = conditions.nodes[i];
+    const auto place = 3 * static_cast<Eigen::Index>(i);
+    const auto [x, left] = unknowns_of(condition, change.force.segment<3>(place));
+    error = std::max(error, left);
+    for (Eigen::Index k = 0; k < condition.n_unknowns; ++k)
+      error = std::max(error, std::abs(condition.rows.col(k).dot(moved.segment<3>(place)) +
+                                       condition.diagonal[k] * x[k] - condition.right_side[k]));
+  }
+  return error;
+}
 } // namespace orthocone::test

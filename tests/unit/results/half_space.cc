@@ -93,7 +93,34 @@ TEST(HalfSpaceScene, HasASumOfCompliances)
 
 TEST(HalfSpaceScene, PassesTheChecksOfEveryStep)
 {
-  TestScene scene(on_half_space(0.5));
-  expect_checked_steps(scene);
+  for (const BodyBackend backend : {BodyBackend::condensed, BodyBackend::multigrid})
+  {
+    Parameters parameters = on_half_space(0.5);
+    parameters.mesh.backend = backend;
+    TestScene scene(parameters);
+    expect_checked_steps(scene);
+  }
+}
+
+/// The body by V-cycles and the half-space by a hierarchical matrix: pressed, pushed by a force, let go.
+TEST(HalfSpaceScene, IsThatOfTheCondensedBodyWithMultigrid)
+{
+  Parameters parameters = on_half_space(1);
+  parameters.mesh.refinements = 1;
+  parameters.contact_solver.tolerance = 1e-9;
+  parameters.load.legs = {move_to(0, 0, -0.1, 1),
+                          Leg{{{Drive{true, 300}, Drive{false, 0}, Drive{false, -0.1}}}, 1},
+                          move_to(0, 0, -0.05, 1)};
+  parameters.mesh.backend = BodyBackend::condensed;
+  TestScene condensed(parameters);
+  parameters.mesh.backend = BodyBackend::multigrid;
+  TestScene multigrid(parameters);
+  for (TestScene *const scene : {&condensed, &multigrid})
+    scene->march();
+  const double close = 10 * parameters.contact_solver.tolerance;
+  EXPECT_LE(largest_difference(multigrid.state.force, condensed.state.force), close);
+  EXPECT_NEAR(multigrid.totals().total_dissipation / condensed.totals().total_dissipation, 1, close);
+  EXPECT_NEAR(multigrid.totals().elastic_energy / condensed.totals().elastic_energy, 1, close);
+  EXPECT_NEAR(multigrid.totals().stick_area / condensed.totals().stick_area, 1, close);
 }
 } // namespace orthocone::test
