@@ -65,6 +65,13 @@ constexpr double even_stretch = 2.5;         // of cells, which does not slow mu
 /// 0.3 on: within 25 % of the table in stability.md, "On the whole body".
 constexpr double of_steel = 0.4, cycles_per_digit = 2;
 
+// A half-space below n contact nodes of such a body: performance.md, "A half-space below multigrid"
+// (tools/study half_space_multigrid). log n less `hierarchical_log` counts the levels of its hierarchical
+// matrices.
+constexpr double hierarchical_bytes = 3.7e4, hierarchical_log = 5.2; // bytes a node and level, on all meshes
+constexpr double hierarchical_set_up = 4.5e-5;                       // s a node to the power of 1.5
+constexpr double hierarchical_cycle = 7e-6;                          // s a V-cycle, node and level
+
 // The coarsest mesh of n unknowns, with trilinear elements: performance.md, "Large coarsest meshes". It is
 // aggregated where it is large (bytes and s an unknown), else factorized (bytes and s a power of n).
 constexpr double aggregated_bytes = 7e3, aggregated_set_up = 2e-5, aggregated_hold = 1.5e-5,

@@ -3,6 +3,7 @@
 #include <orthocone/accuracy/cost_model.h>
 
 #include "cost_constants.h"
+#include "counterface_cost.h"
 
 #include <orthocone/base/errors.h>
 #include <orthocone/base/ranks.h>
@@ -285,9 +286,10 @@ double CostModel::multigrid_gigabytes() const
   const double n_bodies = n_cycles > 1 ? n_solved_parts(parameters_.load) / n_cycles : 0;
   const double bodies =
       std::min<double>(StartMemory::most_body_bytes, sizeof(double) * size_.dofs * n_bodies);
-  return n_ranks() * of_each + ((cost::bytes_per_unknown + bytes_per_round * n_rounds) * size_.dofs +
-                                cost::copies_of_bodies * bodies) /
-                                   cost::gigabyte;
+  return n_ranks() * (of_each + counterface_cost(parameters_.obstacle, size_.contact_nodes).gigabytes) +
+         ((cost::bytes_per_unknown + bytes_per_round * n_rounds) * size_.dofs +
+          cost::copies_of_bodies * bodies) /
+             cost::gigabyte;
 }
 
 Estimate CostModel::multigrid() const
@@ -302,10 +304,13 @@ Estimate CostModel::multigrid() const
                                  std::max(1., stretch_of(coarsest, symmetry_) / cost::even_stretch) *
                                  cycles_of_volume(parameters_.material.poisson_ratio);
   const CoarsestCost of_coarsest = cost_of_coarsest(coarsest, symmetry_);
+  const CounterfaceCost below = counterface_cost(parameters_.obstacle, size_.contact_nodes);
   return {multigrid_gigabytes(),
-          cost::multigrid_start_up + cost::multigrid_set_up * size_.dofs + of_coarsest.set_up_seconds,
-          cycles_per_step * (v_cycle_per_unknown * size_.dofs + of_coarsest.cycle_seconds +
-                             of_coarsest.hold_seconds / cost::cycles_per_iteration) +
+          cost::multigrid_start_up + cost::multigrid_set_up * size_.dofs + of_coarsest.set_up_seconds +
+              below.set_up_seconds,
+          cycles_per_step *
+                  (v_cycle_per_unknown * size_.dofs + below.cycle_seconds + of_coarsest.cycle_seconds +
+                   of_coarsest.hold_seconds / cost::cycles_per_iteration) +
               volume_seconds_per_step()};
 }
 
@@ -369,32 +374,5 @@ void require_memory(const Parameters &parameters, const ModelSymmetry &symmetry,
   const double needed = CostModel(parameters, symmetry).needed_gigabytes(limit.gigabytes);
   if (const std::string lack = lack_of_memory(needed, limit); !lack.empty())
     throw InputError(lack);
-}
-
-std::string describe(const Estimate &estimate, const ComputedSteps &n_steps, const MemoryLimit &limit,
-                     const bool is_least)
-{
-  const char *const about = is_least ? "more than " : "about ";
-  const auto counted = [](const double n) { return std::to_string(static_cast<unsigned long>(n)); };
-  const bool has_jumps = n_steps.least < n_steps.most;
-  std::ostringstream text;
-  text << std::setprecision(2) << "memory         " << about << estimate.gigabytes << " GB; " << limit.source
-       << " " << (limit.gigabytes < 10 ? limit.gigabytes : std::round(limit.gigabytes)) << " GB\n"
-       << "time           " << about << estimate.seconds(n_steps.least) << " s";
-  if (has_jumps)
-    text << ", and " << estimate.seconds(n_steps.most) << " s if no cycle is jumped";
-  text << ": set-up " << estimate.set_up_seconds << " s, "
-       << (has_jumps ? counted(n_steps.least) + " to " : "") << counted(n_steps.most) << " load steps of "
-       << estimate.step_seconds << " s" << (is_least ? "" : " (to a factor of 3)");
-  return text.str();
-}
-
-std::string describe(const ModelSize &size)
-{
-  std::ostringstream text;
-  text << std::setprecision(2) << "mesh           about " << size.cells << " cells\n"
-       << "unknowns       about " << size.dofs << "\n"
-       << "contact nodes  about " << size.contact_nodes;
-  return text.str();
 }
 } // namespace orthocone

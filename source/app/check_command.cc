@@ -6,7 +6,7 @@
 #include "scene_picture.h"
 
 #include <orthocone/accuracy/backend_choice.h>
-#include <orthocone/accuracy/cost_model.h>
+#include <orthocone/accuracy/cost_text.h>
 #include <orthocone/base/ranks.h>
 #include <orthocone/base/text.h>
 #include <orthocone/body/backends/stiffness_factor.h>

@@ -342,17 +342,20 @@ bool QuasiStaticProblem::accepts(const MarchedStep &marched)
     outcome_ = {ExitCode::unsolved_step, wrong_step_text(reported, steps_, *which, parameters_.mesh.backend)};
     return false;
   }
-  const SolvedStep solved{next,
-                          totals_,
-                          totals,
-                          marched.report,
-                          checks,
-                          marched.seconds,
-                          reported,
-                          parameters_.contact_solver.method,
-                          marched.step.driven(scene_.symmetry(), parameters_.geometry.top_face),
-                          static_cast<unsigned int>(scene_.body().n_v_cycles() - v_cycles_written_)};
+  const SolvedStep solved{
+      next,
+      totals_,
+      totals,
+      marched.report,
+      checks,
+      marched.seconds,
+      reported,
+      parameters_.contact_solver.method,
+      marched.step.driven(scene_.symmetry(), parameters_.geometry.top_face),
+      static_cast<unsigned int>(scene_.body().n_v_cycles() - v_cycles_written_),
+      static_cast<unsigned int>(scene_.compliance().n_gmres_iterations() - gmres_written_)};
   v_cycles_written_ += solved.n_v_cycles;
+  gmres_written_ += solved.n_gmres_iterations;
   write(solved);
   if (marched.report.is_released)
     log_.line("the contact opens, because nothing presses the body any more, at u_z = " +

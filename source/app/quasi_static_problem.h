@@ -74,5 +74,6 @@ private:
   double seconds_before_ = 0;          ///< wall time of the runs before the checkpoint
   unsigned long v_cycles_before_ = 0;  ///< V-cycles of these runs
   unsigned long v_cycles_written_ = 0; ///< V-cycles of this run that timing.csv has
+  unsigned long gmres_written_ = 0;    ///< the same of iterations of GMRES
 };
 } // namespace orthocone

@@ -21,6 +21,7 @@ public:
   double norm(const Eigen::VectorXd &residual) const override { return body_.norm(residual); }
   Eigen::Matrix3d diagonal_block(Eigen::Index node) const override;
   std::unique_ptr<ConditionSolver> condition_solver(double softness) const override;
+  unsigned long n_gmres_iterations() const override { return counterface_.n_gmres_iterations(); }
 
   /// The sum of both, which is the largest eigenvalue at most.
   double softness() const override { return softness_of_body_ + softness_of_counterface_; }

@@ -287,7 +287,12 @@ const Columns<SolvedStep> &timing_columns()
       {"iterations", "", "iterations of the contact solver",
        [](const Step &s) { return s.report.iterations; }},
       {"v_cycles", "", "V-cycles on the finest mesh, since the step before; 0 without multigrid",
-       [](const Step &s) { return s.n_v_cycles; }}};
+       [](const Step &s) { return s.n_v_cycles; }},
+      {"gmres_iterations", "",
+       "iterations of GMRES by products of half-spaces without a matrix, on the finest grid or mesh, since "
+       "the "
+       "step before; 0 without these",
+       [](const Step &s) { return s.n_gmres_iterations; }}};
   return columns;
 }
 

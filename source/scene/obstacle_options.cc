@@ -88,7 +88,9 @@ void declare_obstacle(ObstacleOptions &obstacle, Section &section)
   obstacle.kind.declare(
       "Kind",
       "The counterface, on which the body is pressed; Gap is the distance between both, whichever of them is "
-      "curved. Elastic counterfaces exclude the axisymmetric model and Mesh/Backend = multigrid.",
+      "curved. Elastic counterfaces exclude the axisymmetric model, and a second body excludes Mesh/Backend "
+      "= "
+      "multigrid.",
       section);
 }
 } // namespace orthocone

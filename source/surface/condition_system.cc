@@ -5,6 +5,7 @@
 #include "direct_conditions.h"
 #include "krylov.h"
 
+#include <algorithm>
 #include <utility>
 #include <vector>
 
@@ -243,6 +244,13 @@ IterativeChange solve_by_gmres(const ContactConditions &conditions, const InnerO
   ContactChange change = system.change(solution.unknowns, size);
   if (!system.resists())
     change.face = face_alone(conditions, change.force);
-  return {std::move(change), solution.converged};
+  return {std::move(change), solution.converged, solution.iterations};
+}
+
+ContactChange GmresConditions::solve(const ContactConditions &conditions, const double accuracy) const
+{
+  IterativeChange solution = solve_by_gmres(conditions, inner_, std::min(accuracy, least_accuracy_));
+  n_iterations_ += static_cast<unsigned long>(solution.iterations);
+  return std::move(solution.change);
 }
 } // namespace orthocone

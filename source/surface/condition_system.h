@@ -31,10 +31,32 @@ struct IterativeChange
 {
   ContactChange change;
   bool converged;
+  Eigen::Index iterations;
 };
 
 /// Solves conditions of contact nodes by GMRES in single precision, whose errors Newton's next iteration
 /// corrects.
 IterativeChange solve_by_gmres(const ContactConditions &conditions, const InnerOperator &inner,
                                double accuracy);
+
+/// The same as a solver, of a compliance that is known by its products.
+class GmresConditions : public ConditionSolver
+{
+public:
+  /// The solver is never less accurate than `least_accuracy`, and adds its iterations to `n_iterations`. Both
+  /// that are passed by reference must outlive it.
+  GmresConditions(const InnerOperator &inner, const double least_accuracy, unsigned long &n_iterations)
+      : inner_(inner),
+        least_accuracy_(least_accuracy),
+        n_iterations_(n_iterations)
+  {
+  }
+
+  ContactChange solve(const ContactConditions &conditions, double accuracy) const override;
+
+private:
+  const InnerOperator &inner_;
+  double least_accuracy_;
+  unsigned long &n_iterations_;
+};
 } // namespace orthocone

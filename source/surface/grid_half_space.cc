@@ -92,26 +92,6 @@ private:
 
 namespace
 {
-class GridConditionSolver : public ConditionSolver
-{
-public:
-  explicit GridConditionSolver(const InnerHalfSpace &inner)
-      : inner_(inner)
-  {
-  }
-
-  ContactChange solve(const ContactConditions &conditions, const double accuracy) const override
-  {
-    // Newton's steps with less change the status of few nodes at a time: on 128 x 128 patches five times as
-    // many.
-    constexpr double least_accuracy = 1e-2;
-    return solve_by_gmres(conditions, inner_, std::min(accuracy, least_accuracy)).change;
-  }
-
-private:
-  const InnerHalfSpace &inner_;
-};
-
 void require_sizes(const SurfaceGrid &grid)
 {
   const bool is_good = grid.n_x > 0 && grid.n_y > 0 && std::isfinite(grid.width) && grid.width > 0 &&
@@ -149,6 +129,7 @@ public:
   }
 
   unsigned int n_threads;
+  unsigned long n_iterations = 0; ///< of GMRES
   GridTransform<double> transform;
   GridSymbols<double> symbols;
   GridSymbols<double> kernel; ///< of a periodic grid
@@ -218,6 +199,15 @@ Eigen::Vector3d GridHalfSpace::displacement_at(const Index node, const NodeVecto
 
 std::unique_ptr<ConditionSolver> GridHalfSpace::condition_solver(const double softness) const
 {
-  return std::make_unique<GridConditionSolver>(products_->inner(*this, softness));
+  // Newton's steps with less change the status of few nodes at a time: on 128 x 128 patches five times as
+  // many.
+  constexpr double least_accuracy = 1e-2;
+  return std::make_unique<GmresConditions>(products_->inner(*this, softness), least_accuracy,
+                                           products_->n_iterations);
+}
+
+unsigned long GridHalfSpace::n_gmres_iterations() const
+{
+  return products_->n_iterations;
 }
 } // namespace orthocone

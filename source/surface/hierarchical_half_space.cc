@@ -57,23 +57,6 @@ private:
   std::vector<Matrix3d> own_;
 };
 
-class InnerConditionSolver : public ConditionSolver
-{
-public:
-  explicit InnerConditionSolver(const InnerOperator &inner)
-      : inner_(inner)
-  {
-  }
-
-  ContactChange solve(const ContactConditions &conditions, const double accuracy) const override
-  {
-    return solve_by_gmres(conditions, inner_, accuracy).change;
-  }
-
-private:
-  const InnerOperator &inner_;
-};
-
 const ModelSymmetry &not_of_section(const ModelSymmetry &symmetry)
 {
   if (symmetry.is_section())
@@ -101,6 +84,7 @@ public:
 
   HalfSpaceNodes nodes;
   HierarchicalMatrix matrix;
+  unsigned long n_iterations = 0; ///< of GMRES
 
 private:
   static constexpr double accuracy = 1e-9;
@@ -133,7 +117,12 @@ Matrix3d HierarchicalHalfSpace::diagonal_block(const Index node) const
 
 std::unique_ptr<ConditionSolver> HierarchicalHalfSpace::condition_solver(const double softness) const
 {
-  return std::make_unique<InnerConditionSolver>(products_->inner(softness));
+  return std::make_unique<GmresConditions>(products_->inner(softness), 1., products_->n_iterations);
+}
+
+unsigned long HierarchicalHalfSpace::n_gmres_iterations() const
+{
+  return products_->n_iterations;
 }
 
 double HierarchicalHalfSpace::bytes() const

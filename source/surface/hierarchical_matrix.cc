@@ -7,6 +7,7 @@
 #include <limits>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 namespace orthocone
 {
@@ -41,26 +42,59 @@ void prepare(const int first_row, int, const int first_column, int, int *const r
                                 columns + first_column};
 }
 
-/// The entries of some rows by some columns. Rows that follow each other belong to the same point as a rule,
-/// whose block is asked for once.
+/// The blocks of the points of some rows with the point of a column. Rows that follow each other belong to
+/// the same point as a rule.
+class ColumnOfBlocks
+{
+public:
+  ColumnOfBlocks(const Request &request, const hmat_block_compute_context_t &part)
+      : block_(*request.block)
+  {
+    for (int i = 0; i < part.row_count; ++i)
+    {
+      const auto row = static_cast<std::size_t>(request.rows[part.row_start + i]);
+      if (points_.empty() || points_.back() != row / 3)
+        points_.push_back(row / 3);
+      places_.push_back({points_.size() - 1, static_cast<Index>(row % 3)});
+    }
+    blocks_.resize(points_.size());
+  }
+
+  void set_point(const std::size_t point)
+  {
+    if (point == point_)
+      return;
+    point_ = point;
+    for (std::size_t i = 0; i < points_.size(); ++i)
+      blocks_[i] = block_(points_[i], point);
+  }
+
+  double operator()(const Index row, const Index direction) const
+  {
+    const auto [place, own] = places_[static_cast<std::size_t>(row)];
+    return blocks_[place](own, direction);
+  }
+
+private:
+  const HierarchicalMatrix::Block &block_;
+  std::vector<std::size_t> points_;                   ///< of the rows
+  std::vector<std::pair<std::size_t, Index>> places_; ///< of a row: its point among these, its direction
+  std::vector<Matrix3d> blocks_;
+  std::size_t point_ = std::numeric_limits<std::size_t>::max();
+};
+
+/// The entries of some rows by some columns.
 void fill(hmat_block_compute_context_t *const part)
 {
-  constexpr auto none = std::numeric_limits<std::size_t>::max();
   const auto &request = *static_cast<const Request *>(part->user_data);
   Eigen::Map<MatrixXd> entries(static_cast<double *>(part->block), part->row_count, part->col_count);
-  for (int j = 0; j < part->col_count; ++j)
+  ColumnOfBlocks blocks(request, *part);
+  for (Index j = 0; j < entries.cols(); ++j)
   {
     const auto column = static_cast<std::size_t>(request.columns[part->col_start + j]);
-    std::size_t point = none;
-    Matrix3d block;
-    for (int i = 0; i < part->row_count; ++i)
-    {
-      const auto row = static_cast<std::size_t>(request.rows[part->row_start + i]);
-      if (row / 3 != point)
-        block = (*request.block)(row / 3, column / 3);
-      point = row / 3;
-      entries(i, j) = block(static_cast<Index>(row % 3), static_cast<Index>(column % 3));
-    }
+    blocks.set_point(column / 3);
+    for (Index i = 0; i < entries.rows(); ++i)
+      entries(i, j) = blocks(i, static_cast<Index>(column % 3));
   }
 }
 

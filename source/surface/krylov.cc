@@ -119,6 +119,7 @@ KrylovSolution solve_gmres(const LinearMap &map, const Eigen::VectorXf &right_si
   gmres.compute(matrix);
   KrylovSolution solution{gmres.solve(right_side)};
   solution.converged = gmres.info() == Eigen::Success;
+  solution.iterations = gmres.iterations();
   return solution;
 }
 } // namespace orthocone

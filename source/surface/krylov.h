@@ -23,6 +23,7 @@ struct KrylovSolution
 {
   Eigen::VectorXf unknowns{};
   bool converged = true;
+  Eigen::Index iterations = 0;
 };
 
 /// Solution of map x = right_side by preconditioned GMRES (Eigen's), until the preconditioned residual is

@@ -88,13 +88,9 @@ ROWS = [
      "subsection Obstacle\n  set Kind = half-space\nend\n",
      "{file}: Mesh/Model = axisymmetric is not possible: Obstacle/Kind = half-space has no section (r, z); possible "
      "models are full, half, quarter"),
-    ("half_space_on_multigrid",
-     "subsection Mesh\n  set Backend = multigrid\nend\nsubsection Obstacle\n  set Kind = half-space\nend\n",
-     "{file}: Obstacle/Kind = half-space with Mesh/Backend = multigrid, whose V-cycles solve the upper body only: "
-     "allowed is auto or condensed, or Kind = rigid"),
     ("body_on_multigrid", "subsection Mesh\n  set Backend = multigrid\nend\n" + ON_BODY,
      "{file}: Obstacle/Kind = body with Mesh/Backend = multigrid, whose V-cycles solve the upper body only: "
-     "allowed is auto or condensed, or Kind = rigid"),
+     "allowed is auto or condensed, or Kind = rigid or half-space"),
     ("body_axisymmetric",
      "subsection Mesh\n  set Model = axisymmetric\nend\nsubsection Friction\n  set Coefficients = 0.2, 0.2\nend\n"
      + ON_BODY,

@@ -48,7 +48,7 @@ class ContractTest(unittest.TestCase):
             self.assertTrue(line.startswith("include ") or line in (run / "input.prm").read_text(), line)
         self.assertEqual((run / "history.csv").read_text().splitlines()[0], HISTORY)
         self.assertEqual((run / "probe-P.csv").read_text().splitlines()[0], PROBE)
-        self.assertEqual((run / "timing.csv").read_text().splitlines()[0], "step,seconds,iterations,v_cycles")
+        self.assertEqual((run / "timing.csv").read_text().splitlines()[0], "step,seconds,iterations,v_cycles,gmres_iterations")
         self.assertEqual([row["step"] for row in self.history()], [str(step) for step in range(1, 46)])
         for kind in ("contact", "volume"):
             self.assertEqual(len(list(run.glob(f"{kind}-*.vtu"))), 45)

@@ -28,11 +28,9 @@ NO_QUARTER = {f"verification/{name}" for name in (
 WORN = {"verification/worn_punch": ["Load program/Legs=Fz -1000 : 1 ; ux 3 : 3"],
         "verification/worn_sphere": ["Load program/Legs=ux 0.1 : 2 ; ux 0 : 2"]}
 PLANE = "Mesh/Backend = multigrid with Geometry/Kind = plane strain"
-HALF_SPACE = "Obstacle/Kind = half-space with Mesh/Backend = multigrid"
 BODY = "Obstacle/Kind = body with Mesh/Backend = multigrid"
 REFUSED = {f"verification/{name}": reason for reason, names in (
     ("Mesh/Backend = multigrid with Geometry/Shape = half-space", ("ball_on_plate", "wavy_surface")),
-    (HALF_SPACE, ("hertz_half_space", "equal_spheres", "orthotropic_sphere")),
     ("Mesh/Backend = multigrid with a normal of the counterface that is more than 70 degrees off z", ("press_fit",)),
     (BODY, ("cattaneo_line", "filleted_punch", "fretting_fatigue", "roller_on_block", "two_balls")),
     (PLANE, ("line_contact", "orthotropic_line_contact", "pushed_block", "rounded_punch"))) for name in names}

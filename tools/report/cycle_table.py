@@ -8,7 +8,7 @@ MOST_ROWS = 2000
 SUMS = ("accumulated_slip", "dissipation", "work", "worst_energy")  # of all cycles that a row stands for
 STATES = ("max_slip", "max_accumulated_slip", "total_dissipation", "peak_force_z", "force_z", "change", "iterations",
           "worn_volume", "max_wear_depth", "wear_error", "slip_ratio", "energy_ratio", "friction_largest", "friction_energy",
-          "friction_geometric", "loop_stiffness")
+          "friction_geometric", "loop_stiffness", "stroke", "tangential_force")
 
 
 def jumped_rows(data):

@@ -91,5 +91,37 @@ function drawLoopFigures() {
                                                         ["friction_energy", "energy"],
                                                         ["friction_geometric", "middle of the stroke"]]);
   overCycles("Tangential stiffness of the loop", "N/mm", [["loop_stiffness", "behind reversals"]], {fit: true});
+  drawDamping();
   overCycles("Largest energy per area of a cycle", "N/mm", [["worst_energy", "at the worst node"]]);
+}
+
+/** The cycles of a run that have a loop, by their amplitudes \u03b4* (half of the stroke, mm). */
+function loopsByAmplitude({cycles}) {
+  const rows = (cycles.stroke || []).flatMap((stroke, row) => stroke > 0 && !cycles.jumped[row]
+    ? [{amplitude: stroke / 2, energy: cycles.dissipation[row], secant: 2 * cycles.tangential_force[row] / stroke,
+        slope: cycles.loop_stiffness[row], cycle: cycles.cycle[row]}] : []);
+  return rows.sort((a, b) => a.amplitude - b.amplitude);
+}
+
+/** Damping curves: energy and stiffness of loops over their amplitude, of a run whose cycles grow, or of runs that differ in
+ *  amplitude, whose last cycles make one curve. */
+function drawDamping() {
+  const least = 1.02;  // amplitudes that differ by less are the same
+  const grows = loops => loops.length > 2 && loops[loops.length - 1].amplitude > least * loops[0].amplitude;
+  const own = data.runs.map(loopsByAmplitude);
+  const lasts = own.flatMap(loops => loops.length ? [loops.reduce((a, b) => a.cycle > b.cycle ? a : b)] : [])
+    .sort((a, b) => a.amplitude - b.amplitude);
+  const curvesOf = own.some(grows) ? own.map((loops, r) => ({loops, r, run: several ? data.runs[r].name : ""})).filter(({loops}) => grows(loops))
+    : grows(lasts) ? [{loops: lasts, r: 0, run: ""}] : [];
+  if (!curvesOf.length) return;
+  const draw = (title, unit, columns, more) => addCurves(byId("cycle-charts"), title, curvesOf.flatMap(({loops, r, run}) =>
+    columns.map(([column, name], k) => ({name, run, colour: `var(--${run ? `r${r + 1}` : `c${k + 1}`})`, dash: DASHES[k],
+      x: loops.map(loop => loop.amplitude), y: loops.map(loop => loop[column])}))),
+    {name: "amplitude \u03b4*", unit: "mm"}, unit,
+    {fixed: true, head: (one, i) => `\u03b4* = ${numberText(one.x[i], 4)} mm`, ...more});
+  const energies = curvesOf.flatMap(({loops}) => loops.map(loop => loop.energy)).filter(energy => energy > 0);
+  draw("Damping: energy of a cycle over its amplitude", "N mm", [["energy", "dissipated by friction"]],
+       {log: energies.length > 0 && Math.max(...energies) > 50 * Math.min(...energies)});
+  draw("Tangential stiffness over the amplitude", "N/mm", [["secant", "secant Q*/\u03b4*"], ["slope", "behind reversals"]],
+       {fit: true});
 }

@@ -8,6 +8,7 @@ import io
 
 import checked
 import numpy as np
+from distribution import distribution, node_areas
 from lines import QUANTITIES, Line, fields_of
 from load_program import choose_steps, nearest, spread_steps
 from outline import distinct
@@ -90,7 +91,8 @@ class Maps:
         frames = [self.data.read(self.name(step), lambda step=step: fields_of(self.file(step), self.nodes,
                                                                                      self.directions)) for step in steps]
         return {"places": [line.payload for line in self.lines], "steps": steps,
-                "frames": [[line.values(fields) for line in self.lines] for fields in frames]}
+                "frames": [[line.values(fields) for line in self.lines] for fields in frames],
+                "distribution": distribution(frames, node_areas(self.places, self.quads))}
 
     def frame(self, step):
         return self.data.read(self.name(step), lambda: self.fields(step, self.file(step)))

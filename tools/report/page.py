@@ -17,6 +17,7 @@ from payload import payload_of, run_names
 
 HERE = pathlib.Path(__file__).resolve().parent
 SCRIPTS = ("numbers.js", "elements.js", "scales.js", "charts.js", "reading.js", "save.js", "maps.js", "space.js", "lines.js",
+           "distribution.js",
            "player.js", "map_picture.js", "specs.js", "loops.js", "cycles.js", "wear.js", "body_lines.js", "report.js")
 MARKS = {"good": "\u2713", "warned": "\u26a0", "bad": "\u26a0", "running": "\u23f1"}
 

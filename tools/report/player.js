@@ -10,6 +10,7 @@ class Player {
     this.history = history;
     this.blocks = blocks;
     this.lines = new LineCharts(maps);
+    this.distribution = new PressureDistribution(data.runs);
     this.mesh = new ContactMesh(maps, radius, centre);
     this.frames = maps.frames.map(packed => new MapFrame(packed));
     // An unrolled surface is its own outline.
@@ -151,6 +152,7 @@ class Player {
     this.describe(frame);
     this.drawMap();
     this.lines.show(frame.step);
+    this.distribution.show(frame.step);
   }
 
   /** A new field or scale: the small maps change, too. */

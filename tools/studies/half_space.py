@@ -29,6 +29,8 @@ def figures_of_run(result, point):
         steps = np.genfromtxt(file, delimiter=",", names=True)
     return {"nodes": run.summary["model"]["contact_nodes"], "steps": len(steps),
             "iterations_per_step": f"{np.mean(steps['iterations']):.3g}", "most_iterations": int(np.max(steps["iterations"])),
+            "gmres_per_step": f"{np.mean(steps['gmres_iterations']):.3g}",
+            "most_gmres": int(np.max(steps["gmres_iterations"])),
             "step_seconds": f"{np.mean(steps['seconds']):.4g}", "seconds": f"{result.seconds:.3f}",
             "cpu_seconds": f"{result.cpu_seconds:.3f}", "gigabytes": f"{result.gigabytes:.3f}"}
 
@@ -44,25 +46,29 @@ def per_node(row):
 
 
 def figures(rows):
-    figure, (left, right) = plt.subplots(1, 2, figsize=(style.WIDTH, 3.2))
+    figure, (left, right) = plt.subplots(1, 2, figsize=(style.WIDTH, 3.4))
     nodes = [float(row["nodes"]) for row in rows]
     left.loglog(nodes, [float(row["step_seconds"]) for row in rows], "o-", color=style.COLOURS[0], label="measured")
     last = float(rows[-1]["step_seconds"]) / (nodes[-1] * math.log2(nodes[-1]))
     left.loglog(nodes, [last * n * math.log2(n) for n in nodes], "--", color="0.5", label="n log n")
     left.set(xlabel="contact nodes n", ylabel="seconds of a step")
     left.legend()
-    right.semilogx(nodes, [float(row["iterations_per_step"]) for row in rows], "o-", color=style.COLOURS[1], label="mean")
-    right.semilogx(nodes, [float(row["most_iterations"]) for row in rows], "s--", color=style.COLOURS[2], label="worst step")
-    right.set(xlabel="contact nodes n", ylabel="Newton's iterations of a step", ylim=(0, None))
+    for column, marker, colour, label in (("iterations_per_step", "o-", 1, "Newton's, mean"),
+                                          ("most_iterations", "s--", 1, "Newton's, worst step"),
+                                          ("gmres_per_step", "o-", 2, "of GMRES, mean"),
+                                          ("most_gmres", "s--", 2, "of GMRES, worst step")):
+        right.semilogx(nodes, [float(row[column]) for row in rows], marker, color=style.COLOURS[colour], label=label)
+    right.set(xlabel="contact nodes n", ylabel="iterations of a step", ylim=(0, None))
     right.legend()
     style.headline(figure, "Iterations do not grow with the grid, time grows as n log n")
     return {"half_space": figure}
 
 
 def tables(rows):
-    text = "| patches | steps | iterations of a step | worst step | seconds of a step | µs by n log₂ n | run (s) | GB |\n" + "|--:" * 8 + "|\n"
+    text = "| patches | steps | Newton's iterations of a step | worst step | iterations of GMRES | worst step | seconds of a step | µs by n log₂ n | run (s) | GB |\n" + "|--:" * 10 + "|\n"
     for row in rows:
         text += (f"| {row['side']} × {row['side']} | {row['steps']} | {row['iterations_per_step']} | {row['most_iterations']} | "
+                 f"{row['gmres_per_step']} | {row['most_gmres']} | "
                  f"{float(row['step_seconds']):.3g} | {per_node(row):.2f} | {float(row['seconds']):.1f} | "
                  f"{float(row['gigabytes']):.2f} |\n")
     return {"half space": text}

@@ -17,7 +17,8 @@ from points import StudyError, Table, measure, write_rows
 # that shows it; measured(context), the rows of its points; figures(rows), {name: figure}; and, if the page has tables
 # of it, tables(rows), {name: text}.
 STUDIES = ("discretization", "adaptive", "solvers", "load_stepping", "slip_integration", "projection", "reduced_models", "maps",
-           "measured_laws", "backends", "elastic", "choices", "half_space", "ball_models", "scale", "spectra", "small_problems", "uniqueness", "locking", "wear_jumps",
+           "measured_laws", "backends", "elastic", "choices", "half_space", "half_space_multigrid",
+           "ball_models", "rough_contact", "scale", "spectra", "small_problems", "uniqueness", "locking", "wear_jumps",
            "wear_steps", "wear_flicker", "tractions", "counterbodies", "imported", "contact_examples", "identification")
 # Words that stand before all others, and the modules that have their main().
 OTHERS = {"figures": "paper_figures", "verification": "verification", "tutorial": "tutorial", "rigs": "rigs", "parts": "parts",

@@ -87,18 +87,4 @@ std::string lack_of_memory(double needed, const MemoryLimit &limit);
 /// Throws TooLargeError as CostModel::require_countable() does, or InputError if the model is likely to need
 /// more memory than the limit.
 void require_memory(const Parameters &parameters, const ModelSymmetry &symmetry, const MemoryLimit &limit);
-
-/// Numbers of steps that a run may compute, each counted with all its parts: all of them where no cycle is
-/// jumped, and fewer where cycles are.
-struct ComputedSteps
-{
-  double least, most;
-};
-
-/// The estimate in two lines, with the available memory. `is_least`: it is a lower bound.
-std::string describe(const Estimate &estimate, const ComputedSteps &n_steps, const MemoryLimit &limit,
-                     bool is_least);
-
-/// Cells, unknowns and contact nodes in lines.
-std::string describe(const ModelSize &size);
 } // namespace orthocone

@@ -24,5 +24,6 @@ struct SolvedStep
   std::string method = ContactSolverOptions().method; ///< word of a ContactMethod
   std::string driven{};        ///< components of the held face that the step drives, such as "ux uy uz"
   unsigned int n_v_cycles = 0; ///< on the finest mesh, since the step before
+  unsigned int n_gmres_iterations = 0; ///< Compliance::n_gmres_iterations() since the step before
 };
 } // namespace orthocone

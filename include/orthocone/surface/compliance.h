@@ -84,6 +84,10 @@ public:
   /// solver must not outlive the compliance.
   virtual std::unique_ptr<ConditionSolver> condition_solver(double softness) const;
 
+  /// Iterations of GMRES that its condition solvers have taken so far, each with a product of a half-space
+  /// without a matrix; 0 with other compliances.
+  virtual unsigned long n_gmres_iterations() const { return 0; }
+
   /// Largest eigenvalue of W (mm/N), estimated from below to about 0.1 %.
   virtual double softness() const;
 };

@@ -63,6 +63,7 @@ public:
   /// By the sum of what the loaded patches do, without a transform.
   Eigen::Vector3d displacement_at(Eigen::Index node, const NodeVector &force) const override;
   std::unique_ptr<ConditionSolver> condition_solver(double softness) const override;
+  unsigned long n_gmres_iterations() const override;
 
 private:
   Eigen::Matrix3d block_of_patches(Eigen::Index along_x, Eigen::Index along_y) const;

@@ -24,6 +24,7 @@ public:
   void vmult(NodeVector &displacement, const NodeVector &force) const override;
   Eigen::Matrix3d diagonal_block(Eigen::Index node) const override;
   std::unique_ptr<ConditionSolver> condition_solver(double softness) const override;
+  unsigned long n_gmres_iterations() const override;
 
   /// Memory that the products take, in bytes.
   double bytes() const;

@@ -23,6 +23,7 @@ public:
   Eigen::Matrix3d diagonal_block(Eigen::Index node) const override;
   Eigen::Vector3d displacement_at(Eigen::Index node, const NodeVector &force) const override;
   std::unique_ptr<ConditionSolver> condition_solver(double softness) const override;
+  unsigned long n_gmres_iterations() const override { return plain_->n_gmres_iterations(); }
   double softness() const override { return plain_->softness(); } ///< turning does not change it
 
 private:

@@ -3,11 +3,13 @@
 #include <orthocone/surface/grid_half_space.h>
 
 #include "surface/rectangle_kernel.h"
+#include "surface/surfaces.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace orthocone::test
@@ -199,6 +201,38 @@ TEST(GridHalfSpace, HoldsNodesAsTheDenseMatrixDoes)
   EXPECT_LT((change.force(held) - exact).norm(), 1e-3 * exact.norm());
   for (Index node = 0; node < grid.n_nodes(); node += 3)
     EXPECT_TRUE(change.force.segment<3>(3 * node).isZero(0));
+}
+
+// Patches of an even mesh are those of a grid, so that both half-spaces are one in the limit: of many points
+// where patches touch, and of large distances elsewhere, whose error falls with their fourth power.
+TEST(GridHalfSpace, IsTheLimitOfPatchesOfAMesh)
+{
+  constexpr unsigned int cells = 12, source = 3;
+  const ContactSurface surface = square_surface(cells, 1);
+  const GridHalfSpace grid({cells + 1, cells + 1, 2. / cells, 2. / cells}, body_of_steel);
+  const auto error = [&](const unsigned int points, const Index along_x, const Index along_y)
+  {
+    const HalfSpace steel{body_of_steel.young_modulus, body_of_steel.poisson_ratio, points};
+    const MatrixXd w = half_space_compliance(steel, surface, ModelSymmetry(), LocalAxes(0));
+    const auto place = [](const Index i, const Index j) { return i + (cells + 1) * j; };
+    Matrix3d block = w.block<3, 3>(3 * place(source + along_x, source + along_y), 3 * place(source, source));
+    // This half-space is below the surface, and that of a grid above it: the normal and the tangential
+    // directions couple with the other sign.
+    block.topRightCorner<1, 2>() *= -1;
+    block.bottomLeftCorner<2, 1>() *= -1;
+    const Matrix3d exact = grid.block(along_x, along_y);
+    return (block - exact).norm() / exact.norm();
+  };
+  for (const auto &[x, y] : {std::pair<Index, Index>{0, 0}, {1, 0}, {0, 1}, {1, 1}})
+  {
+    EXPECT_LE(error(2, x, y), 2e-2) << x << ' ' << y;
+    EXPECT_LE(error(8, x, y), 1e-3) << x << ' ' << y;
+  }
+  for (const auto &[x, y] : {std::pair<Index, Index>{3, 0}, {2, 2}})
+  {
+    EXPECT_LE(error(2, x, y), 1e-3) << x << ' ' << y;
+    EXPECT_LE(error(2, 2 * x, 2 * y), error(2, x, y) / 12) << x << ' ' << y;
+  }
 }
 
 TEST(GridHalfSpace, WantsPatchesWithASize)

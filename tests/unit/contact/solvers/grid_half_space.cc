@@ -9,6 +9,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 namespace orthocone::test
 {
@@ -75,6 +76,42 @@ private:
   GridHalfSpace half_space_;
   ContactSystem system_;
 };
+
+/// Waves of no common period, as a rough surface has them, about 1 high at most; i and j count patches.
+double rough(const Index node, const Index n)
+{
+  const auto i = static_cast<double>(node % n), j = static_cast<double>(node / n);
+  return std::cos(2.3 * i + 0.7 * j) + std::sin(1.1 * i - 1.9 * j) + std::cos(0.4 * i + 2.9 * j);
+}
+
+/// Normal forces (n) on a rough surface without friction, W p = -gap where p > 0, by factorizations of the
+/// normal part of W between the nodes that touch (primal-dual active sets).
+VectorXd pressed(const GridHalfSpace &half_space, const VectorXd &gap)
+{
+  const SurfaceGrid &grid = half_space.grid();
+  const Index n = grid.n_nodes();
+  Eigen::MatrixXd w(n, n);
+  for (Index a = 0; a < n; ++a)
+    for (Index b = 0; b < n; ++b)
+      w(a, b) = half_space.block(a % grid.n_x - b % grid.n_x, a / grid.n_x - b / grid.n_x)(0, 0);
+  VectorXd force = VectorXd::Zero(n);
+  std::vector<Index> touching, before{-1};
+  for (unsigned int k = 0; k < 50 && touching != before; ++k)
+  {
+    before = touching;
+    const VectorXd open = gap + w * force;
+    touching.clear();
+    for (Index a = 0; a < n; ++a)
+      if (force[a] - open[a] / w(0, 0) > 0)
+        touching.push_back(a);
+    force.setZero();
+    const Eigen::MatrixXd between = w(touching, touching);
+    const VectorXd right_side = -gap(touching), solution = between.llt().solve(right_side);
+    force(touching) = solution;
+  }
+  EXPECT_EQ(touching, before);
+  return force;
+}
 
 double sum(const VectorXd &force, const Index component)
 {
@@ -154,10 +191,7 @@ TEST(GridHalfSpaceContact, IsThatOfTheDenseMatrix)
   VectorXd q(3 * n * n);
   for (Index node = 0; node < n * n; ++node)
   {
-    const auto i = static_cast<double>(node % n), j = static_cast<double>(node / n);
-    const double rough =
-        std::cos(2.3 * i + 0.7 * j) + std::sin(1.1 * i - 1.9 * j) + std::cos(0.4 * i + 2.9 * j);
-    q.segment<3>(3 * node) << 1e-3 * (rough - 0.5), 3e-4, -1e-4;
+    q.segment<3>(3 * node) << 1e-3 * (rough(node, n) - 0.5), 3e-4, -1e-4;
   }
   const FrictionLaws laws(n * n, OrthotropicFriction{0.3, 0.15, 1, 0.4});
   const auto solved = [&](const Compliance &compliance)
@@ -172,5 +206,48 @@ TEST(GridHalfSpaceContact, IsThatOfTheDenseMatrix)
   EXPECT_LT((by_transform - by_matrix).norm(), 1e-9 * by_matrix.norm());
   EXPECT_GT((by_matrix(Eigen::seqN(0, n * n, 3)).array() > 0).count(), n * n / 8) << "some patches touch";
   EXPECT_LT((by_matrix(Eigen::seqN(0, n * n, 3)).array() > 0).count(), n * n) << "and some do not";
+}
+
+TEST(GridHalfSpaceContact, PressesARoughSurfaceAsActiveSetsDo)
+{
+  constexpr Index n = 32;
+  const GridHalfSpace half_space({n, n, 0.1, 0.12}, {1000, 0.3});
+  const VectorXd gap =
+      VectorXd::NullaryExpr(n * n, [](const Index node) { return 1e-3 * (rough(node, n) - 1); });
+  VectorXd q = VectorXd::Zero(3 * n * n);
+  q(Eigen::seqN(0, n * n, 3)) = gap;
+  const ContactSystem system(half_space, FrictionLaws(n * n, OrthotropicFriction{0, 0, 1, 1}));
+  const ContactStep step(system, q);
+  VectorXd force = VectorXd::Zero(step.n_unknowns());
+  EXPECT_TRUE(solve_step(step, solver_options("newton", 1e-13), force).converged);
+  const VectorXd expected = pressed(half_space, gap);
+  EXPECT_LE((force(Eigen::seqN(0, n * n, 3)) - expected).norm(), 1e-9 * expected.norm());
+}
+
+// Without Poisson effect, a rough surface that is sheared along an axis of friction carries mu times the
+// pressure less that of a smaller approach, by motion / mu: the theorem of Jaeger and Ciavarella, whatever
+// the slip rule, since slip is along the axis.
+TEST(GridHalfSpaceContact, ShearsARoughSurfaceAsTwoPressedOnes)
+{
+  constexpr Index n = 24;
+  constexpr double mu = 0.3, motion = 2e-4;
+  const GridHalfSpace half_space({n, n, 0.1, 0.12}, {1000, 0}, HalfSpace{1000, 0});
+  VectorXd gap(n * n), q(3 * n * n);
+  for (Index node = 0; node < n * n; ++node)
+  {
+    gap[node] = 1e-3 * (rough(node, n) - 1);
+    q.segment<3>(3 * node) << gap[node], motion, 0;
+  }
+  const ContactSystem system(half_space, FrictionLaws(n * n, OrthotropicFriction{mu, 0.15, 1, 0.4}));
+  const ContactStep step(system, q);
+  VectorXd force = VectorXd::Zero(step.n_unknowns());
+  EXPECT_TRUE(solve_step(step, solver_options("newton", 1e-12), force).converged);
+  const VectorXd all = pressed(half_space, gap),
+                 less = pressed(half_space, gap + VectorXd::Constant(n * n, motion / mu));
+  EXPECT_LE((force(Eigen::seqN(0, n * n, 3)) - all).norm(), 1e-9 * all.norm());
+  EXPECT_LE((force(Eigen::seqN(1, n * n, 3)) + mu * (all - less)).norm(), 1e-8 * mu * all.norm());
+  EXPECT_LE(force(Eigen::seqN(2, n * n, 3)).norm(), 1e-8 * mu * all.norm());
+  EXPECT_GT((less.array() > 0).count(), 0) << "some patches stick";
+  EXPECT_LT((less.array() > 0).count(), (all.array() > 0).count()) << "and some slip";
 }
 } // namespace orthocone::test
