@@ -11,11 +11,9 @@ class PressureDistribution {
     this.chart = null;
   }
 
-  /** A staircase with a step for each class of pressure, which falls to zero at both ends. */
-  stairs({top, shares}, frame) {
-    const width = top / shares[frame].length;
-    return {x: [0, ...shares[frame].flatMap((_, k) => [k * width, (k + 1) * width]), top],
-            y: [0, ...shares[frame].flatMap(share => [share, share]), 0]};
+  /** The share of each class over the middle of its pressures. */
+  classes({top, shares}, frame) {
+    return {x: shares[frame].map((_, k) => (k + 0.5) * top / shares[frame].length), y: shares[frame]};
   }
 
   show(step) {
@@ -24,7 +22,7 @@ class PressureDistribution {
     const series = this.runs.map(run => {
       const distances = run.steps.map(one => Math.abs(one - step)), frame = distances.indexOf(Math.min(...distances));
       return {name: "share", run: several ? run.name : "", colour: `var(--${several ? `r${run.r + 1}` : "c1"})`, dash: DASHES[0],
-              ...this.stairs(run, frame)};
+              ...this.classes(run, frame)};
     });
     const spec = {title: `Area in contact over its pressure, step ${step}`, shared: true, fixed: true, series,
                   x: {name: "pressure", unit: "MPa"}, y: {unit: "%", name: "", range: [0, largest]},

@@ -7,6 +7,7 @@ import numpy as np
 import surface_picture
 import svg
 from drawing import HEIGHT, WIDTH, Frame, area_of, counterface, ground, hatched, inside, load_words, shortened, two_parts
+from half_space_picture import half_space_view
 from imported_picture import imported_view
 from law_picture import axis_lines
 from lower_picture import Block, lower_of
@@ -54,7 +55,8 @@ def mesh_lines(data, frame):
     mesh = data.maps.mesh
     if not mesh:
         return "", "no contact fields, so no mesh"
-    note = f"{len(mesh.cells)} cells of degree {mesh.degree}"
+    note = (f"{data.summary['model']['cells']} patches" if data.sheet and "model" in data.summary
+            else f"{len(mesh.cells)} cells of degree {mesh.degree}")
     if len(mesh.cells) > MOST_DRAWN_CELLS:
         return "", note + ", too many to be drawn"
     path = "".join("M" + "L".join(f"{svg.number(a)} {svg.number(b)}" for a, b in frame.all(edge))
@@ -80,6 +82,8 @@ def size_of(data):
     if data.shape == "cylinder":
         return f"radius {data.radius:g} mm"
     points = np.concatenate(data.outline)
+    if data.sheet:
+        return f"{data.sheet[0]:g} mm x {data.sheet[1]:g} mm"
     x, y = points.max(axis=0) - points.min(axis=0)
     return f"{x:.4g} mm x {y:.4g} mm"
 
@@ -165,6 +169,8 @@ def views_from_the_side(data):
     below = lower_of(data)
     if data.has_lower and below is None:
         data.notes.append("The lower body is not drawn: its mesh file is not where the run has found it.")
+    if data.sheet:
+        return [("Half-space, from the side", half_space_view(data, load_arrows))]
     if data.shape != "file":
         return [(f"{'Box' if data.box else 'Cylinder'}, from the side", side_view(data, below))]
     if data.body is None:

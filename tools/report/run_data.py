@@ -56,6 +56,7 @@ class RunData:
         self.shape = self.parameters["Geometry"].get("Shape", "cylinder")
         self.is_plane = self.parameters["Geometry"].get("Kind", "solid") == "plane strain"
         self.box = self.read("parameters.prm", self.sizes)
+        self.sheet = self.read("parameters.prm", self.sheet_sizes)
         self.height = self.box[2] if self.box else self.size("Height")
         self.probe_places = self.places_of_probes()
         self.energy = self.read("history.csv", self.energy_ledger)
@@ -110,8 +111,8 @@ class RunData:
             corners = self.body.contact_from_above().reshape(-1, 2)
             one, node = outline.distinct(corners)
             return outline.outline(corners[one], node.reshape(-1, 4))
-        if self.box:
-            return [np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * self.box[:2] / 2]
+        if self.box or self.sheet:
+            return [np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)]) * (self.box or self.sheet)[:2] / 2]
         angles = np.linspace(0, 2 * np.pi, 96, endpoint=False)
         return [self.size("Radius") * np.stack([np.cos(angles), np.sin(angles)], axis=1)]
 
@@ -133,10 +134,17 @@ class RunData:
 
     def sizes(self):
         """l_x, l_y, l_z of a box, in mm; None for another shape."""
-        if self.shape != "box":
-            return None
-        l_x, l_y, l_z = (checked.number(size, 0, "Sizes") for size in self.parameters["Geometry"]["Sizes"].split(","))
-        return l_x, l_y, l_z
+        return self.lengths("Sizes", 3) if self.shape == "box" else None
+
+    def sheet_sizes(self):
+        """l_x, l_y of the grid on a half-space, in mm; None for another shape."""
+        return self.lengths("Sizes", 2) if self.shape == "half-space" else None
+
+    def lengths(self, entry, n):
+        found = tuple(checked.number(size, 0, entry) for size in self.parameters["Geometry"][entry].split(","))
+        if len(found) != n:
+            raise ValueError(f"{entry}: {n} lengths are wanted")
+        return found
 
     def friction_texts(self):
         words = ("associated", "collinear")
