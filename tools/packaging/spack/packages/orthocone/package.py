@@ -24,6 +24,8 @@ class Orthocone(CMakePackage):
     depends_on("mpi")
     depends_on("suite-sparse")
     depends_on("metis@5:")
+    depends_on("fftw@3:")
+    depends_on("hmat-oss")
     depends_on("eigen@3.4:3")
     depends_on("openblas threads=pthreads")
     depends_on("boost@1.74: +program_options")
