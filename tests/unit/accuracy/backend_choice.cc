@@ -202,8 +202,21 @@ TEST(BackendChoice, NamesTheEntryThatMultigridIsNotFor)
   other.contact_solver.method = "gauss-seidel";
   expect_named(other, "Contact solver/Method = gauss-seidel");
   other = refined(4);
-  other.obstacle.kind = ObstacleKind::half_space;
-  expect_named(other, "Obstacle/Kind = half-space");
+  other.obstacle.kind = ObstacleKind::body;
+  expect_named(other, "Obstacle/Kind = body");
+}
+
+/// The half-space takes memory and time of its own, and does not keep multigrid from large bodies.
+TEST(BackendChoice, CountsAHalfSpaceBelowMultigrid)
+{
+  Parameters parameters = refined(4);
+  const Estimate rigid = CostModel(parameters, quarter).multigrid();
+  parameters.obstacle.kind = ObstacleKind::half_space;
+  const Estimate elastic = CostModel(parameters, quarter).multigrid();
+  EXPECT_GT(elastic.gigabytes, rigid.gigabytes);
+  EXPECT_GT(elastic.set_up_seconds, rigid.set_up_seconds);
+  EXPECT_GT(elastic.step_seconds, rigid.step_seconds);
+  EXPECT_EQ(chosen(parameters), BodyBackend::multigrid);
 }
 
 TEST(BackendChoice, LeavesWhatIsGiven)
