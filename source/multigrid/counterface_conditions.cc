@@ -217,12 +217,13 @@ private:
 };
 } // namespace
 
-CounterfaceConditions::CounterfaceConditions(const MultigridCompliance &body, const Compliance &counterface,
-                                             const double softness_ratio)
+CounterfaceConditions::CounterfaceConditions(const MultigridCompliance &body, const double softness_of_body,
+                                             const Compliance &counterface,
+                                             const double softness_of_counterface)
     : body_(body),
       counterface_(counterface),
-      softness_ratio_(softness_ratio),
-      on_counterface_(counterface.condition_solver(counterface.softness()))
+      softness_ratio_(softness_of_counterface / softness_of_body),
+      on_counterface_(counterface.condition_solver(softness_of_counterface))
 {
 }
 

@@ -11,10 +11,10 @@ namespace orthocone
 class CounterfaceConditions : public ConditionSolver
 {
 public:
-  /// `softness_ratio`: how much softer the counterface is than the body. The other arguments must outlive
-  /// this object.
-  CounterfaceConditions(const MultigridCompliance &body, const Compliance &counterface,
-                        double softness_ratio);
+  /// The softnesses are Compliance::softness() of both, which take products. Body and counterface must
+  /// outlive this object.
+  CounterfaceConditions(const MultigridCompliance &body, double softness_of_body,
+                        const Compliance &counterface, double softness_of_counterface);
 
   ContactChange solve(const ContactConditions &conditions, double accuracy) const override;
 

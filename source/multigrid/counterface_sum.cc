@@ -47,7 +47,7 @@ Eigen::Matrix3d CounterfaceSum::diagonal_block(const Eigen::Index node) const
 
 std::unique_ptr<ConditionSolver> CounterfaceSum::condition_solver(double) const
 {
-  return std::make_unique<CounterfaceConditions>(body_, counterface_,
-                                                 softness_of_counterface_ / softness_of_body_);
+  return std::make_unique<CounterfaceConditions>(body_, softness_of_body_, counterface_,
+                                                 softness_of_counterface_);
 }
 } // namespace orthocone
