@@ -32,7 +32,7 @@ def figures_of_run(result, point):
     with open(result.folder / "history.csv", encoding="utf-8") as file:
         last = list(csv.DictReader(file))[-1]
     model = run.summary["model"]
-    return {"dofs": model["degrees_of_freedom"], "nodes": model["contact_nodes"], "force_x": last["force_x"],
+    return {"dofs": model["dofs"], "nodes": model["contact_nodes"], "force_x": last["force_x"],
             "v_cycles": run.summary["contact_solver"].get("v_cycles", 0), "cpu_seconds": f"{result.cpu_seconds:.3f}",
             "seconds": f"{result.seconds:.3f}", "gigabytes": f"{result.gigabytes:.3f}"}
 
@@ -70,4 +70,4 @@ def tables(rows):
         for own in (row, plane):
             text += f"{float(own['cpu_seconds']):.1f} | {float(own['gigabytes']):.2f} | {own['v_cycles']} | "
         text += f"{abs(float(row['force_x']) / float(dense['force_x']) - 1):.0e} |\n" if dense else "|\n"
-    return {"half space multigrid": text}
+    return {"hierarchical half space": text}
