@@ -54,7 +54,7 @@ def figures(rows):
                         color=style.COLOURS[colour], label=f"{backend}, {counterface}")
         axis.set(xlabel="contact nodes", ylabel=label)
     axes[0].legend()
-    style.headline(figure, "A hierarchical half-space grows as the body above it")
+    style.headline(figure, "Multigrid takes a half-space where dense matrices grow too large")
     return {"half_space_multigrid": figure}
 
 
