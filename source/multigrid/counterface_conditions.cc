@@ -237,7 +237,9 @@ CounterfaceConditions::CounterfaceConditions(const MultigridCompliance &body, co
 /// and y, as much softer as both are together.
 ContactChange CounterfaceConditions::solve(const ContactConditions &conditions, const double accuracy) const
 {
-  constexpr unsigned int most_iterations = 80;
+  // Beyond them Newton's method corrects what is left. Each keeps two vectors of the body, for which the
+  // estimate of memory has room.
+  constexpr unsigned int most_iterations = 60;
   body_.cycle().release();
   const Equations equations(body_, counterface_, conditions);
   const Unknowns right_side = equations.right_side();

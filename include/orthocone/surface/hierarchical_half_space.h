@@ -10,8 +10,8 @@
 namespace orthocone
 {
 /// The matrix of half_space_compliance() without the matrix: a hierarchical one, whose products are those of
-/// the dense one to about 1e-8, with n log n numbers for n contact nodes (10 000 nodes: 0.7 GB in place of
-/// 7.2 GB). The nodes need not be a grid. Only one thread at a time may use it.
+/// the dense one to about 1e-8, with n log n numbers for n contact nodes (docs/performance.md, "A half-space
+/// below multigrid"). The nodes need not be a grid. Only one thread at a time may use it.
 class HierarchicalHalfSpace : public Compliance
 {
 public:
